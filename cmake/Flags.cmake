@@ -1,0 +1,24 @@
+# One set of flags for programs, solutions, tests, and what a student writes: the same code gives the same digits
+# and the same complaints everywhere. Each flag has its reason.
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+set(COURSE_WARNINGS
+    -Wall -Wextra
+    -Wconversion # 1/2 and int -> double are the classic slips of a beginner
+    -Wshadow)    # as is a second variable of the same name
+set(COURSE_CODE_FLAGS
+    -O1                  # compiles a student's file faster than -O0 does: much of Eigen is gone before it is written out
+    -ffp-contract=off    # a * b + c is rounded twice on every machine
+    -Werror=return-type) # a forgotten return is undefined behaviour: never let it run
+set(COURSE_DEFINITIONS
+    EIGEN_INITIALIZE_MATRICES_BY_NAN # a vector that nobody has set shows
+    _GLIBCXX_ASSERTIONS)             # v[7] beyond the end is an assertion, not luck
+
+add_library(course_flags INTERFACE)
+target_compile_options(course_flags INTERFACE ${COURSE_CODE_FLAGS} ${COURSE_WARNINGS})
+target_compile_definitions(course_flags INTERFACE ${COURSE_DEFINITIONS})
+target_include_directories(course_flags INTERFACE ${PROJECT_SOURCE_DIR}/chapters)
+target_link_libraries(course_flags INTERFACE Eigen3::Eigen)

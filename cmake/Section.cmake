@@ -1,0 +1,202 @@
+# section(07_segment_intersection): everything that belongs to one section, from its files.
+#
+#   chapters/NN_slug   the program, with the reference        debug/NN_slug     tests and exercise in one process
+#   mine/NN_slug       the same with the student's file       catalogue/NN_slug.json   the list of its exercises
+#   tests/NN_slug      the tests, which ask for a subject     subjects/NN_slug/…       solution, stub, wrong and right ones
+#   traces/NN_slug/…   what the program has traced            plots/NN_slug_….svg      its figures
+
+set(COURSE_SECTIONS "" CACHE INTERNAL "")
+add_custom_target(programs)
+add_custom_target(section-tests)
+add_custom_target(figures)
+
+function(need_file file)
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${file})
+    message(FATAL_ERROR "section(${section}) needs ${file}, which is not there: write it, or correct its name. "
+                        "`./course new` makes all files of a new section.")
+  endif()
+endfunction()
+
+function(section section)
+  if(NOT section MATCHES "^[0-9][0-9]_[a-z0-9_]+$")
+    message(FATAL_ERROR "section(${section}): a section is named NN_slug, as 07_segment_intersection")
+  endif()
+  string(SUBSTRING ${section} 3 -1 slug)
+  set(chapter ${PROJECT_SOURCE_DIR}/chapters/${section})
+  foreach(file chapters/${section}/README.md chapters/${section}/${slug}.hpp chapters/${section}/main.cpp solutions/${section}.cpp
+               tests/${section}.cpp tests/stubs/${section}.cpp tests/wrong/${section} tests/right/${section})
+    need_file(${file})
+  endforeach()
+  set(COURSE_SECTIONS ${COURSE_SECTIONS} ${section} CACHE INTERNAL "")
+
+  section_programs()
+  section_tests()
+  section_figures()
+endfunction()
+
+macro(section_programs)
+  add_library(${section}_reference OBJECT solutions/${section}.cpp)
+  target_link_libraries(${section}_reference PUBLIC course_flags)
+  target_include_directories(${section}_reference PUBLIC ${chapter})
+
+  add_executable(${section} ${chapter}/main.cpp $<TARGET_OBJECTS:${section}_reference>)
+  target_link_libraries(${section} PRIVATE course_flags)
+  target_include_directories(${section} PRIVATE ${chapter})
+  set_target_properties(${section} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
+  add_dependencies(programs ${section})
+
+  # The student's file is in no default target: whatever is in it, the course builds.
+  if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
+    add_executable(${section}_mine EXCLUDE_FROM_ALL ${chapter}/main.cpp exercises/${section}.cpp)
+    target_link_libraries(${section}_mine PRIVATE course_flags)
+    target_include_directories(${section}_mine PRIVATE ${chapter})
+    target_compile_options(${section}_mine PRIVATE -Wno-unused-parameter)
+    set_target_properties(${section}_mine PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/mine)
+  else()
+    message(WARNING "exercises/${section}.cpp is not there; `./course reset ${section}` brings the empty one back.")
+  endif()
+endmacro()
+
+macro(section_tests)
+  add_library(${section}_cases OBJECT tests/${section}.cpp)
+  target_include_directories(${section}_cases PRIVATE tests ${chapter})
+  target_link_libraries(${section}_cases PRIVATE course_harness)
+  target_compile_options(${section}_cases PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # verdicts say tests/NN_slug.cpp
+  add_executable(${section}_tests $<TARGET_OBJECTS:${section}_cases>)
+  target_link_libraries(${section}_tests PRIVATE course_harness)
+  set_target_properties(${section}_tests PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  set(catalogue ${PROJECT_BINARY_DIR}/catalogue/${section}.json)
+  add_custom_command(OUTPUT ${catalogue}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/catalogue
+    COMMAND ${section}_tests --catalogue > ${catalogue} DEPENDS ${section}_tests VERBATIM COMMENT "")
+
+  add_library(${section}_server OBJECT tools/verdict/server.cpp)
+  target_link_libraries(${section}_server PRIVATE course_flags)
+  target_include_directories(${section}_server PRIVATE ${chapter} tools/verdict)
+  target_compile_definitions(${section}_server PRIVATE COURSE_SECTION="${slug}.hpp")
+
+  add_student_objects(${section}_stub tests/stubs/${section}.cpp)
+  add_library(${section}_missing OBJECT tests/stubs/${section}.cpp)
+  target_link_libraries(${section}_missing PRIVATE course_flags)
+  target_include_directories(${section}_missing PRIVATE ${chapter})
+  target_compile_options(${section}_missing PRIVATE -w -DCOURSE_STUB_BEHIND -include ${PROJECT_SOURCE_DIR}/tools/verdict/missing.hpp)
+  set(missing ${PROJECT_BINARY_DIR}/loop/${section}_missing.o)
+  add_weak_object(${missing} ${section}_missing)
+
+  # A solution whose functions give way to a file of tests/wrong or tests/right. Without these two flags GCC would go on
+  # to call, or inline, the ones it has seen.
+  add_library(${section}_yielding OBJECT solutions/${section}.cpp)
+  target_link_libraries(${section}_yielding PRIVATE course_flags)
+  target_include_directories(${section}_yielding PRIVATE ${chapter})
+  target_compile_options(${section}_yielding PRIVATE -fPIC -fsemantic-interposition)
+  set(yielding ${PROJECT_BINARY_DIR}/loop/${section}_yielding.o)
+  add_weak_object(${yielding} ${section}_yielding)
+  set(yielding_stub ${PROJECT_BINARY_DIR}/loop/${section}_stub.o)
+  add_weak_object(${yielding_stub} ${section}_stub)
+
+  add_custom_target(${section}_loop ALL DEPENDS ${missing} ${catalogue} ${section}_tests ${section}_server course_pch)
+  add_dependencies(section-tests ${section}_loop)
+  set_property(GLOBAL APPEND_STRING PROPERTY course_sections_json
+    ",\n  {\"name\": \"${section}\", \"server\": \"$<TARGET_OBJECTS:${section}_server>\", \"missing\": \"${missing}\"}")
+
+  add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
+  add_subject(stub none $<TARGET_OBJECTS:${section}_stub>)
+  foreach(kind wrong right)
+    file(GLOB attempts CONFIGURE_DEPENDS tests/${kind}/${section}/*.cpp)
+    foreach(attempt ${attempts})
+      file(STRINGS ${attempt} first LIMIT_COUNT 1)
+      if(NOT first MATCHES "^// ([0-9]+\\.[0-9]+): ")
+        message(FATAL_ERROR "${attempt} must begin with its exercise and what is special about it, as `// 7.2: only the boxes are asked`")
+      endif()
+      set(number ${CMAKE_MATCH_1})
+      cmake_path(GET attempt STEM stem)
+      add_student_objects(${section}_${kind}_${stem} ${attempt})
+      if(kind STREQUAL wrong)
+        add_subject(wrong_${stem} red:${number} $<TARGET_OBJECTS:${section}_wrong_${stem}> ${yielding})
+      else()
+        add_subject(right_${stem} only:${number} $<TARGET_OBJECTS:${section}_right_${stem}> ${yielding_stub})
+      endif()
+    endforeach()
+  endforeach()
+
+  # Everything in one process: for a debugger, for sanitizers, and where there is no fork.
+  foreach(whose debug direct)
+    if(whose STREQUAL debug)
+      if(NOT EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
+        continue()
+      endif()
+      add_executable(${section}_debug EXCLUDE_FROM_ALL exercises/${section}.cpp)
+      target_compile_options(${section}_debug PRIVATE -g -O0 -Wno-unused-parameter)
+    else()
+      add_executable(${section}_direct $<TARGET_OBJECTS:${section}_reference>)
+      add_test(NAME ${section}.direct COMMAND ${section}_direct)
+    endif()
+    target_sources(${section}_${whose} PRIVATE tools/verdict/direct.cpp tests/${section}.cpp)
+    target_link_libraries(${section}_${whose} PRIVATE course_flags Catch2::Catch2WithMain course::gmp)
+    target_include_directories(${section}_${whose} PRIVATE tests tools tools/verdict ${chapter})
+    target_compile_definitions(${section}_${whose} PRIVATE COURSE_SECTION="${slug}.hpp")
+    set_target_properties(${section}_${whose} PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${whose})
+  endforeach()
+endmacro()
+
+# A program with somebody's functions in it, and what the tests must say of them.
+macro(add_subject name expect)
+  add_executable(${section}_subject_${name} $<TARGET_OBJECTS:${section}_server> ${ARGN})
+  set_target_properties(${section}_subject_${name} PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${name}
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
+  target_link_options(${section}_subject_${name} PRIVATE ${COURSE_LOOP_LINK})
+  add_test(NAME ${section}.${name} COMMAND ${section}_tests $<TARGET_FILE:${section}_subject_${name}> --all-cases --expect ${expect})
+endmacro()
+
+macro(section_figures)
+  file(GLOB scripts CONFIGURE_DEPENDS plots/${section}_*.gp)
+  if(NOT scripts)
+    message(FATAL_ERROR "section(${section}) has no figure: write plots/${section}_<figure>.gp")
+  endif()
+  set(traces ${PROJECT_BINARY_DIR}/traces/${section})
+  set(traced ${traces}.txt) # what the program printed: made whenever it has run
+  add_custom_command(OUTPUT ${traced}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${traces}
+    COMMAND ${section} --out ${traces} > ${traced}
+    DEPENDS ${section} VERBATIM COMMENT "Running ${section}")
+  foreach(script ${scripts})
+    cmake_path(GET script STEM figure)
+    set(drawn ${PROJECT_BINARY_DIR}/plots/${figure}.svg)
+    add_custom_command(OUTPUT ${drawn}
+      COMMAND course-tool draw --script ${script} --trace ${traces}/${figure}.tsv --out ${drawn}
+      DEPENDS ${script} ${PROJECT_SOURCE_DIR}/plots/style.gp ${traced} course-tool VERBATIM COMMENT "Drawing ${figure}")
+    list(APPEND drawings ${drawn})
+  endforeach()
+  add_custom_target(${section}_figures ALL DEPENDS ${drawings})
+  add_dependencies(figures ${section}_figures)
+  set_property(GLOBAL APPEND PROPERTY course_book ${chapter}/README.md ${chapter}/${slug}.hpp ${chapter}/main.cpp ${traced} ${scripts}
+    ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${PROJECT_SOURCE_DIR}/tests/${section}.cpp)
+endmacro()
+
+# After the last section: what concerns all of them.
+function(finish_course)
+  foreach(folder solutions tests exercises tests/stubs)
+    file(GLOB files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${folder}/*.cpp)
+    foreach(file ${files})
+      cmake_path(GET file STEM stem)
+      if(NOT stem IN_LIST COURSE_SECTIONS)
+        message(FATAL_ERROR "${file} belongs to no section: correct its name, or add section(${stem}) to CMakeLists.txt")
+      endif()
+    endforeach()
+  endforeach()
+
+  get_property(sections GLOBAL PROPERTY course_sections_json)
+  string(REGEX REPLACE "^," "" sections "${sections}")
+  string(JOIN "\", \"" flags ${COURSE_LOOP})
+  string(JOIN "\", \"" precompiled ${COURSE_LOOP_PCH})
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/course.json CONTENT
+"{\n \"compiler\": \"${CMAKE_CXX_COMPILER}\",\n \"cmake\": \"${CMAKE_COMMAND}\",\n \"flags\": [\"${flags}\"],\n \"precompiled\": [\"${precompiled}\"],\n \"link\": \"${COURSE_LOOP_LINK}\",\n \"nm\": \"${CMAKE_NM}\",\n \"sections\": [${sections}\n ]\n}\n")
+
+  get_property(book GLOBAL PROPERTY course_book)
+  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/book.stamp
+    COMMAND course-tool weave --check
+    COMMAND ${CMAKE_COMMAND} -E touch ${PROJECT_BINARY_DIR}/book.stamp
+    DEPENDS course-tool programs figures ${book} ${PROJECT_SOURCE_DIR}/book.md ${PROJECT_SOURCE_DIR}/README.md VERBATIM
+    COMMENT "Checking that the book says what the code says")
+  add_custom_target(book ALL DEPENDS ${PROJECT_BINARY_DIR}/book.stamp)
+endfunction()

@@ -1,0 +1,59 @@
+# What a verdict needs: see tools/verdict. `COURSE_LOOP` is how a student's file is compiled, by `course check` and here.
+include(CheckCXXSourceCompiles)
+
+add_library(course_harness STATIC
+  ${PROJECT_SOURCE_DIR}/tools/verdict/harness.cpp
+  ${PROJECT_SOURCE_DIR}/tools/verdict/session.cpp
+  ${PROJECT_SOURCE_DIR}/tools/verdict/subject.cpp
+  ${PROJECT_SOURCE_DIR}/tools/verdict/verdict.cpp)
+target_include_directories(course_harness PUBLIC ${PROJECT_SOURCE_DIR}/tools)
+target_link_libraries(course_harness PUBLIC course_flags Catch2::Catch2 CLI11::CLI11 nlohmann_json::nlohmann_json course::gmp)
+
+# gold links in a third of the default linker's time, and comes with it.
+set(CMAKE_REQUIRED_LINK_OPTIONS -fuse-ld=gold)
+check_cxx_source_compiles("int main() {}" COURSE_HAS_GOLD)
+unset(CMAKE_REQUIRED_LINK_OPTIONS)
+set(COURSE_LOOP_LINK $<$<BOOL:${COURSE_HAS_GOLD}>:-fuse-ld=gold>)
+
+# The precompiled header that stands before every student's file.
+separate_arguments(extra NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
+get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+set(COURSE_LOOP ${extra} -std=c++20 ${COURSE_CODE_FLAGS} ${COURSE_WARNINGS} -Wno-unused-parameter)
+list(TRANSFORM COURSE_DEFINITIONS PREPEND -D OUTPUT_VARIABLE definitions)
+list(APPEND COURSE_LOOP ${definitions} -I${PROJECT_SOURCE_DIR}/chapters -isystem ${eigen})
+set(COURSE_PCH ${PROJECT_BINARY_DIR}/loop/student.hpp)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  set(compiled ${COURSE_PCH}.pch)
+  set(COURSE_LOOP_PCH -include-pch ${compiled})
+else()
+  set(compiled ${COURSE_PCH}.gch)
+  set(COURSE_LOOP_PCH -include ${COURSE_PCH})
+endif()
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/loop)
+file(COPY_FILE ${PROJECT_SOURCE_DIR}/tools/verdict/student.hpp ${COURSE_PCH} ONLY_IF_DIFFERENT)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/verdict/student.hpp)
+add_custom_command(OUTPUT ${compiled}
+  COMMAND ${CMAKE_CXX_COMPILER} ${COURSE_LOOP} -x c++-header ${COURSE_PCH} -o ${compiled} -MD -MF ${compiled}.d
+  DEPENDS ${COURSE_PCH}
+  DEPFILE ${compiled}.d
+  COMMENT "Precompiling the header that stands before every exercise"
+  VERBATIM COMMAND_EXPAND_LISTS)
+add_custom_target(course_pch DEPENDS ${compiled})
+
+# Objects of `sources` as a student's file would be compiled.
+function(add_student_objects name)
+  add_library(${name} OBJECT ${ARGN})
+  add_dependencies(${name} course_pch)
+  set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS ${compiled})
+  target_link_libraries(${name} PRIVATE course_flags)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/chapters/${section})
+  target_compile_options(${name} PRIVATE -Wno-unused-parameter ${COURSE_LOOP_PCH})
+endfunction()
+
+# The objects of a library with every symbol weak: they serve where nobody stronger does.
+function(add_weak_object output library)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${CMAKE_OBJCOPY} --weaken $<TARGET_OBJECTS:${library}> ${output}
+    DEPENDS $<TARGET_OBJECTS:${library}> COMMAND_EXPAND_LISTS VERBATIM
+    COMMENT "")
+endfunction()

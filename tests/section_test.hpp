@@ -1,0 +1,54 @@
+#pragma once
+// What every test file of the course needs. Kept small: it is compiled with each section's tests.
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators_adapters.hpp>
+#include <catch2/generators/catch_generators_random.hpp>
+#include <catch2/generators/catch_generators_range.hpp>
+#include <catch2/matchers/catch_matchers_templated.hpp>
+
+#include "course.hpp"
+#include "verdict/mismatch.hpp"
+#include "verdict/remote.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using course::Vec2;
+
+// The first failure of a case is its verdict, so nothing after it runs.
+#undef CHECK
+#undef CHECK_FALSE
+#undef CHECK_THAT
+#undef CHECK_THROWS_AS
+#define CHECK(...) REQUIRE(__VA_ARGS__)
+#define CHECK_FALSE(...) REQUIRE_FALSE(__VA_ARGS__)
+#define CHECK_THAT(...) REQUIRE_THAT(__VA_ARGS__)
+#define CHECK_THROWS_AS(...) REQUIRE_THROWS_AS(__VA_ARGS__)
+
+/// Matches a value as near to `want` as `tolerance` allows: absolute for what is smaller than 1, relative for what is
+/// larger. A vector counts by its distance, a struct field by field, an optional or a list by what is in it.
+/// "Not a number" is near to nothing. What differs is kept for the verdict.
+template <class T> class IsNear : public Catch::Matchers::MatcherGenericBase {
+  public:
+    explicit IsNear(T want_, double tolerance_ = 0) : want{std::move(want_)}, tolerance{tolerance_} {}
+
+    template <class Got> bool match(const Got &got) const {
+        if constexpr (wraps<Got>) return course::matches<Got>(got, Got{want}, tolerance);
+        else if constexpr (std::is_same_v<Got, double>) return course::matches<double>(got, want, tolerance);
+        else return course::matches<T>(T{got}, want, tolerance); // Eigen's unfinished sums become vectors here
+    }
+    std::string describe() const override { return "is near " + course::describe(want); }
+
+  private:
+    template <class Got> static constexpr bool wraps = std::is_same_v<Got, std::optional<T>>; // want 3, got std::optional{3}
+    T want;
+    double tolerance;
+};
+
+/// Endless random vectors with both components in [low, high].
+inline auto vectors(double low, double high) {
+    return Catch::Generators::map([](const std::vector<double> &xy) { return Vec2{xy[0], xy[1]}; },
+                                  Catch::Generators::chunk(2, Catch::Generators::random(low, high)));
+}

@@ -1,0 +1,11 @@
+// A loop that does not end.
+#include "rest.hpp"
+
+namespace segment_intersection {
+
+std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+    for (volatile int i = 0; i < 10;) static_cast<void>(motion);
+    return right_answer(motion, wall);
+}
+
+} // namespace segment_intersection

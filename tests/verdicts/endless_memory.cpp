@@ -1,0 +1,12 @@
+// A list that grows for ever.
+#include "rest.hpp"
+
+namespace segment_intersection {
+
+std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+    std::vector<Vec2> path;
+    for (;;) path.push_back(motion.start);
+    return right_answer(motion, wall);
+}
+
+} // namespace segment_intersection

@@ -1,0 +1,29 @@
+#pragma once
+// What a student has not touched: every exercise of section 7 but the first. Each file here is a student's, and has one
+// thing the matter with it; the .txt beside it is what `./course check 7 --file` says.
+#include "segment_intersection.hpp"
+
+#include <cstdlib>
+#include <iostream>
+
+namespace segment_intersection {
+
+inline course::NotYet untouched() { return course::NotYet{"untouched"}; }
+bool meet(const Segment &, const Segment &) { throw untouched(); }
+std::vector<Vec2> shared(const Segment &, const Segment &) { throw untouched(); }
+Mover bounce(const Mover &, const std::vector<Vec2> &, double) { throw untouched(); }
+std::optional<Touch> first_touch(const Segment &, double, const Segment &) { throw untouched(); }
+int turn(const Segment &, const Segment &) { throw untouched(); }
+
+/// What the first exercise asks for.
+inline std::optional<Crossing> right_answer(const Segment &motion, const Segment &wall) {
+    require_range({motion.start, motion.end, wall.start, wall.end});
+    const Vec2 a = motion.end - motion.start, b = wall.end - wall.start, gap = wall.start - motion.start;
+    const double d = a.x() * b.y() - a.y() * b.x();
+    if (std::abs(d) <= parallel * a.norm() * b.norm()) return {};
+    const double t = (gap.x() * b.y() - gap.y() * b.x()) / d;
+    const double s = (gap.x() * a.y() - gap.y() * a.x()) / d;
+    return Crossing{t, s, motion.start + t * a};
+}
+
+} // namespace segment_intersection

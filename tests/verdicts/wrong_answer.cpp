@@ -1,0 +1,12 @@
+// t and s have changed places.
+#include "rest.hpp"
+
+namespace segment_intersection {
+
+std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+    auto found = right_answer(motion, wall);
+    if (found) std::swap(found->t, found->s);
+    return found;
+}
+
+} // namespace segment_intersection

@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace course {
+
+/// The whole file, byte for byte.
+/// @throws Complaint naming the path, if it cannot be read.
+std::string read_file(const std::filesystem::path &path);
+
+/// Replaces the file, or makes it and its folders: whatever happens, the old one stands there whole or the new one.
+/// A file that has this text already is left alone, with its date.
+/// @return whether the file changed
+/// @throws Complaint in one sentence, if the disk is full or the folder is not ours to write.
+bool write_file(const std::filesystem::path &path, std::string_view text);
+
+} // namespace course

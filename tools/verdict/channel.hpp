@@ -1,0 +1,51 @@
+#pragma once
+// How a call leaves the tests: what an exercise is, and who answers for it.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// What a COURSE_EXERCISE line says, and how to read the bytes of a call.
+struct Exercise {
+    std::string_view number;    ///< "7.2"
+    std::string_view tier;      ///< core, stretch, challenge
+    std::string_view function;  ///< its name
+    std::string_view arguments; ///< names and units: "motion [m], wall [m]"
+    std::string_view unit;      ///< of the result
+    std::vector<std::string> (*describe_arguments)(const Exercise &, std::string_view bytes);
+    std::uint32_t index = 0; ///< its place in the section's header
+};
+
+/// Those of the section, in the order of its header.
+std::vector<const Exercise *> &exercises();
+
+/// Makes the call in the student's code, wherever that runs, and gives back the bytes of its result.
+/// @throws NotYet, std::invalid_argument  as the student's code does
+/// @throws CaseOver  if there will be no result; the verdict has been noted
+std::string call(const Exercise &exercise, const std::string &arguments);
+
+/// Ends the running test case: its verdict stands. It is no std::exception, so that no test takes it for an answer.
+struct CaseOver {};
+
+/// The result's bytes were not a value of its type.
+[[noreturn]] void answered_nonsense();
+
+/// Whether these are the bytes that the last call answered: then its unit belongs to them.
+bool is_last_result(std::string_view bytes);
+std::string_view last_unit();
+
+/// What a matcher found, in the words of a verdict; see note_mismatch.
+struct Mismatch {
+    std::string got, want; ///< with the path to the field that differs: "point.x = 3 m"
+    std::string tolerance; ///< "1e-12", or empty where there is none
+    bool not_a_number = false;
+};
+void note_mismatch(const Mismatch &mismatch);
+
+/// How many generated cases to run: `full` of them under `./course test`, a hundredth in a student's check.
+int cases(int full);
+
+} // namespace course

@@ -1,0 +1,67 @@
+#pragma once
+// What is said of one test case: the same at a student's desk, in CI and in a grader.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+enum class Kind {
+    passed,
+    wrong,
+    not_started,
+    does_not_compile,
+    does_not_link,
+    missing,
+    threw,
+    crashed,
+    no_memory,
+    too_long,
+    left,
+    not_a_number,
+    out_of_turn,
+    left_process,
+    printed_too_much,
+    no_verdict, ///< the test itself is at fault: it asserted nothing, was skipped, or died
+};
+
+/// "wrong", "not started": how a kind is named in lists and in files for machines.
+std::string_view name_of(Kind kind);
+
+/// The call that led to a verdict.
+struct Call {
+    std::string function;
+    std::vector<std::string> arguments; ///< "motion = {from (4, 7) m, to (16, 3) m}"
+    int before = 0;                     ///< calls of the same case that came before it
+};
+
+struct Verdict {
+    std::string exercise; ///< "7.2"
+    std::string test;     ///< the claim
+    Kind kind = Kind::passed;
+    std::string sentence; ///< what happened, to the student; empty where got and want say it
+    std::optional<Call> call;
+    std::string got, want, tolerance;
+    std::string file; ///< of the check that failed, or of the error
+    int line = 0;
+    std::vector<std::string> printed; ///< the first lines of what the case printed
+    std::size_t printed_more = 0;     ///< lines that are not shown
+
+    bool passed() const { return kind == Kind::passed; }
+};
+
+void to_json(nlohmann::json &json, const Verdict &verdict);
+void from_json(const nlohmann::json &json, Verdict &verdict);
+
+/// What a student reads of a case that is not passed: some lines, each indented by `indent` blanks.
+std::string explain(const Verdict &verdict, int indent);
+
+/// The first `lines` lines of what somebody printed, each at most 160 characters, without control characters
+/// or broken UTF-8; and how many lines there were beyond.
+std::pair<std::vector<std::string>, std::size_t> tidy(std::string_view printed, std::size_t lines = 20);
+
+} // namespace course

@@ -1,0 +1,147 @@
+#pragma once
+// Values as bytes, both ways. Whoever reads trusts nothing: every length is checked against the bytes that are there.
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace course::wire {
+
+template <class T> inline constexpr bool always_false = false;
+template <class T> inline constexpr bool is_optional = false;
+template <class T> inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T> inline constexpr bool is_vector = false;
+template <class T> inline constexpr bool is_vector<std::vector<T>> = true;
+
+/// A struct of a section, which names its fields by COURSE_FIELDS.
+template <class T>
+concept Fields = requires(T &value) { value.fields(); };
+
+/// The part of a struct that COURSE_FIELDS names is all of it: a field forgotten there would never cross.
+template <class T, class... Parts> constexpr std::size_t size_of_parts(std::tuple<Parts &...> *) {
+    std::size_t end = 0;
+    ((end = (end + alignof(Parts) - 1) / alignof(Parts) * alignof(Parts) + sizeof(Parts)), ...);
+    return (end + alignof(T) - 1) / alignof(T) * alignof(T);
+}
+template <Fields T>
+constexpr bool names_all_fields =
+    size_of_parts<T>(static_cast<decltype(std::declval<T &>().fields()) *>(nullptr)) == sizeof(T);
+
+class Writer {
+  public:
+    std::string bytes;
+
+    void raw(const void *data, std::size_t size) { bytes.append(static_cast<const char *>(data), size); }
+
+    template <class T> void put(const T &value) {
+        if constexpr (std::is_same_v<T, bool>) {
+            bytes.push_back(value ? 1 : 0);
+        } else if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double> || std::is_same_v<T, std::uint32_t>) {
+            raw(&value, sizeof value);
+        } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
+            raw(value.data(), 2 * sizeof(double));
+        } else if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::string_view>) {
+            put(static_cast<std::uint32_t>(value.size()));
+            raw(value.data(), value.size());
+        } else if constexpr (is_optional<T>) {
+            put(value.has_value());
+            if (value) put(*value);
+        } else if constexpr (is_vector<T>) {
+            put(static_cast<std::uint32_t>(value.size()));
+            for (const auto &element : value) put(element);
+        } else if constexpr (Fields<T>) {
+            static_assert(names_all_fields<T>, "COURSE_FIELDS must name every field, in the order of declaration");
+            std::apply([this](const auto &...field) { (put(field), ...); }, value.fields());
+        } else {
+            static_assert(always_false<T>, "this type cannot cross: bool, int, double, Vec2, std::optional, std::vector, "
+                                           "or a struct with COURSE_FIELDS");
+        }
+    }
+};
+
+/// Reads what Writer wrote. After the first byte that is wrong or not there, ok() is false and values are meaningless.
+class Reader {
+  public:
+    explicit Reader(std::string_view bytes_) : bytes{bytes_} {}
+
+    bool ok() const { return good; }
+    bool finished() const { return good && bytes.empty(); } ///< all is read, and there was no more
+
+    void raw(void *data, std::size_t size) {
+        if (size > bytes.size()) good = false;
+        if (!good) return;
+        std::memcpy(data, bytes.data(), size);
+        bytes.remove_prefix(size);
+    }
+
+    template <class T> T take() {
+        T value{};
+        if constexpr (std::is_same_v<T, bool>) {
+            unsigned char byte = 0;
+            raw(&byte, 1);
+            good = good && byte <= 1;
+            value = byte == 1;
+        } else if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double> || std::is_same_v<T, std::uint32_t>) {
+            raw(&value, sizeof value);
+        } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
+            raw(value.data(), 2 * sizeof(double));
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            const auto size = take<std::uint32_t>();
+            if (size > bytes.size()) good = false;
+            if (!good) return value;
+            value.resize(size);
+            raw(value.data(), size);
+        } else if constexpr (is_optional<T>) {
+            if (take<bool>() && good) value = take<typename T::value_type>();
+        } else if constexpr (is_vector<T>) {
+            const auto size = take<std::uint32_t>();
+            if (size > bytes.size()) good = false; // an element is a byte at least
+            for (std::uint32_t i = 0; i < size && good; ++i) value.push_back(take<typename T::value_type>());
+        } else if constexpr (Fields<T>) {
+            std::apply([this](auto &...field) { ((field = take<std::remove_reference_t<decltype(field)>>()), ...); },
+                       value.fields());
+        } else {
+            static_assert(always_false<T>, "this type cannot cross");
+        }
+        return value;
+    }
+
+  private:
+    std::string_view bytes;
+    bool good = true;
+};
+
+/// What a frame from the student's process says; a call to it is a frame as well.
+enum class Frame : std::uint32_t {
+    hello = 0x46624630, ///< the server is up; carries the number of exercises it serves
+    call,               ///< to it: exercise, arguments
+    result,             ///< the value
+    not_yet,            ///< NotYet: where to begin
+    missing,            ///< the function is not in the student's file
+    refused,            ///< std::invalid_argument: what()
+    threw,              ///< anything else: its type, what()
+    no_memory,          ///< std::bad_alloc
+    crashed,            ///< about to die by a signal: the address, whether the stack had run out
+};
+
+struct Header {
+    Frame frame{};
+    std::uint32_t call = 0; ///< number of the call that this is, or answers
+    std::uint32_t size = 0; ///< bytes that follow
+};
+
+constexpr std::uint32_t largest_frame = 16u << 20; ///< [bytes] a longer answer is none: an exercise returns far less
+constexpr int request_fd = 3;                      ///< where the server reads calls
+constexpr int reply_fd = 4;                        ///< where it answers
+constexpr int pipe_is_gone = 97;                   ///< what it leaves with, if it cannot answer any more
+
+} // namespace course::wire
