@@ -1,0 +1,96 @@
+# shellcheck shell=sh
+# The commands that work before anything is built. Read by ./course.
+
+help() {
+    cat <<'END'
+Usage: ./course [command]
+
+  ./course            installs what is missing (it asks first), builds, runs all programs, draws all figures,
+                      checks the book; --yes: without asking
+  ./course setup      only the installing; --yes: without asking
+  ./course doctor     one line for each tool: what was found, what is needed, what to type
+  ./course test       builds everything and runs all tests; what follows goes to ctest: ./course test -R verdict
+
+  COURSE_BUILD=/some/folder ./course    builds there instead of in build/default
+
+Exit codes: 0 all is well; 1 a test is not passed, or a check found a difference; 2 the call, a file or the machine
+needs something, and the message says what; 3 the course itself is at fault; 130 stopped by Ctrl-C.
+END
+}
+
+help_all() {
+    if fresh; then exec "$build/course-tool" --help; fi
+    help
+    echo
+    echo 'There are more commands; they come with the program that ./course builds. Type ./course, then ./course --help'
+}
+
+# Everything a fresh machine needs, up to a checked book.
+everything() {
+    take_build_folder
+    install_missing
+    configure
+    make_the_program
+    target 3 'programs' programs
+    target 3 'tests of the sections' section-tests
+    target 3 'figures' figures
+    target 1 'book' book
+    leave_build_folder
+    short=${build#"$root"/}
+    cat <<END
+
+All is built, drawn and checked.
+  the book        book.md, and from there the chapters
+  the figures     $short/plots
+  the exercises   exercises/, one file a section: they are yours to change
+Next: read book.md, open the first exercise in your editor, and type ./course check
+END
+}
+
+# The whole suite; ctest's closing lines are the last.
+test_all() {
+    take_build_folder
+    configure
+    make_the_program
+    must 3 'everything' cmake --build "$build"
+    leave_build_folder
+    ctest --test-dir "$build" --output-on-failure --no-tests=error "$@"
+    case $? in
+    0) exit 0 ;;
+    130) exit 130 ;;
+    *) exit 1 ;; # ctest's own 8 among them
+    esac
+}
+
+case $command in
+-h | --help | help)
+    help_all
+    exit
+    ;;
+test)
+    shift
+    case ${1-} in -h | --help) help; exit ;; esac
+    test_all "$@"
+    ;;
+esac
+
+# The others know one option.
+yes=no
+for word; do
+    case $word in
+    --yes) yes=yes ;;
+    -h | --help) help; exit ;;
+    setup | doctor) [ "$word" = "$command" ] || complain 2 "one command at a time: $word. Type ./course --help" ;;
+    *) complain 2 "there is no '$word' to $again. Type ./course --help" ;;
+    esac
+done
+
+case $command in
+doctor) doctor ;;
+setup)
+    take_build_folder
+    install_missing
+    say 'Everything that the course needs is installed. Next: ./course'
+    ;;
+*) everything ;;
+esac
