@@ -1,0 +1,91 @@
+#pragma once
+// What the programs share: parts that run one by one, columns, and a main that says what went wrong.
+
+#include "course.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace course {
+
+/// `0.401163`: rounded to six decimals, without a negative zero.
+inline std::string text(double x) {
+    std::ostringstream out;
+    out << std::setprecision(15) << std::round(x * 1e6) / 1e6 + 0.0;
+    return out.str();
+}
+
+/// `(4, -2)`
+inline std::string text(const Vec2 &v) { return '(' + text(v.x()) + ", " + text(v.y()) + ')'; }
+
+/// One line of a table: each text in its column, and no blanks at the end. `{{"wall", 12}, {"s", 0}}`
+inline std::string row(const std::vector<std::pair<std::string, std::size_t>> &columns) {
+    std::string line;
+    for (const auto &[words, width] : columns) {
+        line += words;
+        if (words.size() < width) line.append(width - words.size(), ' ');
+    }
+    return line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+}
+
+/// A part of a program: what it is about, and how to write it, to the screen or into the trace of that name.
+struct Part {
+    std::string name; ///< ends in ".tsv": a trace; else a name for messages
+    std::function<void(std::ostream &)> write;
+};
+
+/// Runs one part. Whatever keeps it from its end becomes one line, and nothing of it is shown.
+/// @throws std::runtime_error if a trace cannot be written
+inline bool run_part(const Part &part, const std::filesystem::path &folder) {
+    std::ostringstream out;
+    out.precision(17);
+    try {
+        part.write(out);
+    } catch (const NotYet &hint) {
+        std::cerr << "not started: " << part.name << ": " << hint.what() << std::endl;
+        return false;
+    } catch (const std::exception &error) {
+        std::cerr << "error: " << part.name << ": " << error.what() << std::endl;
+        return false;
+    } catch (...) {
+        std::cerr << "error: " << part.name << ": something was thrown that is no std::exception" << std::endl;
+        return false;
+    }
+    if (!part.name.ends_with(".tsv")) {
+        std::cout << out.str() << std::flush;
+        return true;
+    }
+    std::ofstream file{folder / part.name, std::ios::binary};
+    if (!(file << out.str()).flush()) throw std::runtime_error{"cannot write " + (folder / part.name).string()};
+    return true;
+}
+
+/// A section's program: `program [--out FOLDER]` runs its parts one by one, so that an exercise which is not written
+/// yet costs only its own part. Traces go to FOLDER, or here.
+/// @return 0 if all parts ran, 1 if some could not, 2 if it cannot write, or does not know its arguments
+inline int run(int argc, char **argv, const std::vector<Part> &parts) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const bool has_folder = arguments.size() == 2 && arguments[0] == "--out";
+    if (!has_folder && !arguments.empty()) {
+        std::cerr << "usage: " << argv[0] << " [--out FOLDER]\n";
+        return 2;
+    }
+    bool all = true;
+    try {
+        for (const Part &part : parts) all = run_part(part, has_folder ? arguments[1] : ".") && all;
+    } catch (const std::exception &error) {
+        std::cerr << "error: " << error.what() << '\n';
+        return 2;
+    }
+    return all ? 0 : 1;
+}
+
+} // namespace course

@@ -1,0 +1,993 @@
+#include "section_test.hpp"
+
+#include "segment_intersection.hpp"
+
+#include <catch2/catch_get_random_seed.hpp>
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <random>
+
+using segment_intersection::Crossing, segment_intersection::Mover, segment_intersection::Segment;
+using segment_intersection::Touch, segment_intersection::most_bounces;
+using namespace segment_intersection::subject; // crossing, meet, shared, bounce, first_touch, turn: the student's
+
+constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const double not_a_number = std::nan("");
+
+const Segment motion{.start = {4, 7}, .end = {16, 3}}; // the worked example
+const Segment wall{.start = {1, 1}, .end = {17, 10}};
+
+namespace {
+
+const std::optional<Crossing> nowhere;
+const std::optional<Touch> never;
+
+double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
+Segment reversed(const Segment &s) { return {s.end, s.start}; }
+Segment moved(const Segment &s, double scale, const Vec2 &by) { return {scale * s.start + by, scale * s.end + by}; }
+
+/// The same numbers each time for one seed, which the tests print.
+class Dice {
+public:
+    double real(double low, double high) { return low + (high - low) * double(engine() >> 5) / double(1 << 27); }
+    int whole(int low, int high) { return low + int(engine() % unsigned(high - low + 1)); }
+    double sign() { return whole(0, 1) == 0 ? -1 : 1; }
+    Vec2 point(double low, double high) { return {real(low, high), real(low, high)}; }
+    Vec2 grid(int low, int high) { return {double(whole(low, high)), double(whole(low, high))}; }
+    Vec2 direction() { // of length 1
+        const double angle = real(-std::numbers::pi, std::numbers::pi);
+        return {std::cos(angle), std::sin(angle)};
+    }
+
+private:
+    std::mt19937 engine{Catch::getSeed()};
+};
+
+/// Two good segments with their `which`-th number of eight replaced.
+std::array<Segment, 2> spoilt(int which, double by) {
+    std::array<Segment, 2> segments{motion, wall};
+    Segment &segment = segments[std::size_t(which / 4)];
+    (which % 4 < 2 ? segment.start : segment.end)[which % 2] = by;
+    return segments;
+}
+
+} // namespace
+
+// ---------------------------------------------------------------------------------------------------- 7.1 crossing
+
+//> Worked example
+TEST_CASE("the worked example: (4, 7)-(16, 3) and (1, 1)-(17, 10) cross at (379/43, 232/43)", "[7.1]") {
+    // a = (12, -4), b = (16, 9), gap = (1, 1) - (4, 7) = (-3, -6)
+    // D = 12 · 9 - (-4) · 16 = 172
+    // t = ((-3) · 9 - (-6) · 16) / 172 = 69/172;  s = ((-3)(-4) - (-6) · 12) / 172 = 84/172 = 21/43
+    // 4 + 12 · 69/172 = 379/43;  7 - 4 · 69/172 = 232/43
+    CHECK_THAT(crossing(motion, wall), IsNear(Crossing{69.0 / 172, 21.0 / 43, {379.0 / 43, 232.0 / 43}}, rounding));
+}
+
+//> Laid through a point
+TEST_CASE("segments that were laid through a point cross there, at the shares they were laid with", "[7.1]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(20000); ++i) {
+        const Vec2 point = dice.point(-50, 50), along = dice.direction(), across = dice.direction();
+        const double sine = std::abs(det(along, across));
+        if (sine < 1e-3) continue; // nearly parallel: another test
+        const Vec2 a = dice.real(0.1, 30) * along, b = dice.real(0.1, 30) * across;
+        const double t = dice.real(-3, 4), s = dice.real(-3, 4); // within the segments, and beyond their ends
+
+        const auto found = crossing({point - t * a, point + (1 - t) * a}, {point - s * b, point + (1 - s) * b});
+
+        // A coordinate near 200 is off by 3e-14, which is 3e-13 of a way of 0.1, and the angle makes it more.
+        CHECK_THAT(found, IsNear(Crossing{t, s, point}, 1e-12 / sine));
+    }
+}
+
+//>
+TEST_CASE("whoever is called the motion and whoever the wall, they cross at one point; t and s change places",
+          "[7.1]") {
+    CHECK_THAT(crossing(wall, motion), IsNear(Crossing{21.0 / 43, 69.0 / 172, {379.0 / 43, 232.0 / 43}}, rounding));
+}
+
+TEST_CASE("walked backwards, t becomes 1 - t and the point stays", "[7.1]") {
+    const Vec2 point{379.0 / 43, 232.0 / 43};
+    CHECK_THAT(crossing(reversed(motion), wall), IsNear(Crossing{103.0 / 172, 21.0 / 43, point}, rounding));
+    CHECK_THAT(crossing(motion, reversed(wall)), IsNear(Crossing{69.0 / 172, 22.0 / 43, point}, rounding));
+}
+
+TEST_CASE("moved and scaled, they cross at the same shares", "[7.1]") {
+    const double scale = GENERATE(1e-6, 0.02, -3.0, 700.0);
+    const Vec2 by = GENERATE(Vec2{0, 0}, Vec2{-31, 17}, Vec2{2000, -5000});
+
+    const auto found = crossing(moved(motion, scale, by), moved(wall, scale, by));
+
+    const Vec2 point = scale * Vec2{379.0 / 43, 232.0 / 43} + by;
+    const double lost = 1e-15 * by.norm() / std::abs(scale); // what moving a small segment far away rounds off
+    CHECK_THAT(found, IsNear(Crossing{69.0 / 172, 21.0 / 43, point}, rounding + 10 * lost));
+}
+
+TEST_CASE("walls along an axis, from either side", "[7.1]") {
+    // (2, 5) + t (6, -8) is at y = 1 for t = 1/2, at x = 5; that is 2 of the 8 m from (3, 1) to (11, 1)
+    CHECK_THAT(crossing({{2, 5}, {8, -3}}, {{3, 1}, {11, 1}}), IsNear(Crossing{0.5, 0.25, {5, 1}}, rounding));
+    CHECK_THAT(crossing({{8, -3}, {2, 5}}, {{3, 1}, {11, 1}}), IsNear(Crossing{0.5, 0.25, {5, 1}}, rounding));
+    // ... and at x = 3.5 for t = 1/4, at y = 3; that is 3 of the 4 m from (3.5, 0) to (3.5, 4)
+    CHECK_THAT(crossing({{2, 5}, {8, -3}}, {{3.5, 0}, {3.5, 4}}), IsNear(Crossing{0.25, 0.75, {3.5, 3}}, rounding));
+    CHECK_THAT(crossing({{0, 2}, {9, 2}}, {{3, 7}, {3, -3}}), IsNear(Crossing{1.0 / 3, 0.5, {3, 2}}, rounding));
+}
+
+TEST_CASE("ends are crossed at exactly 0 and 1, and beyond them the lines go on", "[7.1]") {
+    CHECK_THAT(crossing({{2, 3}, {6, 11}}, {{2, 3}, {7, 1}}), IsNear(Crossing{0, 0, {2, 3}}, rounding));
+    CHECK_THAT(crossing({{2, 3}, {6, 11}}, {{9, 4}, {6, 11}}), IsNear(Crossing{1, 1, {6, 11}}, rounding));
+    CHECK_THAT(crossing({{0, 0}, {1, 1}}, {{3, 0}, {0, 3}}), IsNear(Crossing{1.5, 0.5, {1.5, 1.5}}, rounding));
+    CHECK_THAT(crossing({{5, 5}, {7, 7}}, {{3, 0}, {1, 2}}), IsNear(Crossing{-1.75, 0.75, {1.5, 1.5}}, rounding));
+}
+
+TEST_CASE("parallel lines, and points, cross nowhere, at any scale", "[7.1]") {
+    const double scale = GENERATE(1.0, 1e-9, 1e-3, 0.1, 1.0 / 3, 5e3);
+
+    const auto scaled = [&](const Segment &s) { return moved(s, scale, {0, 0}); };
+
+    const Segment first = scaled({{0, 0}, {4, 2}});
+    CHECK_THAT(crossing(first, scaled({{1, 1}, {7, 4}})), IsNear(nowhere));
+    CHECK_THAT(crossing(first, scaled({{7, 4}, {1, 1}})), IsNear(nowhere));
+    CHECK_THAT(crossing(first, scaled({{2, 1}, {8, 4}})), IsNear(nowhere)); // on one line
+    CHECK_THAT(crossing(scaled({{1, 3}, {2, 6}}), scaled({{7, 1}, {10, 10}})), IsNear(nowhere));
+    CHECK_THAT(crossing({{3, 5}, {3, 5}}, scaled(wall)), IsNear(nowhere));
+    CHECK_THAT(crossing(scaled(motion), {{3, 5}, {3, 5}}), IsNear(nowhere));
+    CHECK_THAT(crossing({{3, 5}, {3, 5}}, {{3, 5}, {3, 5}}), IsNear(nowhere));
+}
+
+TEST_CASE("lines that are nearly parallel still cross, at any scale", "[7.1]") {
+    const double scale = GENERATE(1e-6, 1.0, 1e4);
+    const double sine = GENERATE(1e-3, -1e-6, 1e-9); // a thousand times what counts as parallel
+
+    // along (3, 4) through (2, 1), and turned by the angle: both are half way there
+    const Vec2 a{3, 4}, b = a + sine * Vec2{-4, 3}, point{2, 1};
+    const Segment first{point - a, point + a}, second{point - b, point + b};
+    const auto found = crossing(moved(first, scale, {0, 0}), moved(second, scale, {0, 0}));
+
+    const double tolerance = 1e-14 / std::abs(sine); // the angle closes, the error grows
+    CHECK_THAT(found, IsNear(Crossing{0.5, 0.5, scale * point}, tolerance));
+}
+
+TEST_CASE("an answer does not hang on the question before", "[7.1]") {
+    const Crossing want{69.0 / 172, 21.0 / 43, {379.0 / 43, 232.0 / 43}};
+    CHECK_THAT(crossing(motion, wall), IsNear(want, rounding));
+    CHECK_THAT(crossing({{0, 0}, {4, 2}}, {{1, 1}, {7, 4}}), IsNear(nowhere));
+    CHECK_THAT(crossing(motion, wall), IsNear(want, rounding));
+}
+
+//> Erratum E7.1
+TEST_CASE("erratum E7.1: the printed numbers belong to a wall that ends at (18, 11)", "[7.1]") {
+    // As printed, (17, 10) stands where (16, 9) must: the wall's end in place of the vector along it.
+    const double printed_s = (4.0 * (4 - 1) + 12 * (7 - 1)) / (17 * 4 + 12 * 10);  // 84/188, printed as .44
+    const double printed_t = (17.0 * (7 - 1) - 10 * (4 - 1)) / (17 * 4 + 12 * 10); // 72/188, printed as .383
+    CHECK_THAT(printed_t, IsNear(0.383, 0.0005));
+
+    const Vec2 elsewhere{404.0 / 47, 257.0 / 47}; // on the line from (1, 1) by (17, 10)
+    CHECK_THAT(crossing(motion, {{1, 1}, {18, 11}}), IsNear(Crossing{printed_t, printed_s, elsewhere}, rounding));
+    CHECK_THAT(crossing(motion, wall), IsNear(Crossing{69.0 / 172, 84.0 / 172, {379.0 / 43, 232.0 / 43}}, rounding));
+}
+
+//> Erratum E7.2
+TEST_CASE("erratum E7.2: the way starts at (4, 7); from the printed (7, 7) it ends elsewhere", "[7.1]") {
+    const Vec2 as_printed = Vec2{7, 7} + 0.44 * Vec2{12, -4};
+    CHECK_THAT(as_printed, IsNear(Vec2{12.28, 5.24}, rounding)); // and not the (9.28, 5.24) that is printed behind it
+
+    const auto found = crossing(motion, wall);
+    CHECK(found.has_value());
+    const Vec2 point = Vec2{4, 7} + found->t * Vec2{12, -4};
+    CHECK_THAT(found->point, IsNear(point, rounding));
+}
+
+//> Erratum E7.3
+TEST_CASE("erratum E7.3: a motion is walked by t; walked by s, it ends off the wall", "[7.1]") {
+    const Vec2 by_s = Vec2{4, 7} + 21.0 / 43 * Vec2{12, -4}; // printed with .44, which is its s
+    CHECK_THAT(by_s, IsNear(Vec2{9.860, 5.047}, 0.0005));
+    CHECK_THAT(1 + 9.0 / 16 * (by_s.x() - 1), IsNear(5.984, 0.0005)); // the wall, at this x: .94 m higher
+
+    const Vec2 by_t = Vec2{4, 7} + 69.0 / 172 * Vec2{12, -4};
+    CHECK_THAT(1 + 9.0 / 16 * (by_t.x() - 1), IsNear(by_t.y(), rounding));
+    CHECK_THAT(crossing(motion, wall), IsNear(Crossing{69.0 / 172, 21.0 / 43, by_t}, rounding));
+}
+
+//> Erratum E7.4
+TEST_CASE("erratum E7.4: (9.28, 5.24) is not the intersection, but half a metre away from it", "[7.1]") {
+    const Vec2 printed{9.28, 5.24};
+    CHECK_THAT(1 + 9.0 / 16 * (printed.x() - 1), IsNear(5.6575, rounding)); // the wall, at this x: .42 m higher
+
+    const auto found = crossing(motion, wall);
+    CHECK(found.has_value());
+    CHECK_THAT((found->point - printed).norm(), IsNear(0.491, 0.0005));
+}
+
+//>
+TEST_CASE("what is not a number within ±1e5 is refused, wherever it stands", "[7.1]") {
+    const int which = GENERATE(range(0, 8));
+    const auto [first, second] = spoilt(which, GENERATE(infinity, -infinity, not_a_number, 1.1e5, -3e200));
+
+    CHECK_THROWS_AS(crossing(first, second), std::invalid_argument);
+}
+
+TEST_CASE("numbers up to ±1e5 are not refused", "[7.1]") {
+    const auto found = crossing({{-1e5, -1e5}, {1e5, 1e5}}, {{1e5, -1e5}, {-1e5, 1e5}});
+    CHECK_THAT(found, IsNear(Crossing{0.5, 0.5, {0, 0}}, 1e-9)); // 1e5, and four digits more than a rounding of it
+}
+
+// -------------------------------------------------------------------------------------------------------- 7.2 meet
+
+//> Yes or no
+TEST_CASE("lines that cross are not segments that meet", "[7.2]") {
+    CHECK_THAT(meet(motion, wall), IsNear(true));
+    CHECK_THAT(meet({{0, 0}, {1, 1}}, {{3, 0}, {0, 3}}), IsNear(false)); // the first ends too early
+    CHECK_THAT(meet({{3, 0}, {0, 3}}, {{0, 0}, {1, 1}}), IsNear(false)); // the second does
+    CHECK_THAT(meet({{5, 5}, {2, 2}}, {{3, 0}, {0, 3}}), IsNear(false)); // the first starts too late
+    CHECK_THAT(meet({{0, 0}, {2, 2}}, {{3, 0}, {0, 3}}), IsNear(true));
+    CHECK_THAT(meet({{0, 0}, {6, 1}}, {{7, 2}, {6, 7}}), IsNear(false)); // neither reaches the other's line
+}
+
+//> Erratum E7.5
+TEST_CASE("erratum E7.5: the ends belong to a segment, so a touch is a meeting", "[7.2]") {
+    // one end in the middle of the other: s or t is 0 or 1, which "(0..1)" leaves out and "0 <= t <= 1" lets in
+    CHECK_THAT(meet({{0, 0}, {4, 2}}, {{2, 1}, {5, 0}}), IsNear(true)); // s = 0
+    CHECK_THAT(meet({{0, 0}, {4, 2}}, {{5, 0}, {2, 1}}), IsNear(true)); // s = 1
+    CHECK_THAT(meet({{2, 1}, {5, 0}}, {{0, 0}, {4, 2}}), IsNear(true)); // t = 0
+    CHECK_THAT(meet({{5, 0}, {2, 1}}, {{0, 0}, {4, 2}}), IsNear(true)); // t = 1
+    CHECK_THAT(meet({{1, 3}, {4, 2}}, {{4, 2}, {7, 9}}), IsNear(true)); // end to end: both
+}
+
+//> Erratum E7.6
+TEST_CASE("erratum E7.6: for parallel segments there is an answer, though the determinant is zero", "[7.2]") {
+    CHECK_THAT(meet({{0, 0}, {4, 2}}, {{1, 1}, {7, 4}}), IsNear(false)); // side by side
+    CHECK_THAT(meet({{0, 0}, {4, 2}}, {{6, 3}, {8, 4}}), IsNear(false)); // one line, and a gap
+    CHECK_THAT(meet({{0, 0}, {4, 2}}, {{8, 4}, {6, 3}}), IsNear(false));
+    CHECK_THAT(meet({{0, 0}, {4, 2}}, {{6, 3}, {4, 2}}), IsNear(true));   // one line, end to end
+    CHECK_THAT(meet({{0, 0}, {4, 2}}, {{6, 3}, {2, 1}}), IsNear(true));   // one line, and an overlap
+    CHECK_THAT(meet({{0, 0}, {4, 2}}, {{-2, -1}, {6, 3}}), IsNear(true)); // one within the other
+    CHECK_THAT(meet({{0, 5}, {0, 2}}, {{0, 3}, {0, 9}}), IsNear(true));   // one above the other
+    CHECK_THAT(meet({{0, 5}, {0, 4}}, {{0, 3}, {0, -9}}), IsNear(false));
+}
+
+//>
+TEST_CASE("a point meets what it lies on", "[7.2]") {
+    const Segment line{{0, 0}, {4, 2}};
+    CHECK_THAT(meet({{2, 1}, {2, 1}}, line), IsNear(true));
+    CHECK_THAT(meet(line, {{2, 1}, {2, 1}}), IsNear(true));
+    CHECK_THAT(meet(line, {{4, 2}, {4, 2}}), IsNear(true));
+    CHECK_THAT(meet(line, {{3, 1}, {3, 1}}), IsNear(false)); // within its box, beside the line
+    CHECK_THAT(meet(line, {{6, 3}, {6, 3}}), IsNear(false)); // on its line, beyond the end
+    CHECK_THAT(meet({{6, 3}, {6, 3}}, line), IsNear(false));
+    CHECK_THAT(meet({{2, 1}, {2, 1}}, {{2, 1}, {2, 1}}), IsNear(true));
+    CHECK_THAT(meet({{2, 1}, {2, 1}}, {{2, 3}, {2, 3}}), IsNear(false));
+    CHECK_THAT(meet({{2, 1}, {2, 1}}, {{5, 1}, {5, 1}}), IsNear(false));
+}
+
+TEST_CASE("boxes that overlap prove nothing", "[7.2]") {
+    CHECK_THAT(meet({{0, 0}, {10, 10}}, {{1, 0}, {9, 1}}), IsNear(false));
+    CHECK_THAT(meet({{0, 0}, {10, 10}}, {{6, 4}, {9, 1}}), IsNear(false));
+    CHECK_THAT(meet({{0, 10}, {10, 0}}, {{1, 2}, {4, 3}}), IsNear(false));
+}
+
+//> By shadows
+// Two segments are apart if, and only if, there is a direction in which their shadows leave a gap; and if there is
+// one, then it is among these. All of it is whole numbers, so nothing is rounded.
+bool shadows_meet(const Segment &first, const Segment &second) {
+    const Vec2 a = first.end - first.start, b = second.end - second.start;
+    for (const Vec2 &axis : {Vec2{1, 0}, Vec2{0, 1}, a, b, Vec2{-a.y(), a.x()}, Vec2{-b.y(), b.x()}}) {
+        const auto [low_1, high_1] = std::minmax({first.start.dot(axis), first.end.dot(axis)});
+        const auto [low_2, high_2] = std::minmax({second.start.dot(axis), second.end.dot(axis)});
+        if (high_1 < low_2 || high_2 < low_1) return false;
+    }
+    return true;
+}
+
+TEST_CASE("on a grid, two segments meet if and only if no direction parts their shadows", "[7.2]") {
+    const double unit = GENERATE(1.0, 64.0, 1.0 / (1 << 20)); // [m], of the grid
+    const int size = GENERATE(2, 5, 1000);                    // on a small one they touch and overlap often
+    Dice dice;
+    for (int i = 0; i < course::cases(20000); ++i) {
+        const Segment first{dice.grid(-size, size), dice.grid(-size, size)};
+        const Segment second{dice.grid(-size, size), dice.grid(-size, size)};
+
+        CHECK_THAT(meet(moved(first, unit, {0, 0}), moved(second, unit, {0, 0})), IsNear(shadows_meet(first, second)));
+    }
+}
+
+//>
+TEST_CASE("off the grid, segments that were laid across each other meet, and those laid past each other do not",
+          "[7.2]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(20000); ++i) {
+        const Vec2 point = dice.point(-50, 50), along = dice.direction(), across = dice.direction();
+        if (std::abs(det(along, across)) < 1e-3) continue; // nearly parallel ones have their own tests
+        const Vec2 a = dice.real(0.1, 30) * along, b = dice.real(0.1, 30) * across;
+        const double t = dice.real(-1, 2), s = dice.real(-1, 2);
+        const auto end = [](double x) { return std::min(std::abs(x), std::abs(1 - x)); };
+        if (end(t) < 1e-6 || end(s) < 1e-6) continue; // a rounding might decide
+
+        const bool within = t > 0 && t < 1 && s > 0 && s < 1;
+        CHECK_THAT(meet({point - t * a, point + (1 - t) * a}, {point - s * b, point + (1 - s) * b}), IsNear(within));
+    }
+}
+
+TEST_CASE("off the grid too, a wide gap on one line is a gap", "[7.2]") {
+    const double scale = GENERATE(0.1, 1.0 / 3, 0.7e-6, 1234.567);
+    const Vec2 along = GENERATE(Vec2{1, 3}, Vec2{-7, 2}, Vec2{5, 11}, Vec2{3, -4});
+    const Segment first{0 * along, scale * along}, second{2 * scale * along, 3 * scale * along};
+
+    CHECK_THAT(meet(first, second), IsNear(false));
+    CHECK_THAT(meet(second, first), IsNear(false));
+    CHECK_THAT(meet(reversed(first), second), IsNear(false));
+    CHECK_THAT(meet(first, reversed(second)), IsNear(false));
+}
+
+TEST_CASE("a gap much wider than a rounding is seen, however small", "[7.2]") {
+    const double gap = GENERATE(1e-3, 1e-6, 1e-10); // [m], between numbers of size ten, which are rounded at 2e-15
+    CHECK_THAT(meet({{0, 0}, {8, 6}}, {{4 - gap, 3 + gap}, {2, 9}}), IsNear(false));
+    CHECK_THAT(meet({{0, 0}, {8, 6}}, {{4 + gap, 3 - gap}, {2, 9}}), IsNear(true));
+    CHECK_THAT(meet({{4 - gap, 3 + gap}, {2, 9}}, {{0, 0}, {8, 6}}), IsNear(false));
+    CHECK_THAT(meet({{4 + gap, 3 - gap}, {2, 9}}, {{0, 0}, {8, 6}}), IsNear(true));
+    CHECK_THAT(meet({{0, 0}, {8, 6}}, {{8 + gap, 6 + gap}, {9, 2}}), IsNear(false));
+}
+
+TEST_CASE("whether they meet is refused where a number is none", "[7.2]") {
+    const int which = GENERATE(range(0, 8));
+    const auto [first, second] = spoilt(which, GENERATE(infinity, -infinity, not_a_number, 1.1e5, -3e200));
+
+    CHECK_THROWS_AS(meet(first, second), std::invalid_argument);
+}
+
+// ------------------------------------------------------------------------------------------------------ 7.3 shared
+
+using Points = std::vector<Vec2>;
+
+//> Nothing, a point, a piece
+TEST_CASE("two segments share nothing, a point, or a piece with two ends", "[7.3]") {
+    const Segment first{{0, 0}, {4, 2}};
+    CHECK_THAT(shared(motion, wall), IsNear(Points{{379.0 / 43, 232.0 / 43}}, rounding));
+    CHECK_THAT(shared(first, {{5, 0}, {6, 7}}), IsNear(Points{}));
+    CHECK_THAT(shared(first, {{1, 1}, {7, 4}}), IsNear(Points{}));                         // parallel
+    CHECK_THAT(shared(first, {{6, 3}, {8, 4}}), IsNear(Points{}));                         // on one line
+    CHECK_THAT(shared(first, {{2, 1}, {5, 0}}), IsNear(Points{{2, 1}}, rounding));         // an end touches
+    CHECK_THAT(shared(first, {{6, 3}, {4, 2}}), IsNear(Points{{4, 2}}, rounding));         // end to end, on one line
+    CHECK_THAT(shared(first, {{6, 3}, {2, 1}}), IsNear(Points{{2, 1}, {4, 2}}, rounding)); // as the first runs
+    CHECK_THAT(shared(first, {{-2, -1}, {6, 3}}), IsNear(Points{{0, 0}, {4, 2}}, rounding));
+    CHECK_THAT(shared(first, {{3, 1.5}, {1, 0.5}}), IsNear(Points{{1, 0.5}, {3, 1.5}}, rounding));
+    CHECK_THAT(shared(first, first), IsNear(Points{{0, 0}, {4, 2}}, rounding));
+    CHECK_THAT(shared(first, reversed(first)), IsNear(Points{{0, 0}, {4, 2}}, rounding));
+}
+
+//>
+TEST_CASE("what they share runs as the first does, whichever way the second runs", "[7.3]") {
+    const Segment first{{7, -3}, {7, 9}}, second{{7, 2}, {7, 20}}; // upright: x tells nothing
+    CHECK_THAT(shared(first, second), IsNear(Points{{7, 2}, {7, 9}}, rounding));
+    CHECK_THAT(shared(first, reversed(second)), IsNear(Points{{7, 2}, {7, 9}}, rounding));
+    CHECK_THAT(shared(reversed(first), second), IsNear(Points{{7, 9}, {7, 2}}, rounding));
+    CHECK_THAT(shared(reversed(second), first), IsNear(Points{{7, 9}, {7, 2}}, rounding));
+    CHECK_THAT(shared({{9, 4}, {-3, 4}}, {{5, 4}, {20, 4}}), IsNear(Points{{9, 4}, {5, 4}}, rounding)); // level: nor y
+}
+
+TEST_CASE("a point shares itself, or nothing", "[7.3]") {
+    const Segment line{{0, 0}, {4, 2}}, point{{2, 1}, {2, 1}}, beside{{3, 1}, {3, 1}}, beyond{{6, 3}, {6, 3}};
+    CHECK_THAT(shared(point, line), IsNear(Points{{2, 1}}, rounding));
+    CHECK_THAT(shared(line, point), IsNear(Points{{2, 1}}, rounding));
+    CHECK_THAT(shared(point, point), IsNear(Points{{2, 1}}, rounding));
+    CHECK_THAT(shared(line, beside), IsNear(Points{}));
+    CHECK_THAT(shared(beside, line), IsNear(Points{}));
+    CHECK_THAT(shared(line, beyond), IsNear(Points{}));
+    CHECK_THAT(shared(beyond, line), IsNear(Points{}));
+    CHECK_THAT(shared(point, beside), IsNear(Points{}));
+}
+
+namespace {
+
+/// Whether `point` lies on `segment`: exact for whole numbers.
+bool on(const Segment &segment, const Vec2 &point) {
+    return det(segment.end - segment.start, point - segment.start) == 0
+           && (segment.start - point).dot(segment.end - point) <= 0;
+}
+
+/// What two segments on a grid share, from the ends that lie on the other one; if there is none, they cross at the
+/// point that divides the first as the triangles over it and the second are in size.
+Points shared_by_ends(const Segment &first, const Segment &second) {
+    Points ends;
+    for (const Vec2 &end : {first.start, first.end})
+        if (on(second, end)) ends.push_back(end);
+    for (const Vec2 &end : {second.start, second.end})
+        if (on(first, end)) ends.push_back(end);
+    if (!ends.empty()) {
+        const Vec2 along = first.end - first.start;
+        const auto by_place = [&](const Vec2 &p, const Vec2 &q) { return p.dot(along) < q.dot(along); };
+        const auto [low, high] = std::minmax_element(ends.begin(), ends.end(), by_place);
+        return *low == *high ? Points{*low} : Points{*low, *high};
+    }
+    if (!shadows_meet(first, second)) return {};
+    const Vec2 b = second.end - second.start;
+    const double start = std::abs(det(b, first.start - second.start)), end = std::abs(det(b, first.end - second.start));
+    return {(end * first.start + start * first.end) / (start + end)};
+}
+
+} // namespace
+
+TEST_CASE("on a grid, what they share is found by the ends that lie on the other one", "[7.3]") {
+    const double unit = GENERATE(1.0, 64.0, 1.0 / (1 << 20)); // [m], of the grid
+    const int size = GENERATE(1, 2, 5, 1000);
+    Dice dice;
+    for (int i = 0; i < course::cases(20000); ++i) {
+        const Segment first{dice.grid(-size, size), dice.grid(-size, size)};
+        const Segment second{dice.grid(-size, size), dice.grid(-size, size)};
+        Points want = shared_by_ends(first, second);
+        for (Vec2 &point : want) point *= unit;
+
+        // of coordinates up to 1000, a rounding of 1e-13, and an angle down to 1e-7 that makes a million of it
+        const double tolerance = size > 9 ? 1e-6 : rounding;
+        CHECK_THAT(shared(moved(first, unit, {0, 0}), moved(second, unit, {0, 0})), IsNear(want, tolerance));
+    }
+}
+
+TEST_CASE("off the grid, segments that were laid across each other share the point they were laid through", "[7.3]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(20000); ++i) {
+        const Vec2 point = dice.point(-50, 50), along = dice.direction(), across = dice.direction();
+        const double sine = std::abs(det(along, across));
+        if (sine < 1e-3) continue;
+        const Vec2 a = dice.real(0.1, 30) * along, b = dice.real(0.1, 30) * across;
+        const double t = dice.real(1e-6, 1 - 1e-6), s = dice.real(1e-6, 1 - 1e-6);
+
+        const auto points = shared({point - t * a, point + (1 - t) * a}, {point - s * b, point + (1 - s) * b});
+
+        CHECK_THAT(points, IsNear(Points{point}, 1e-12 / sine)); // as in 7.1
+    }
+}
+
+TEST_CASE("off the grid too, a wide gap on one line is nothing shared", "[7.3]") {
+    const double scale = GENERATE(0.1, 1.0 / 3, 0.7e-6, 1234.567);
+    const Vec2 along = GENERATE(Vec2{1, 3}, Vec2{-7, 2}, Vec2{5, 11}, Vec2{3, -4});
+
+    const Segment first{0 * along, scale * along}, second{2 * scale * along, 3 * scale * along};
+
+    CHECK_THAT(shared(first, second), IsNear(Points{}));
+    CHECK_THAT(shared(second, first), IsNear(Points{}));
+    CHECK_THAT(shared(reversed(first), second), IsNear(Points{}));
+    CHECK_THAT(shared(first, reversed(second)), IsNear(Points{}));
+}
+
+TEST_CASE("off the grid, on one line: how many points is left open, but each lies on both", "[7.3]") {
+    const auto far_from = [](const Segment &segment, const Vec2 &point) { // the way round by it, less the way: 0 on it
+        return (point - segment.start).norm() + (segment.end - point).norm() - (segment.end - segment.start).norm();
+    };
+    Dice dice;
+    for (int i = 0; i < course::cases(50000); ++i) {
+        const Vec2 from = dice.point(-9, 9), along = dice.direction();
+        std::array<double, 4> places{};
+        for (std::size_t k = 0; k < 4; ++k) places[k] = 3 * double(k) + dice.real(1, 3); // a metre apart, or more
+        const auto place = [&](std::size_t k) -> Vec2 { return from + places[k] * along; };
+        const bool overlap = dice.whole(0, 1) == 1;
+        Segment first{place(0), place(overlap ? 2 : 1)}, second{place(overlap ? 1 : 2), place(3)};
+        if (dice.whole(0, 1) == 1) std::swap(first, second);
+        if (dice.whole(0, 1) == 1) first = reversed(first);
+        if (dice.whole(0, 1) == 1) second = reversed(second);
+
+        const Points points = shared(first, second);
+
+        CHECK(points.size() <= (overlap ? 2 : 0));
+        for (const Vec2 &point : points) {
+            CHECK(far_from(first, point) < 1e-11);
+            CHECK(far_from(second, point) < 1e-11);
+        }
+    }
+}
+
+TEST_CASE("what they share is refused where a number is none", "[7.3]") {
+    const int which = GENERATE(range(0, 8));
+    const auto [first, second] = spoilt(which, GENERATE(infinity, -infinity, not_a_number, 1.1e5, -3e200));
+
+    CHECK_THROWS_AS(shared(first, second), std::invalid_argument);
+}
+
+// ------------------------------------------------------------------------------------------------------ 7.4 bounce
+
+namespace {
+
+/// How far `p` is outside of a room whose corners run anticlockwise [m]; 0 inside.
+double outside(const Vec2 &p, const std::vector<Vec2> &corners) {
+    bool in = false;
+    double nearest = infinity;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 a = corners[i], b = corners[(i + 1) % corners.size()], along = b - a;
+        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / along.y() * along.x()) in = !in;
+        const double s = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (p - a - s * along).norm());
+    }
+    return in ? 0 : nearest;
+}
+
+// Seven corners, no two walls alike; at (6.5, 3.5) one stands into the room.
+const std::vector<Vec2> cave{{0.5, 1}, {6, 0}, {11.5, 1.5}, {10, 6.5}, {6.5, 3.5}, {4, 7}, {1, 5.5}};
+
+} // namespace
+
+//> A room
+// A floor of 20 m, a wall that leans in along (-9, 12), and two more.
+const std::vector<Vec2> room{{0, 0}, {20, 0}, {11, 12}, {2, 8}};
+
+TEST_CASE("at a wall it turns, and flies on for the time that is left", "[7.4]") {
+    // 3 m above the floor, falling 1.5 m/s: there after 2 s, at x = 4 + 2 · 2; then 1 s up
+    CHECK_THAT(bounce({{4, 3}, {2, -1.5}}, room, 3), IsNear(Mover{{10, 1.5}, {2, 1.5}}, rounding));
+
+    // at y = 2 the leaning wall stands at 20 - 9/12 · 2 = 18.5: there after 9.5/5 = 1.9 s. Its normal is (-0.8, -0.6),
+    // the part of (5, 0) along it is -4: (5, 0) + 8 (-0.8, -0.6) = (-1.4, -4.8), for 0.2 s
+    CHECK_THAT(bounce({{9, 2}, {5, 0}}, room, 2.1), IsNear(Mover{{18.22, 1.04}, {-1.4, -4.8}}, rounding));
+}
+
+//> Erratum E7.8
+TEST_CASE("erratum E7.8: a point that leaves a wall is not turned back into it", "[7.4]") {
+    // At t = 0 it is on the floor, half way along: s and t are "in the range", and the printed test makes it (4, -2).
+    CHECK_THAT(bounce({{10, 0}, {4, 2}}, room, 0.5), IsNear(Mover{{12, 1}, {4, 2}}, rounding));
+    CHECK_THAT(bounce({{10, -1e-12}, {4, 2}}, room, 0.5), IsNear(Mover{{12, 1}, {4, 2}}, 1e-11)); // nor by a rounding
+
+    CHECK_THAT(bounce({{10, 0}, {4, -2}}, room, 0.5), IsNear(Mover{{12, 1}, {4, 2}}, rounding)); // outwards: at once
+    CHECK_THAT(bounce({{10, -1e-12}, {4, -2}}, room, 0.5), IsNear(Mover{{12, 1}, {4, 2}}, 1e-11));
+    CHECK_THAT(bounce({{10, 0}, {4, 0}}, room, 0.5), IsNear(Mover{{12, 0}, {4, 0}}, rounding)); // along: neither
+}
+
+//>
+TEST_CASE("the corners may run either way round, and start anywhere", "[7.4]") {
+    std::vector<Vec2> corners = room;
+    if (GENERATE(true, false)) std::reverse(corners.begin(), corners.end());
+    std::rotate(corners.begin(), corners.begin() + GENERATE(0, 1, 2, 3), corners.end());
+
+    CHECK_THAT(bounce({{4, 3}, {2, -1.5}}, corners, 3), IsNear(Mover{{10, 1.5}, {2, 1.5}}, rounding));
+    CHECK_THAT(bounce({{9, 2}, {5, 0}}, corners, 2.1), IsNear(Mover{{18.22, 1.04}, {-1.4, -4.8}}, rounding));
+    CHECK_THAT(bounce({{10, 0}, {4, 2}}, corners, 0.5), IsNear(Mover{{12, 1}, {4, 2}}, rounding));
+    CHECK_THAT(bounce({{10, 0}, {4, -2}}, corners, 0.5), IsNear(Mover{{12, 1}, {4, 2}}, rounding));
+}
+
+TEST_CASE("so may those of a room with a corner that stands into it", "[7.4]") {
+    std::vector<Vec2> corners = cave;
+    if (GENERATE(true, false)) std::reverse(corners.begin(), corners.end());
+    std::rotate(corners.begin(), corners.begin() + GENERATE(range(0, 7)), corners.end());
+
+    const Mover start{{2, 3}, {2.3, 1.1}};
+    CHECK_THAT(bounce(start, corners, 20), IsNear(bounce(start, cave, 20), 1e-10)); // 50 m, and a few dozen walls
+}
+
+TEST_CASE("far from any wall it flies straight on; without time or speed it stays", "[7.4]") {
+    CHECK_THAT(bounce({{4, 3}, {2, -1.5}}, room, 1.5), IsNear(Mover{{7, 0.75}, {2, -1.5}}, rounding));
+    CHECK_THAT(bounce({{4, 3}, {2, -1.5}}, room, 0), IsNear(Mover{{4, 3}, {2, -1.5}}, rounding));
+    CHECK_THAT(bounce({{4, 3}, {0, 0}}, room, 5e4), IsNear(Mover{{4, 3}, {0, 0}}, rounding));
+    CHECK_THAT(bounce({{10, 0}, {0, 0}}, room, 5e4), IsNear(Mover{{10, 0}, {0, 0}}, rounding)); // on the floor, too
+}
+
+TEST_CASE("several walls in one call: each at its time, none twice", "[7.4]") {
+    // Into the corner (20, 0). It meets the floor after 2 s, at (19, 0), and goes on with (3, 1). The leaning wall is
+    // x + 0.75 y = 20: 19 + 3 t + 0.75 t = 20 after 4/15 s more, at (19.8, 4/15). Its normal is (-0.8, -0.6), the part
+    // of (3, 1) along it is -3: (3, 1) + 6 (-0.8, -0.6) = (-1.8, -2.6). That meets the floor again, after 4/39 s.
+    const double to_wall = 34.0 / 15, to_floor = 4.0 / 39;
+    const Vec2 on_wall{19.8, 4.0 / 15};
+    const double left = 3 - to_wall - to_floor;
+    const Mover want{{on_wall.x() - 1.8 * (3 - to_wall), 2.6 * left}, {-1.8, 2.6}};
+
+    CHECK_THAT(bounce({{13, 2}, {3, -1}}, room, 3), IsNear(want, rounding));
+}
+
+TEST_CASE("only the wall counts, not the line beyond its ends", "[7.4]") {
+    // (6, 3) is a corner that stands into the room: its walls' lines go on through the free space on either side
+    const std::vector<Vec2> bay{{0, 0}, {12, 0}, {12, 9}, {6, 3}, {1, 9}};
+    CHECK_THAT(bounce({{1, 2}, {4, 0}}, bay, 2), IsNear(Mover{{9, 2}, {4, 0}}, rounding)); // below the corner
+    CHECK_THAT(bounce({{2, 4}, {4, 0}}, bay, 1.0 / 3), IsNear(Mover{{10.0 / 3, 4}, {4, 0}}, rounding));
+    CHECK_THAT(bounce({{11, 6}, {-4, 0}}, bay, 1), IsNear(Mover{{9, 4}, {0, -4}}, rounding));   // (9, 6), then down
+    CHECK_THAT(bounce({{11, 6}, {-4, 0}}, bay, 2.25), IsNear(Mover{{9, 1}, {0, 4}}, rounding)); // the floor, and up 1 m
+}
+
+TEST_CASE("in a corner both walls act: out of a right angle it comes straight back", "[7.4]") {
+    const std::vector<Vec2> hall{{0, 0}, {20, 0}, {20, 9}, {7, 13}, {0, 11}};
+    CHECK_THAT(bounce({{12, 4}, {4, -2}}, hall, 3), IsNear(Mover{{16, 2}, {-4, 2}}, 1e-8)); // touching is 1e-9
+    CHECK_THAT(bounce({{3, 6}, {-1, -2}}, hall, 4), IsNear(Mover{{1, 2}, {1, 2}}, 1e-8));
+    CHECK_THAT(bounce({{20, 0}, {4, -2}}, hall, 1), IsNear(Mover{{16, 2}, {-4, 2}}, 1e-8)); // it starts there, outwards
+    CHECK_THAT(bounce({{20, 0}, {-4, -2}}, hall, 1), IsNear(Mover{{16, 2}, {-4, 2}}, 1e-8)); // outwards for one of them
+    CHECK_THAT(bounce({{20, 0}, {-4, 2}}, hall, 1), IsNear(Mover{{16, 2}, {-4, 2}}, 1e-8));  // inwards: let go
+    CHECK_THAT(bounce({{20, 0}, {-4, 0}}, hall, 1), IsNear(Mover{{16, 0}, {-4, 0}}, 1e-8));  // along one: let go
+    CHECK_THAT(bounce({{10, 0}, {4, 0}}, hall, 4), IsNear(Mover{{14, 0}, {-4, 0}}, 1e-8));   // slides into it, and back
+}
+
+TEST_CASE("from outside it flies in, and is turned where it would leave", "[7.4]") {
+    CHECK_THAT(bounce({{7, -3}, {0.5, 2}}, room, 2), IsNear(Mover{{8, 1}, {0.5, 2}}, rounding));
+    CHECK_THAT(bounce({{4, -1}, {0, 2}}, {{0, 0}, {8, 0}, {8, 4}, {0, 4}}, 3),
+               IsNear(Mover{{4, 3}, {0, -2}}, rounding));
+    CHECK_THAT(bounce({{7, -3}, {2, -1}}, room, 5), IsNear(Mover{{17, -8}, {2, -1}}, rounding)); // away: for ever
+    CHECK_THAT(bounce({{-4, 30}, {9, 0}}, room, 5), IsNear(Mover{{41, 30}, {9, 0}}, rounding));  // past it
+}
+
+TEST_CASE("a wall ends where it ends, and who is no longer on it is outside", "[7.4]") {
+    const double off = GENERATE(1e-3, 1e-7); // [m], much more than touching
+    CHECK_THAT(bounce({{10, -off}, {4, -2}}, room, 0.5), IsNear(Mover{{12, -off - 1}, {4, -2}}, rounding)); // away
+    CHECK_THAT(bounce({{10, -off}, {4, 2}}, room, 0.5), IsNear(Mover{{12, 1 - off}, {4, 2}}, rounding));    // in
+    // past the tip of the corner that stands into the room
+    CHECK_THAT(bounce({{5, 3.5 - off}, {2, 0}}, cave, 1.5), IsNear(Mover{{8, 3.5 - off}, {2, 0}}, rounding));
+}
+
+//> No escape
+TEST_CASE("in a hundred thousand frames nothing escapes, and no speed is lost", "[7.4]") {
+    Mover mover{.position = {2, 3}, .velocity = {2.3, 1.1}};
+    Dice dice;
+    for (int frame = 0; frame < course::cases(100000); ++frame) {
+        mover = bounce(mover, cave, dice.real(0, 2)); // up to five metres, and several walls
+
+        CHECK(outside(mover.position, cave) < 1e-9);
+        CHECK_THAT(mover.velocity.norm(), IsNear(std::hypot(2.3, 1.1), 1e-9)); // two roundings a bounce, 1e5 bounces
+    }
+}
+
+//> Frames and the whole
+TEST_CASE("a thousand short frames are one long one", "[7.4]") {
+    const Vec2 velocity = GENERATE(Vec2{2.3, 1.1}, Vec2{-0.7, 2.9}, Vec2{-3.1, -0.4}, Vec2{0, 1.7}, Vec2{1.9, 0});
+    const Mover at_once = bounce({{2, 3}, velocity}, cave, 30);
+
+    Mover frame_by_frame{{2, 3}, velocity};
+    for (int frame = 0; frame < 1000; ++frame) frame_by_frame = bounce(frame_by_frame, cave, 0.03);
+
+    CHECK_THAT(at_once, IsNear(frame_by_frame, 1e-9)); // a thousand roundings of 1e-15 on a way of 100 m
+}
+
+TEST_CASE("played backwards, it comes home", "[7.4]") {
+    const Vec2 velocity = GENERATE(Vec2{2.3, 1.1}, Vec2{-0.7, 2.9}, Vec2{-3.1, -0.4}, Vec2{0, 1.7}, Vec2{1.9, 0});
+    const double dt = GENERATE(0.7, 3.0, 60.0);
+
+    const Mover there = bounce({{2, 3}, velocity}, cave, dt);
+    const Mover home = bounce({there.position, -there.velocity}, cave, dt);
+
+    CHECK_THAT(home, IsNear(Mover{{2, 3}, -velocity}, 1e-9));
+}
+
+//>
+TEST_CASE("in a rectangle it is where the folded straight line is", "[7.4]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(10000); ++i) {
+        const Vec2 size = dice.point(1, 9), velocity = dice.point(-5, 5);
+        const Vec2 start = size.cwiseProduct(dice.point(0.01, 0.99));
+        const double dt = dice.real(0, 20);
+
+        Mover want;
+        bool near_wall = false; // a rounding decides whether it has turned
+        for (int axis : {0, 1}) {
+            const double way = start[axis] + velocity[axis] * dt, room_twice = 2 * size[axis];
+            const double rest = way - room_twice * std::floor(way / room_twice);
+            want.position[axis] = std::min(rest, room_twice - rest);
+            want.velocity[axis] = rest < size[axis] ? velocity[axis] : -velocity[axis];
+            near_wall = near_wall || std::min(want.position[axis], size[axis] - want.position[axis]) < 1e-6;
+        }
+        if (near_wall) continue;
+
+        const Vec2 low{-3, 5}; // the rectangle's corner
+        want.position += low;
+        const std::vector<Vec2> box{low, low + Vec2{size.x(), 0}, low + size, low + Vec2{0, size.y()}};
+        CHECK_THAT(bounce({low + start, velocity}, box, dt), IsNear(want, 1e-10)); // a way of 100 m, some 200 bounces
+    }
+}
+
+TEST_CASE("turned, mirrored, moved and scaled, it does the same", "[7.4]") {
+    const Vec2 across = GENERATE(Vec2{0.8, -0.6}, Vec2{-0.8, 0.6}); // turned, or mirrored
+    const double scale = GENERATE(0.01, 3.0, 500.0);
+    const auto there = [&](const Vec2 &v) -> Vec2 { return scale * (v.x() * Vec2{0.6, 0.8} + v.y() * across); };
+    const Vec2 by{70, -20};
+    std::vector<Vec2> corners = cave;
+    for (Vec2 &corner : corners) corner = there(corner) + by;
+
+    const Mover plain = bounce({{2, 3}, {2.3, 1.1}}, cave, 20);
+    const Mover after = bounce({there({2, 3}) + by, there({2.3, 1.1})}, corners, 20);
+
+    CHECK_THAT(after.position, IsNear(Vec2{there(plain.position) + by}, 1e-9));
+    CHECK_THAT(after.velocity, IsNear(there(plain.velocity), 1e-9));
+}
+
+TEST_CASE("a point that hits the tip of a corner comes back, or leaves it to the side, but does not enter the wall",
+          "[7.4]") {
+    const Vec2 from = GENERATE(Vec2{2, 3}, Vec2{6.5, 1}, Vec2{9, 2}, Vec2{4, 4}, Vec2{9, 5});
+    const Vec2 tip{6.5, 3.5};
+    const double speed = GENERATE(0.5, 3.0, 40.0);
+    const Vec2 velocity = speed * (tip - from).normalized();
+
+    const double there = (tip - from).norm() / speed;
+    const Mover after = bounce({from, velocity}, cave, there + 0.1 / speed);
+
+    CHECK(outside(after.position, cave) < 1e-9);
+    CHECK_THAT(after.velocity.norm(), IsNear(speed, rounding));
+    CHECK_THAT((after.position - tip).norm(), IsNear(0.1, 1e-8)); // 10 cm on, straight: it did not stay
+}
+
+TEST_CASE("no corner leaks", "[7.4]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(20000); ++i) {
+        const Vec2 corner = room[std::size_t(dice.whole(0, 3))], from = dice.point(3, 7);
+        const Vec2 velocity = dice.real(0.5, 2) * (corner - from); // there after half a second to two
+
+        const Mover after = bounce({from, velocity}, room, 2.5);
+
+        CHECK(outside(after.position, room) < 1e-8);
+        CHECK_THAT(after.velocity.norm(), IsNear(velocity.norm(), 1e-10));
+    }
+}
+
+TEST_CASE("it always ends: after most_bounces bounces it rests until the time is over", "[7.4]") {
+    // 5 m to the right wall, then to and fro: the thousandth wall is the left one
+    const std::vector<Vec2> shaft{{0, 0}, {8, 1}, {8, 6}, {0, 4}};
+    const double dt = GENERATE(0.1, 1.0, 1e5);
+    CHECK_THAT(most_bounces, IsNear(1000));
+    CHECK_THAT(bounce({{3, 2}, {1e5, 0}}, shaft, dt), IsNear(Mover{{0, 2}, {1e5, 0}}, 1e-8));
+}
+
+TEST_CASE("into the tip of a needle, and out again", "[7.4]") {
+    // an angle of 0.02: some 150 bounces, at once or in little steps
+    const std::vector<Vec2> needle{{0, 0}, {50, -0.5}, {53, 0}, {50, 0.5}};
+    const Mover after = bounce({{40, 0.1}, {-20, 0.3}}, needle, 4.2);
+    CHECK(outside(after.position, needle) < 1e-9);
+    CHECK_THAT(after.velocity.norm(), IsNear(std::hypot(20, 0.3), 1e-9));
+    CHECK(after.velocity.x() > 15); // it has turned
+    CHECK(after.position.x() > 20); // and is far out
+
+    const Mover stuck = bounce({{40, 0}, {-20, 0}}, needle, 3); // exactly into the tip, which is 2 s away
+    CHECK(outside(stuck.position, needle) < 1e-8);
+    CHECK_THAT(stuck.velocity.norm(), IsNear(20.0, 1e-9));
+}
+
+TEST_CASE("what is no room, no time or no number is refused", "[7.4]") {
+    const Mover good{{4, 3}, {2, -1.5}};
+    CHECK_THROWS_AS(bounce(good, {}, 1), std::invalid_argument);
+    CHECK_THROWS_AS(bounce(good, {{0, 0}, {20, 0}}, 1), std::invalid_argument);
+    CHECK_THROWS_AS(bounce(good, {{0, 0}, {20, 0}, {20, 0}, {2, 8}}, 1), std::invalid_argument);
+    CHECK_THROWS_AS(bounce(good, {{0, 0}, {20, 0}, {11, 12}, {0, 0}}, 1), std::invalid_argument); // the last, the first
+    CHECK_THROWS_AS(bounce(good, room, -0.1), std::invalid_argument);
+
+    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5);
+    CHECK_THROWS_AS(bounce(good, room, bad), std::invalid_argument);
+    CHECK_THROWS_AS(bounce({{bad, 3}, {2, 1}}, room, 1), std::invalid_argument);
+    CHECK_THROWS_AS(bounce({{4, bad}, {2, 1}}, room, 1), std::invalid_argument);
+    CHECK_THROWS_AS(bounce({{4, 3}, {bad, 1}}, room, 1), std::invalid_argument);
+    CHECK_THROWS_AS(bounce({{4, 3}, {2, bad}}, room, 1), std::invalid_argument);
+    CHECK_THROWS_AS(bounce(good, {{bad, 0}, {20, 0}, {11, 12}, {2, 8}}, 1), std::invalid_argument);
+    CHECK_THROWS_AS(bounce(good, {{0, 0}, {20, 0}, {11, 12}, {2, bad}}, 1), std::invalid_argument);
+}
+
+// ------------------------------------------------------------------------------------------------- 7.5 first_touch
+
+const Segment ground{.start = {0, 0}, .end = {20, 0}};
+
+//> Side and end
+TEST_CASE("a disc touches a wall one radius before its centre would", "[7.5]") {
+    // it falls 4 m in all; 1 m above the ground it has fallen 2 m
+    CHECK_THAT(first_touch({{0, 3}, {4, -1}}, 1, ground), IsNear(Touch{0.5, {2, 1}, {2, 0}}, rounding));
+    // an end at (7, 1.5) and a centre at the height 3: 2.5² = 1.5² + 2², so 2 m before it, at x = 5 of 8
+    CHECK_THAT(first_touch({{0, 3}, {8, 3}}, 2.5, {{7, -4}, {7, 1.5}}),
+               IsNear(Touch{0.625, {5, 3}, {7, 1.5}}, rounding));
+}
+
+//> Erratum E7.9
+TEST_CASE("erratum E7.9: a disc touches a wall that its centre never crosses", "[7.5]") {
+    // from 1.5 m to 0.5 m above the ground: a point passes, a ball of 1 m has touched half way
+    CHECK_THAT(first_touch({{0, 1.5}, {8, 0.5}}, 1, ground), IsNear(Touch{0.5, {4, 1}, {4, 0}}, rounding));
+}
+
+//>
+TEST_CASE("a wall has two sides, two ends and no direction", "[7.5]") {
+    const Segment leaning = GENERATE(Segment{{2, 1}, {14, 10}}, Segment{{14, 10}, {2, 1}}); // along (4, 3), 15 m long
+    const Vec2 along{0.8, 0.6}, up{-0.6, 0.8}, middle{8, 5.5};
+
+    // from 6 m above the middle, straight down 8 m: 2 m before it after half of that
+    CHECK_THAT(first_touch({middle + 6 * up, middle - 2 * up}, 2, leaning),
+               IsNear(Touch{0.5, middle + 2 * up, middle}, rounding));
+    CHECK_THAT(first_touch({middle - 6 * up, middle + 2 * up}, 2, leaning),
+               IsNear(Touch{0.5, middle - 2 * up, middle}, rounding));
+    // along its line, from 5 m before an end, 10 m far: 2 m before that end after 3 of them
+    CHECK_THAT(first_touch({Vec2{2, 1} - 5 * along, Vec2{2, 1} + 5 * along}, 2, leaning),
+               IsNear(Touch{0.3, Vec2{2, 1} - 2 * along, {2, 1}}, rounding));
+    CHECK_THAT(first_touch({Vec2{14, 10} + 5 * along, Vec2{14, 10} - 5 * along}, 2, leaning),
+               IsNear(Touch{0.3, Vec2{14, 10} + 2 * along, {14, 10}}, rounding));
+}
+
+TEST_CASE("what stays clear of a wall does not touch it", "[7.5]") {
+    CHECK_THAT(first_touch({{3, 9}, {5, 1.1}}, 1, ground), IsNear(never));      // stops 10 cm too early
+    CHECK_THAT(first_touch({{-9, 1.1}, {30, 1.1}}, 1, ground), IsNear(never));  // passes above it
+    CHECK_THAT(first_touch({{-9, 2}, {-1.1, 0}}, 1, ground), IsNear(never));    // stops before its end
+    CHECK_THAT(first_touch({{22, 6}, {22, -6}}, 1, ground), IsNear(never));     // falls beside its end
+    CHECK_THAT(first_touch({{20.8, 6}, {21.7, -6}}, 1, ground), IsNear(never)); // so, though near to it at first
+    CHECK_THAT(first_touch({{5, 2}, {6, 9}}, 1, ground), IsNear(never));        // leaves
+    CHECK_THAT(first_touch({{5, 2}, {5, 2}}, 1, ground), IsNear(never));        // rests
+}
+
+TEST_CASE("a disc that falls beside the end of a wall touches it with its side", "[7.5]") {
+    // 0.6 m beside the end, radius 1: 0.8 m above it, having fallen 5.2 of 8 m
+    CHECK_THAT(first_touch({{20.6, 6}, {20.6, -2}}, 1, ground), IsNear(Touch{0.65, {20.6, 0.8}, {20, 0}}, rounding));
+    CHECK_THAT(first_touch({{-0.6, 6}, {-0.6, -2}}, 1, ground), IsNear(Touch{0.65, {-0.6, 0.8}, {0, 0}}, rounding));
+    CHECK_THAT(first_touch({{20.6, -6}, {20.6, 2}}, 1, ground), IsNear(Touch{0.65, {20.6, -0.8}, {20, 0}}, rounding));
+}
+
+TEST_CASE("a disc that is as fast as you like does not jump over a wall", "[7.5]") {
+    CHECK_THAT(first_touch({{5, 9e4}, {5, -9e4}}, 0.5, ground),
+               IsNear(Touch{89999.5 / 180000, {5, 0.5}, {5, 0}}, 1e-10));
+}
+
+TEST_CASE("a disc that touches as it starts: t = 0 if it comes nearer, nothing if it leaves or slides", "[7.5]") {
+    const double height = GENERATE(1.0, 0.25, -0.5, -1.0); // touching, or overlapping, above and below
+    const double away = height > 0 ? 1 : -1;
+
+    CHECK_THAT(first_touch({{5, height}, {7, height - 3 * away}}, 1, ground),
+               IsNear(Touch{0, {5, height}, {5, 0}}, rounding));
+    CHECK_THAT(first_touch({{5, height}, {7, height + 3 * away}}, 1, ground), IsNear(never));
+    CHECK_THAT(first_touch({{5, height}, {7, height}}, 1, ground), IsNear(never));
+    CHECK_THAT(first_touch({{5, height}, {5, height}}, 1, ground), IsNear(never));
+}
+
+TEST_CASE("a disc with its centre on the wall can come no nearer", "[7.5]") {
+    CHECK_THAT(first_touch({{5, 0}, {7, -3}}, 1, ground), IsNear(never));
+    CHECK_THAT(first_touch({{5, 0}, {9, 0}}, 1, ground), IsNear(never));
+}
+
+TEST_CASE("an overlap beyond an end is measured from that end", "[7.5]") {
+    CHECK_THAT(first_touch({{20.3, 0.4}, {19, 0.4}}, 1, ground),
+               IsNear(Touch{0, {20.3, 0.4}, {20, 0}}, rounding)); // nearer
+    CHECK_THAT(first_touch({{20.3, 0.4}, {24, -0.4}}, 1, ground),
+               IsNear(never)); // down, but away: 0.3 · 3.7 > 0.4 · 0.8
+}
+
+TEST_CASE("a post is touched all round, and a disc of radius 0 is a point", "[7.5]") {
+    const Segment post{{6, 2}, {6, 2}};
+    CHECK_THAT(first_touch({{-2, 2}, {8, 2}}, 3, post), IsNear(Touch{0.5, {3, 2}, {6, 2}}, rounding));
+    CHECK_THAT(first_touch({{0, -2}, {18, -2}}, 5, post),
+               IsNear(Touch{1.0 / 6, {3, -2}, {6, 2}}, rounding)); // 5² = 3² + 4²
+    CHECK_THAT(first_touch({{0, -4}, {18, -4}}, 5, post), IsNear(never));
+    CHECK_THAT(first_touch({{5, 6}, {5, -2}}, 0, ground), IsNear(Touch{0.75, {5, 0}, {5, 0}}, rounding));
+    CHECK_THAT(first_touch({{5, 6}, {5, 2}}, 0, ground), IsNear(never));
+    CHECK_THAT(first_touch({{21, 6}, {21, -2}}, 0, ground), IsNear(never));
+}
+
+namespace {
+
+Vec2 nearest(const Segment &s, const Vec2 &p) {
+    const Vec2 along = s.end - s.start;
+    return s.start
+           + (along.isZero() ? 0 : std::clamp((p - s.start).dot(along) / along.squaredNorm(), 0.0, 1.0)) * along;
+}
+
+} // namespace
+
+TEST_CASE("the touch is where halving the way finds it", "[7.5]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(20000); ++i) {
+        const Segment way{dice.point(-10, 10), dice.point(-10, 10)}, edge{dice.point(-6, 6), dice.point(-6, 6)};
+        const double radius = dice.real(0, 4);
+        const auto clearance = [&](double t) {
+            const Vec2 centre = way.start + t * (way.end - way.start);
+            return (centre - nearest(edge, centre)).norm() - radius;
+        };
+        if (clearance(0) < 1e-6) continue; // it has tests of its own
+
+        // The distance falls first and then grows: thirds find where it is least, halves where it is one radius.
+        double low = 0, high = 1;
+        for (int step = 0; step < 200; ++step) {
+            const double third = (high - low) / 3;
+            if (clearance(low + third) < clearance(high - third)) high -= third;
+            else low += third;
+        }
+        const double least = clearance(low);
+        if (std::abs(least) < 1e-4) continue; // nearly a graze: the time hangs on the root of a rounding
+
+        const auto touch = first_touch(way, radius, edge);
+        if (least > 0) {
+            CHECK_THAT(touch, IsNear(never));
+            continue;
+        }
+        double before = 0, after = low;
+        for (int step = 0; step < 60; ++step)
+            (clearance((before + after) / 2) > 0 ? before : after) = (before + after) / 2;
+        const Vec2 centre = way.start + after * (way.end - way.start);
+        // A rounding of 1e-15, a hundredfold where it nearly grazes (the root of 1e-4), and room.
+        CHECK_THAT(touch, IsNear(Touch{after, centre, nearest(edge, centre)}, 1e-9));
+    }
+}
+
+TEST_CASE("a negative radius, and what is not a number within ±1e5, is refused", "[7.5]") {
+    const int which = GENERATE(range(0, 8));
+    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5, -3e200);
+    const auto [way, edge] = spoilt(which, bad);
+
+    CHECK_THROWS_AS(first_touch(way, 1, edge), std::invalid_argument);
+    CHECK_THROWS_AS(first_touch(motion, bad, ground), std::invalid_argument);
+    CHECK_THROWS_AS(first_touch(motion, -0.1, ground), std::invalid_argument);
+}
+
+// -------------------------------------------------------------------------------------------------------- 7.6 turn
+
+//> Left and right
+TEST_CASE("left is 1, right is -1, parallel is 0", "[7.6]") {
+    CHECK_THAT(turn({{2, 5}, {5, 6}}, {{7, 1}, {8, 4}}), IsNear(1));    // (3, 1), (1, 3): 9 - 1
+    CHECK_THAT(turn({{7, 1}, {8, 4}}, {{2, 5}, {5, 6}}), IsNear(-1));   // (1, 3), (3, 1): 1 - 9
+    CHECK_THAT(turn({{2, 5}, {5, 6}}, {{8, 4}, {7, 1}}), IsNear(-1));   // (3, 1), (-1, -3)
+    CHECK_THAT(turn({{2, 5}, {5, 6}}, {{0, 0}, {6, 2}}), IsNear(0));    // (3, 1), (6, 2)
+    CHECK_THAT(turn({{2, 5}, {5, 6}}, {{6, 2}, {0, 0}}), IsNear(0));    // (3, 1), (-6, -2)
+    CHECK_THAT(turn({{2, 5}, {5, 6}}, {{4, 4}, {4, 4}}), IsNear(0));    // a point turns nowhere
+    CHECK_THAT(turn({{0, 0}, {7, 0}}, {{0, 0}, {0, 1e-9}}), IsNear(1)); // small is not parallel
+    CHECK_THAT(turn({{0, 0}, {7, 0}}, {{3, 0}, {-9, -1e-9}}), IsNear(-1));
+}
+
+//> A sign that lies
+TEST_CASE("where the plain formula has the wrong sign, the honest one has 0 or the right one", "[7.6]") {
+    // On paper both go (2.5, 2.9). In the computer 3.2 - 0.7 is not 2.5: the plain formula gives D = 8.9e-16, left,
+    // but these eight numbers, as they are stored, have D = -8.9e-17 exactly: right.
+    const int got = turn({{1, 1}, {3.5, 3.9}}, {{0.7, 0.8}, {3.2, 3.7}});
+    CHECK((got == 0 || got == -1));
+}
+
+//> Against exact fractions
+struct Exact {
+    mpq_class d;         ///< the determinant
+    mpq_class tolerance; ///< below which 0 is allowed
+};
+
+Exact exact(const Segment &first, const Segment &second) {
+    const auto minus = [](double end, double start) -> mpq_class { return mpq_class{end} - mpq_class{start}; };
+    const mpq_class left = minus(first.end.x(), first.start.x()) * minus(second.end.y(), second.start.y());
+    const mpq_class right = minus(first.end.y(), first.start.y()) * minus(second.end.x(), second.start.x());
+    return {left - right, mpq_class{1e-15} * (abs(left) + abs(right)) + mpq_class{1e-300}};
+}
+
+TEST_CASE("nearly parallel: never the wrong sign, and no 0 where a sign can be told", "[7.6]") {
+    const double scale = GENERATE(1.0, 0x1p-30, 0x1p13);
+    Dice dice;
+    for (int i = 0; i < course::cases(100000) / 3; ++i) {
+        // Every direction; and those whose numbers are just above 1, where a rounding is worst.
+        const Vec2 along = i % 2 == 0 ? dice.point(-1, 1) : Vec2{dice.sign() * dice.real(1, 1.06), dice.real(1, 1.06)};
+        const Vec2 turned = along + std::ldexp(dice.real(-1, 1), -dice.whole(46, 56)) * Vec2{-along.y(), along.x()};
+        const Vec2 start_1 = dice.point(-0.1, 0.1), start_2 = dice.point(-0.1, 0.1); // digits that a difference loses
+        const Vec2 end_1 = start_1 + dice.real(1, 1.03) * along,
+                   end_2 = start_2 + dice.sign() * dice.real(1, 1.03) * turned;
+        const Segment first{scale * start_1, scale * end_1}, second{scale * start_2, scale * end_2};
+        const auto [d, tolerance] = exact(first, second);
+
+        const int got = turn(first, second);
+
+        if (got != 0 || abs(d) > tolerance) CHECK_THAT(got, IsNear(sgn(d)));
+    }
+}
+
+//>
+TEST_CASE("large and small, near and far: the sign is that of the exact determinant", "[7.6]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(20000); ++i) {
+        const double size_1 = std::ldexp(1.0, -dice.whole(-16, 300)), size_2 = std::ldexp(1.0, -dice.whole(-16, 300));
+        const Segment first{{0, 0}, size_1 * dice.point(-1, 1)}, second{{0, 0}, size_2 * dice.point(-1, 1)};
+        const auto [d, tolerance] = exact(first, second);
+
+        if (abs(d) > tolerance) CHECK_THAT(turn(first, second), IsNear(sgn(d)));
+    }
+}
+
+TEST_CASE("the differences are rounded too: two of the worst", "[7.6]") {
+    // Computed, D is 2.2e-16 of its two products together; these eight numbers, as they are stored, have -2.3e-17 of them.
+    const Segment first{{0.0066887441641682033, 0.035824353454739041}, {1.0085581351620307, 1.0543505924393419}};
+    const Segment second{{-0.047818887578320146, -0.040134572186612497}, {0.93427171066482462, 0.9582840364250792}};
+    CHECK(turn(first, second) != 1);
+    CHECK(turn(second, first) != -1);
+
+    // Computed, it is 7.4e-16 of them, but truly 1.004e-15: no longer too close to tell.
+    const Segment third{{0.016757470922215703, 0.026790244964310109}, {1.0390542163852641, 1.0430544560098016}};
+    const Segment fourth{{-0.010648782619675397, 0.032056641416541437}, {1.0278831682168375, 1.064460254502831}};
+    CHECK_THAT(turn(third, fourth), IsNear(1));
+    CHECK_THAT(turn(fourth, third), IsNear(-1));
+}
+
+TEST_CASE("along an axis both products are small, and so is what cannot be told", "[7.6]") {
+    CHECK_THAT(turn({{0, 0}, {1, 1e-9}}, {{0, 0}, {1, 1.0000001e-9}}), IsNear(1)); // D = 1e-16, of 2e-9
+    CHECK_THAT(turn({{0, 0}, {1e-9, 1}}, {{0, 0}, {1.0000001e-9, 1}}), IsNear(-1));
+}
+
+TEST_CASE("the sign of what is not a number within ±1e5 is refused", "[7.6]") {
+    const int which = GENERATE(range(0, 8));
+    const auto [first, second] = spoilt(which, GENERATE(infinity, -infinity, not_a_number, 1.1e5, -3e200));
+
+    CHECK_THROWS_AS(turn(first, second), std::invalid_argument);
+}
