@@ -1,6 +1,7 @@
 #include "files.hpp"
 
 #include "complaint.hpp"
+#include "process.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -64,6 +65,7 @@ bool write_file(const fs::path &wanted, std::string_view text) {
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), trouble);
     if (trouble) refuse(path, trouble.value());
 
+    const Undisturbed by_signals; // Ctrl-C in between would leave the draft lying about
     std::string draft = path.string() + ".XXXXXX"; // in the same folder, so that the rename is one step
     const int file = ::mkstemp(draft.data());
     if (file < 0) refuse(path, errno);

@@ -1,0 +1,703 @@
+// `course weave` on a book of one small chapter, made anew for each test and spoilt in one way.
+
+#include "chapter.hpp"
+#include "commands.hpp"
+#include "files.hpp"
+#include "links.hpp"
+#include "markdown.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <sstream>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::StartsWith;
+using namespace course;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char *header = R"(#pragma once
+#include "../course.hpp"
+
+/// Section 7.
+namespace wall {
+using course::Vec2;
+
+//> A wall
+/// Where it stands.
+struct Wall {
+    Vec2 start;
+
+    Vec2 end;
+};
+
+//> The exercises
+namespace subject {
+COURSE_EXERCISE("7.1", core, wall, length, "wall", "m")
+} // namespace subject
+//>
+} // namespace wall
+)";
+
+constexpr const char *solution_code = R"(#include "wall.hpp"
+
+namespace wall {
+//> Solution: a helper
+static double square(double x) { return x * x; }
+
+//> Solution 7.1: a length
+double length(const Wall &wall) { return (wall.end - wall.start).norm(); }
+
+//> Solution 7.10: not this one
+double other();
+//>
+}
+)";
+
+constexpr const char *chapter = R"(# 7 Wall
+
+Plan a minute.
+
+```cpp
+//> A wall
+/// Where it stands.
+struct Wall {
+    Vec2 start;
+
+    Vec2 end;
+};
+```
+
+```cpp
+//> The exercises
+namespace subject {
+COURSE_EXERCISE("7.1", core, wall, length, "wall", "m")
+} // namespace subject
+```
+
+```cpp
+//> Main
+int main() {}
+```
+
+```console
+$ ./course run 7
+length 5
+```
+
+```console
+$ ./course check 7
+all of it is up to you
+```
+
+![A wall.](../../plots/07_wall_path.svg)
+
+```gnuplot
+#> Figure: a path
+plot ARG1
+```
+
+| | exercise | tier | about |
+|:--|:--|:--|--:|
+| 7.1 | `length`: a wall's | core | 5 min |
+
+<details>
+<summary>7.1, a hint: where to look</summary>
+
+Pythagoras: $\sqrt{\Delta x^2 + \Delta y^2}$, see `std::hypot` and [the idea](#7-wall).
+</details>
+
+<details>
+<summary>Our solution</summary>
+
+```cpp
+//> Solution: a helper
+static double square(double x) { return x * x; }
+```
+
+```cpp
+//> Solution 7.1: a length
+double length(const Wall &wall) { return (wall.end - wall.start).norm(); }
+```
+
+```cpp
+//> Solution 7.10: not this one
+double other();
+```
+</details>
+)";
+
+struct Told {
+    int code;
+    std::string text; ///< what it printed, or its complaint
+};
+
+/// A checkout with one section, 07_wall, and its built program; removed at the end.
+class Book {
+public:
+    Book() {
+        std::string folder = (fs::temp_directory_path() / "a book XXXXXX").string(); // blanks in paths are all right
+        tree.root = fs::canonical(::mkdtemp(folder.data()));
+        tree.build = tree.root / "build";
+        put("CMakeLists.txt", "section(07_wall)\n");
+        put("chapters/07_wall/README.md", chapter);
+        put("chapters/07_wall/wall.hpp", header);
+        put("chapters/07_wall/main.cpp", "#include \"wall.hpp\"\n\n//> Main\nint main() {}\n");
+        put("solutions/07_wall.cpp", solution_code);
+        put("tests/07_wall.cpp", "#include \"wall.hpp\"\nconstexpr double not_shown = 0;\n");
+        put("plots/07_wall_path.gp", "#> Figure: a path\nplot ARG1\n");
+        put("plots/07_wall_path.svg", "<svg/>");
+        program("echo length 5");
+    }
+    ~Book() { fs::remove_all(tree.root); }
+    Book(const Book &) = delete;
+    Book &operator=(const Book &) = delete;
+
+    void put(const fs::path &file, std::string_view text) const {
+        fs::create_directories((tree.root / file).parent_path());
+        std::ofstream{tree.root / file, std::ios::binary} << text; // unlike write_file, doesn't wait for the disk
+    }
+    std::string text(const fs::path &file = "chapters/07_wall/README.md") const { return read_file(tree.root / file); }
+
+    /// Replaces the one place where `was` stands.
+    void edit(const fs::path &file, const std::string &was, const std::string &is) const {
+        std::string all = text(file);
+        REQUIRE(all.find(was) != all.npos);
+        REQUIRE(all.find(was) == all.rfind(was));
+        put(file, all.replace(all.find(was), was.size(), is));
+        renew_program();
+    }
+    void edit_chapter(const std::string &was, const std::string &is) const {
+        edit("chapters/07_wall/README.md", was, is);
+    }
+
+    /// The section's "program" is a line of shell.
+    void program(const std::string &line) {
+        script = "#!/bin/sh\n" + line + '\n';
+        renew_program();
+    }
+
+    /// Makes the program newer than its code, as a build leaves it.
+    void renew_program() const {
+        const fs::path file = tree.build / "chapters/07_wall";
+        put(file, script);
+        fs::permissions(file, fs::perms::owner_all);
+        fs::last_write_time(file, fs::file_time_type::clock::now());
+    }
+
+    Told weave(const std::string &arguments = "") const {
+        CLI::App app;
+        add_weave(app, tree);
+        std::ostringstream out;
+        std::streambuf *const terminal = std::cout.rdbuf(out.rdbuf());
+        int code = all_well;
+        try {
+            app.parse("weave " + arguments);
+        } catch (const Leave &leave) {
+            code = leave.code;
+        } catch (const Complaint &complaint) {
+            code = bad_input;
+            out << complaint.what();
+        }
+        std::cout.rdbuf(terminal);
+        return {code, out.str()};
+    }
+    Told check() const { return weave("--check"); }
+
+    Tree tree;
+    Section section{"07_wall"};
+
+private:
+    std::string script; ///< the program
+};
+
+std::string replaced(std::string text, const std::string &was, const std::string &is) {
+    for (std::size_t at = 0; (at = text.find(was, at)) != text.npos; at += is.size()) text.replace(at, was.size(), is);
+    return text;
+}
+
+constexpr const char *wall_listing =
+    "```cpp\n//> A wall\n/// Where it stands.\nstruct Wall {\n    Vec2 start;\n\n    Vec2 end;\n};\n```\n";
+
+} // namespace
+
+TEST_CASE("a book that is as the code says passes, and weaving leaves its file alone") {
+    const Book book;
+    const auto date = fs::last_write_time(book.tree.chapter(book.section));
+
+    const Told told = book.check();
+    CHECK(told.text == "1 chapter, 7 listings, 1 output: as the code says\n");
+    CHECK(told.code == all_well);
+    CHECK(book.weave().text == told.text);
+    CHECK(book.weave("7").code == all_well);
+    CHECK(book.text() == chapter);
+    CHECK(fs::last_write_time(book.tree.chapter(book.section)) == date);
+}
+
+TEST_CASE("edited text is found, and woven back") {
+    const Book book;
+    book.edit_chapter("/// Where it stands.", "/// Where it lies.");
+
+    const Told told = book.check();
+    CHECK(told.code == something_to);
+    CHECK(told.text
+          == "chapters/07_wall/README.md:7: \"A wall\" differs here from chapters/07_wall/wall.hpp:9; "
+             "type ./course weave, or correct the code if the text is right.\n");
+    CHECK(book.weave().text == "woven: chapters/07_wall/README.md, 1 block changed\n");
+    CHECK(book.text() == chapter);
+}
+
+TEST_CASE("any edit inside a listing is found: a line less, a line more, a blank at an end, the mark itself") {
+    const Book book;
+    const auto [was, is] =
+        GENERATE(std::pair{"    Vec2 start;\n", ""}, std::pair{"    Vec2 end;\n};\n", "    Vec2 end;\n};\n\n"},
+                 std::pair{"int main() {}", "int main() {} "}, std::pair{"//> A wall", " //>  A wall"},
+                 std::pair{"#> Figure: a path", "//> Figure: a path"}, std::pair{"length 5\n", "length 5\n\n"},
+                 std::pair{"length 5\n", ""}, std::pair{"length 5\n", "length 5 \n"});
+    book.edit_chapter(was, is);
+
+    CHECK(book.check().code == something_to);
+    CHECK(book.weave().code == all_well);
+    CHECK(book.text() == chapter);
+}
+
+TEST_CASE("edited code is found, and woven in") {
+    const Book book;
+    book.edit("chapters/07_wall/wall.hpp", "    Vec2 start;\n", "    Vec2 start; ///< [m]\n    double width{};\n");
+
+    const Told told = book.check();
+    CHECK(told.code == something_to);
+    CHECK_THAT(told.text,
+               StartsWith("chapters/07_wall/README.md:9: \"A wall\" differs here from chapters/07_wall/wall.hpp:11;"));
+    CHECK(book.text() == chapter); // a check changes nothing
+    CHECK(book.weave().code == all_well);
+    CHECK(book.text() == replaced(chapter, "    Vec2 start;\n", "    Vec2 start; ///< [m]\n    double width{};\n"));
+    CHECK(book.check().code == all_well);
+}
+
+TEST_CASE("a chunk that stands nowhere is found") {
+    const Book book;
+    book.edit_chapter(wall_listing, "");
+
+    const Told told = book.check();
+    CHECK(told.code == something_to);
+    CHECK_THAT(
+        told.text,
+        StartsWith("chapters/07_wall/wall.hpp:8: the chunk \"A wall\" is not shown in chapters/07_wall/README.md;"));
+    CHECK(book.weave().code == something_to);
+}
+
+TEST_CASE("a chunk of each kind of file must be shown") {
+    const Book book;
+    const std::string file = GENERATE("chapters/07_wall/wall.hpp", "chapters/07_wall/main.cpp", "solutions/07_wall.cpp",
+                                      "tests/07_wall.cpp", "plots/07_wall_path.gp");
+    book.put(file, book.text(file) + (file.ends_with(".gp") ? "#> New\nreset\n" : "//> New\nint x;\n"));
+    book.renew_program();
+
+    CHECK_THAT(book.check().text, StartsWith(file) && ContainsSubstring("\"New\" is not shown"));
+}
+
+TEST_CASE("a chunk that is shown twice is found") {
+    const Book book;
+    book.edit_chapter("Plan a minute.\n", "Plan a minute.\n\n```cpp\n//> Main\nint main() {}\n```\n");
+
+    const Told told = book.check();
+    CHECK(told.code == something_to);
+    CHECK(told.text
+          == "chapters/07_wall/README.md:28: the chunk \"Main\" is shown in line 6 already; keep one of the two.\n");
+}
+
+TEST_CASE("a fence without a chunk is found, the nearest title is offered, and weaving leaves it alone") {
+    const Book book;
+    book.edit_chapter("Plan a minute.\n", "Plan a minute.\n\n```cpp\n//> A wal\nmy text\n```\n");
+    const std::string before = book.text();
+
+    const Told told = book.check();
+    CHECK(told.code == something_to);
+    CHECK_THAT(told.text, StartsWith("chapters/07_wall/README.md:6: there is no chunk called \"A wal\";")
+                              && ContainsSubstring("`A wall`"));
+    CHECK(book.weave().code == something_to);
+    CHECK(book.text() == before);
+}
+
+TEST_CASE("a mark without a title, a title given twice, and a chunk without code are found") {
+    const Book book;
+    SECTION("no title") {
+        book.edit_chapter("//> Main\n", "//>\n");
+        CHECK_THAT(book.check().text, ContainsSubstring("README.md:23: this mark has no title;"));
+    }
+    SECTION("twice in the code") {
+        book.edit("chapters/07_wall/main.cpp", "//> Main\n", "//> A wall\n");
+        CHECK_THAT(
+            book.check().text,
+            ContainsSubstring("main.cpp:3: a chunk called \"A wall\" stands in chapters/07_wall/wall.hpp:8 already;"));
+    }
+    SECTION("no code") {
+        book.edit("chapters/07_wall/main.cpp", "//> Main\n", "//> Nothing\n\n//> Main\n");
+        CHECK_THAT(book.check().text, ContainsSubstring("main.cpp:3: the chunk \"Nothing\" is empty;"));
+    }
+}
+
+TEST_CASE("code above the first mark is found, where includes, namespaces and comments are none") {
+    const Book book;
+    SECTION("C++") {
+        book.edit("chapters/07_wall/main.cpp", "//> Main\n",
+                  "/* two\nlines */\n// one\nusing namespace wall;\nint hidden;\n//> Main\n");
+        CHECK(book.check().text
+              == "chapters/07_wall/main.cpp:7: this code stands before the first mark, so no chapter can show it; put "
+                 "a line "
+                 "`//> Title` above it, or the same without a title if it is to stay out.\n");
+    }
+    SECTION("a file without any mark") {
+        book.put("plots/07_wall_more.gp", "# comment\n\nplot ARG1\n");
+        CHECK_THAT(book.check().text,
+                   ContainsSubstring("plots/07_wall_more.gp:3: this code stands before the first mark"));
+    }
+    SECTION("behind a bare mark it may be") {
+        book.edit("chapters/07_wall/main.cpp", "//> Main\n", "//>\nint hidden;\n//> Main\n");
+        CHECK(book.check().code == all_well);
+    }
+}
+
+TEST_CASE("a fence in a quote, a fold, a list or in several of them keeps what stands before its lines") {
+    const Book book;
+    const auto [name, before, first, others, after] =
+        GENERATE(std::tuple{"quote", "> In print.\n>\n", "> ", "> ", ""},
+                 std::tuple{"narrow quote", "> In print.\n>\n", ">", ">", ""},
+                 std::tuple{"fold", "<details>\n<summary>More</summary>\n\n", "", "", "</details>\n"},
+                 std::tuple{"list", "- one\n", "- ", "  ", ""}, std::tuple{"numbers", "", "12. ", "    ", ""},
+                 std::tuple{"below a number", "12. text\n\n", "    ", "    ", ""},
+                 std::tuple{"quote in list", "", "- > ", "  > ", ""},
+                 std::tuple{"list in quote", "", "> - ", ">   ", ""}, std::tuple{"indented", "", "   ", "   ", ""},
+                 std::tuple{"fold in list", "- x\n  <details><summary>A</summary>\n\n", "  ", "  ", "  </details>\n"});
+    INFO(name);
+
+    const auto in_container = [&, b = std::string{before}, f = std::string{first}, o = std::string{others},
+                               a = std::string{after}](const std::string &listing) {
+        std::string text = f + replaced(listing.substr(0, listing.size() - 1), "\n", '\n' + o) + '\n';
+        return b + replaced(text, '\n' + o + '\n', '\n' + o.substr(0, o.find_last_not_of(' ') + 1) + '\n') + a;
+    };
+    book.edit_chapter(wall_listing, in_container("```cpp\n//> A wall\nold\n```\n"));
+    CHECK(book.check().code == something_to);
+    CHECK(book.weave().code == all_well);
+    CHECK(book.text() == replaced(chapter, wall_listing, in_container(wall_listing)));
+    CHECK(book.check().code == all_well);
+}
+
+TEST_CASE("a fence without an end is found, and its chapter is not touched") {
+    const Book book;
+    const auto [was, is, line] = GENERATE(
+        std::tuple{"double other();\n```\n</details>\n", "double other();\n</details>\n",
+                   67},                                                   // it reaches to the end of the text
+        std::tuple{"    Vec2 end;\n};\n```\n", "    Vec2 end;\n};\n", 5}, // it swallows prose and the next one
+        std::tuple{"length 5\n```\n", "length 5\n", 27},                  // not a listing, but it swallows one
+        std::tuple{"Plan a minute.\n", "> ```cpp\n> //> A wall\n> old\n\nPlan a minute.\n", 3}, // its quote ends
+        std::tuple{"Plan a minute.\n", "> ```cpp\n> //> A wall\n```cpp\n//> Main\n```\nPlan a minute.\n",
+                   3}, // a fence below its quote
+        std::tuple{"Plan a minute.\n", "- ```cpp\n  //> A wall\n```\nPlan\n```\n",
+                   3}); // its item ends with what looks like its end
+    book.edit_chapter(was, is);
+    const std::string before = book.text();
+
+    const Told told = book.check();
+    CHECK(told.code == something_to);
+    CHECK_THAT(told.text, StartsWith("chapters/07_wall/README.md:" + std::to_string(line) + ": this fence has no end"));
+    CHECK_THAT(told.text, ContainsSubstring("; put ``` on a line of its own where its code ends."));
+    const Told woven = book.weave();
+    CHECK(woven.code == something_to);
+    CHECK(book.text() == before);
+}
+
+TEST_CASE("a fence that Markdown cannot see is found: right below HTML, or indented by four blanks") {
+    const Book book;
+    SECTION("HTML") {
+        book.edit_chapter("<summary>Our solution</summary>\n\n", "<summary>Our solution</summary>\n");
+        CHECK_THAT(
+            book.check().text,
+            ContainsSubstring("README.md:56: Markdown sees no fence here, but HTML; put an empty line above it."));
+    }
+    SECTION("blanks") {
+        book.edit_chapter(wall_listing, replaced(std::string{"\n"} + wall_listing, "\n", "\n    "));
+        CHECK_THAT(book.check().text,
+                   ContainsSubstring("README.md:6: Markdown sees no fence here, since it is indented by four blanks"));
+    }
+    SECTION("a fold without an end") {
+        book.edit_chapter("[the idea](#7-wall).\n</details>\n", "[the idea](#7-wall).\n");
+        CHECK_THAT(book.check().text, ContainsSubstring("README.md:48: this fold has no end; put a line `</details>`"));
+    }
+}
+
+TEST_CASE("a file keeps its line ends and its byte-order mark, whatever those of the code") {
+    const Book book;
+    const std::string crlf = replaced(chapter, "\n", "\r\n"), mark = "\xEF\xBB\xBF";
+    const std::string wanted =
+        GENERATE_COPY(std::string{chapter}, crlf, mark + crlf, mark + chapter, crlf.substr(0, crlf.size() - 2));
+    const bool windows_code = GENERATE(false, true);
+    for (const char *file : {"chapters/07_wall/wall.hpp", "solutions/07_wall.cpp", "plots/07_wall_path.gp"})
+        if (windows_code) book.put(file, mark + replaced(book.text(file), "\n", "\r\n"));
+    book.put("chapters/07_wall/README.md", wanted);
+    book.renew_program();
+
+    CHECK(book.check().text == "1 chapter, 7 listings, 1 output: as the code says\n");
+    book.put("chapters/07_wall/README.md",
+             replaced(replaced(wanted, "it stands", "it lies"), "plot ARG1", "plot ARG2"));
+    CHECK(book.weave().text == "woven: chapters/07_wall/README.md, 2 blocks changed\n");
+    CHECK(book.text() == wanted);
+
+    if (wanted.find('\r') == wanted.npos) return;
+    book.edit_chapter("    Vec2 start;\r\n", "    Vec2 start;\n"); // one end is not like the others
+    CHECK(book.check().code == something_to);
+    CHECK(book.weave().code == all_well);
+    CHECK(book.text() == wanted);
+}
+
+TEST_CASE("a code line that looks like a fence makes the chapter's fence longer") {
+    const Book book;
+    const auto [code, fence] =
+        GENERATE(std::pair{"```", "````"}, std::pair{"   `````cpp", "``````"}, std::pair{"    ```", "````"},
+                 std::pair{"~~~", "```"}, std::pair{"int x; // ```", "```"});
+    const std::string quote = GENERATE("", "> ");
+    const std::string was = "```cpp\n" + quote + "//> Main\n" + quote + "int main() {}\n" + quote + "```\n";
+    book.edit_chapter("```cpp\n//> Main\nint main() {}\n```\n", quote + was);
+    book.edit("chapters/07_wall/main.cpp", "int main() {}\n", "int main() {}\n/*\n" + std::string{code} + "\n*/\n");
+
+    CHECK(book.weave().code == all_well);
+    const std::string now = fence + std::string{"cpp\n"} + quote + "//> Main\n" + quote + "int main() {}\n" + quote
+                            + "/*\n" + quote + code + '\n' + quote + "*/\n" + quote + fence + '\n';
+    CHECK_THAT(book.text(), ContainsSubstring(quote + now));
+    CHECK(book.check().code == all_well);
+}
+
+TEST_CASE("an output that looks like a fence makes its fence longer, too") {
+    Book book;
+    book.program("echo '```'");
+
+    CHECK(book.weave().code == all_well);
+    CHECK_THAT(book.text(), ContainsSubstring("````console\n$ ./course run 7\n```\n````\n"));
+    CHECK(book.check().code == all_well);
+}
+
+TEST_CASE("what a program prints is woven; other commands are left alone") {
+    Book book;
+    book.program("echo length 6; echo; echo 'width 7'; echo; echo to nobody >&2");
+
+    CHECK(book.check().text
+          == "chapters/07_wall/README.md:29: this output differs here from what ./course run 7 prints; "
+             "type ./course weave, or correct the code if the text is right.\n");
+    CHECK(book.weave().code == all_well);
+    CHECK(book.text() == replaced(chapter, "length 5\n", "length 6\n\nwidth 7\n"));
+}
+
+TEST_CASE("a program is run with --out, in a folder of the build") {
+    Book book;
+    book.program("echo \"$1\"; case \"$2\" in \"" + book.tree.build.string() + "\"/*) pwd >\"$2/trace\" ;; esac");
+
+    CHECK(book.weave().code == all_well);
+    CHECK_THAT(book.text(), ContainsSubstring("$ ./course run 7\n--out\n```"));
+    CHECK_THAT(book.text("build/weave/07_wall/trace"), StartsWith(book.tree.build.string()));
+}
+
+TEST_CASE("a program that is missing, old, or fails is told with the way out, and nothing is woven") {
+    Book book;
+    book.edit_chapter("it stands", "it lies");
+    const std::string before = book.text();
+    SECTION("missing") {
+        fs::remove(book.tree.build / "chapters/07_wall");
+        CHECK(book.check().text
+              == "the program of 07_wall is not built, so its output cannot be woven; ./course builds it.");
+    }
+    SECTION("old") {
+        fs::last_write_time(book.tree.solution(book.section),
+                            fs::file_time_type::clock::now() + std::chrono::seconds{5});
+        CHECK(book.check().text
+              == "the program of 07_wall is older than solutions/07_wall.cpp; ./course builds it anew.");
+    }
+    SECTION("fails") {
+        book.program("exit 3");
+        CHECK(book.check().text
+              == "the program of 07_wall stopped with exit code 3; ./course run 7 shows what it says.");
+    }
+    CHECK(book.weave().code == bad_input);
+    CHECK(book.text() == before);
+}
+
+TEST_CASE("a link or an image that leads nowhere is found") {
+    const Book book;
+    book.put("book.md", "# Which way, `now`? Far\xE2\x80\x93"
+                        "away\n\n# Twice\n\n# Twice\n\n<a id=\"e7-1\"></a>\n");
+    const auto [link, message] = GENERATE(
+        std::pair{"[a](gone.md)", "the link `gone.md` leads to no file"},
+        std::pair{"![a](../../plots/gone.svg)", "leads to no file"},
+        std::pair{"<img src=\"gone.svg\">", "leads to no file"},
+        std::pair{"text [a][b]\n\n[b]: gone.md", "leads to no file"},
+        std::pair{"\\$5 [a](gone.md) $6", "leads to no file"},
+        std::pair{"[a](#nothing)", "leads to no heading of chapters/07_wall/README.md"},
+        std::pair{"[a](../../book.md#twice-2)", "leads to no heading of book.md"},
+        std::pair{"[a](/book.md)", "begins with a slash"},
+        std::pair{"[a](../../../../etc/passwd)", "leads out of the course"},
+        std::pair{"[a](../../book.md#which-way-now-faraway) [b](../../book.md#twice-1) [c](../../book.md#e7-1)", ""},
+        std::pair{"[a](wall.hpp) [b](../07_wall) [c](..)", ""},
+        std::pair{"[a](https://example.org/gone) [b](mailto:a@example.org)", ""},
+        std::pair{"$f[1](x)$ and `[a](gone.md)`", ""}, std::pair{"```text\n[a](gone.md)\n```", ""},
+        std::pair{"[a](%77all.hpp)", ""});
+    INFO(link);
+    book.edit_chapter("Plan a minute.\n", "Plan a minute.\n\n" + std::string{link} + '\n');
+
+    const Told told = book.check();
+    CHECK(told.code == (*message ? something_to : all_well));
+    if (*message) CHECK_THAT(told.text, StartsWith("chapters/07_wall/README.md:5: ") && ContainsSubstring(message));
+}
+
+TEST_CASE("the links of the pages in the top folder are checked, with their lines") {
+    const Book book;
+    const std::string page = GENERATE("README.md", "CONTRIBUTING.md", "book.md");
+    book.put(page, "# Title\n\n> one\n> two [a](chapters/07_wall/README.md#7-wall) and\n> three "
+                   "[b](chapters/08_wall/README.md)\n");
+
+    CHECK_THAT(book.check().text, StartsWith(page + ":5: the link `chapters/08_wall/README.md` leads to no file"));
+}
+
+TEST_CASE("book.md may show what sections share") {
+    const Book book;
+    book.put("chapters/course.hpp", "#pragma once\nint hidden;\n//> Vectors\nusing Vec2 = int;\n");
+    book.put("book.md", "# Book\n");
+    CHECK_THAT(book.check().text, StartsWith("chapters/course.hpp:3: the chunk \"Vectors\" is not shown in book.md;"));
+
+    const std::string mark = GENERATE("", "\xEF\xBB\xBF");
+    book.put("book.md", mark + "```cpp\n//> Vectors\n```\n");
+    CHECK(book.weave().code == all_well);
+    CHECK(book.text("book.md") == mark + "```cpp\n//> Vectors\nusing Vec2 = int;\n```\n");
+}
+
+TEST_CASE("exercises of the header without a row, a hint, a solution, rows without an exercise, and unshown figures "
+          "are found") {
+    const Book book;
+    const auto [was, is, message] =
+        GENERATE(std::tuple{"| 7.1 | `length`", "| 7.1 | `width`",
+                            "wall.hpp:18: the chapter's table has no row for this exercise; write `| 7.1 | `length`: "
+                            "... | core |` there."},
+                 std::tuple{"| core | 5 min |", "| stretch | 5 min |",
+                            "README.md:46: the header declares no exercise like this row;"},
+                 std::tuple{"7.1, a hint: where", "7.2, a hint: where", "the chapter has no hint for 7.1;"},
+                 std::tuple{"../../plots/07_wall_path.svg", "wall.hpp",
+                            "plots/07_wall_path.gp:1: the chapter does not show this figure;"});
+    book.edit_chapter(was, is);
+    CHECK(book.check().code == something_to);
+    CHECK_THAT(book.check().text, ContainsSubstring(message));
+}
+
+TEST_CASE("a solution that `course solution` would not find is told") {
+    const Book book;
+    book.edit("solutions/07_wall.cpp", "//> Solution 7.1: a length", "//> Solution: a length");
+
+    CHECK_THAT(
+        book.check().text,
+        ContainsSubstring(
+            "solutions/07_wall.cpp:1: no chunk is the solution of 7.1; write `//> Solution 7.1: ...` above it."));
+    CHECK_THROWS_AS(solution(book.tree, book.section, "7.1"), Complaint);
+}
+
+TEST_CASE("hints come with number, title and a text that a terminal can show") {
+    const Book book;
+    book.edit_chapter("<details>\n<summary>Our solution</summary>\n",
+                      "<details>\n<summary>7.2, a hint: which $\\mathbf{w}$</summary>\n\nOne.\n\n- `a * b`, "
+                      "**bold**\n- $|\\mathbf{w}| \\le \\frac{1}{2}$ and [a page](wall.hpp)\n\n"
+                      "<details><summary>More</summary>\n\nAn inner fold.\n</details>\n\n```cpp\ndouble "
+                      "x;\n```\n</details>\n\n<details>\n<summary>Our solution</summary>\n");
+
+    const std::vector<Hint> all = hints(book.tree, book.section);
+    REQUIRE(all.size() == 2);
+    CHECK(all[0].number == "7.1");
+    CHECK(all[0].title == "where to look");
+    CHECK(all[0].text == "Pythagoras: √(Δx² + Δy²), see std::hypot and the idea.\n");
+    CHECK(all[1].number == "7.2");
+    CHECK(all[1].title == "which w");
+    CHECK(all[1].text
+          == "One.\n\n- a * b, bold\n- |w| ≤ 1 / 2 and a page (wall.hpp)\n\nMore\n\nAn inner fold.\n\n    double x;\n");
+}
+
+TEST_CASE("a solution is the exercise's own chunks and the helpers, in the order of the file") {
+    const Book book;
+    const std::vector<Chunk> chunks = solution(book.tree, book.section, "7.1");
+
+    REQUIRE(chunks.size() == 2);
+    CHECK(chunks[0].title == "Solution: a helper");
+    CHECK(chunks[1].title == "Solution 7.1: a length");
+    CHECK(chunks[1].lines
+          == std::vector<std::string>{"//> Solution 7.1: a length",
+                                      "double length(const Wall &wall) { return (wall.end - wall.start).norm(); }"});
+}
+
+TEST_CASE("formulas are plain in a terminal") {
+    const auto [tex, plain] = GENERATE(
+        std::pair{R"(\mathbf{v}' = \mathbf{v} - 2\,(\mathbf{v}\cdot\mathbf{n})\,\mathbf{n})", "v' = v - 2 (v · n) n"},
+        std::pair{R"(\mathbf{n} = \frac{(-w_y,\; w_x)}{|\mathbf{w}|})", "n = (-w_y, w_x) / |w|"},
+        std::pair{R"(\frac{a + b}{2})", "(a + b) / 2"}, std::pair{R"(\sqrt 2)", "√2"}, std::pair{R"(45^\circ)", "45°"},
+        std::pair{R"(x^2 + e^{-kt} + 10^{-16})", "x² + e^(-kt) + 10⁻¹⁶"}, std::pair{R"(\{1, 2\})", "{1, 2}"},
+        std::pair{R"(2\pi r)", "2πr"}, std::pair{R"(s_{\text{end}} \ne 0)", "s_end ≠ 0"},
+        std::pair{R"(\left|\unknown\right|)", "|unknown|"}, std::pair{R"(a\)", "a\\"}, std::pair{R"({{a)", "a"},
+        std::pair{R"(\frac)", "/"});
+    CHECK(plain_formula(tex) == plain);
+}
+
+TEST_CASE("weaving that is killed at any moment leaves the old chapter or the new one, whole") {
+    const Book book;
+    const auto listings = [](const std::string &value) {
+        std::string code = "#include \"wall.hpp\"\n", text = "# 7 Wall\n";
+        for (int i = 0; i < 1500; ++i) {
+            const std::string chunk =
+                "//> Chunk " + std::to_string(i) + "\nint main_" + std::to_string(i) + " = " + value + ";\n";
+            code += chunk;
+            text += "\nText " + std::to_string(i) + ".\n\n```cpp\n" + chunk + "```\n";
+        }
+        return std::pair{code, text};
+    };
+    const auto [old_code, old_text] = listings("1");
+    const auto [new_code, new_text] = listings("2");
+    for (const char *file : {"chapters/07_wall/wall.hpp", "solutions/07_wall.cpp"}) book.put(file, "#pragma once\n");
+    fs::remove(book.tree.root / "plots/07_wall_path.gp");
+    book.put("chapters/07_wall/main.cpp", new_code);
+
+    const auto weave_in_child = [&] {
+        const pid_t child = ::fork();
+        if (child == 0) ::_exit(book.weave().code);
+        return child;
+    };
+    const auto start = std::chrono::steady_clock::now();
+    book.put("chapters/07_wall/README.md", old_text);
+    int status = 0;
+    ::waitpid(weave_in_child(), &status, 0);
+    REQUIRE(WIFEXITED(status));
+    REQUIRE(book.text() == new_text);
+    std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
+
+    int killed = 0, old_ones = 0, new_ones = 0;
+    std::mt19937 chance{7};
+    for (int round = 0; round < 100; ++round) {
+        book.put("chapters/07_wall/README.md", old_text);
+        const pid_t child = weave_in_child();
+        std::this_thread::sleep_for(whole * std::uniform_real_distribution<double>{0, 1}(chance));
+        ::kill(child, SIGKILL);
+        ::waitpid(child, &status, 0);
+        killed += WIFSIGNALED(status);
+        whole *= WIFSIGNALED(status) ? 1.05 : 0.95; // so that half of them are killed, however busy the machine is
+        const std::string now = book.text();
+        old_ones += now == old_text;
+        new_ones += now == new_text;
+    }
+    CHECK(old_ones + new_ones == 100);
+    CHECK(killed > 10); // or nothing was tried
+    CHECK(book.weave().code == all_well);
+    CHECK(book.text() == new_text);
+}

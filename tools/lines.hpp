@@ -1,0 +1,40 @@
+#pragma once
+// Texts, line by line, with their own line ends: `\n`, `\r\n`, `\r`, as Markdown and compilers count them.
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+struct Line {
+    std::string_view text; ///< without its end
+    std::string_view end;  ///< "\n", "\r\n", "\r"; empty only at the end of the text
+};
+
+inline std::vector<Line> lines_of(std::string_view text) {
+    std::vector<Line> lines;
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
+        const std::string_view rest = text.substr(length);
+        const std::size_t end = rest.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, rest.size());
+        lines.push_back({text.substr(0, length), rest.substr(0, end)});
+        text.remove_prefix(length + end);
+    }
+    return lines;
+}
+
+inline std::string_view without_blanks_behind(std::string_view text) {
+    return text.substr(0, text.find_last_not_of(" \t") + 1);
+}
+
+inline std::string_view without_blanks(std::string_view text) {
+    return without_blanks_behind(text.substr(std::min(text.find_first_not_of(" \t"), text.size())));
+}
+
+/// The bytes that some editors put before a text, which are no part of it.
+inline std::string_view byte_order_mark(std::string_view text) {
+    return text.substr(0, text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+}
+
+} // namespace course

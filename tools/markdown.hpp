@@ -1,0 +1,50 @@
+#pragma once
+// cmark, the reference reader of Markdown, in C++ clothes.
+
+#include <cmark.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+struct FreeNode {
+    void operator()(cmark_node *node) const { cmark_node_free(node); }
+};
+using Document = std::unique_ptr<cmark_node, FreeNode>;
+
+/// Lines are counted from 1. A byte-order mark is not expected.
+inline Document parse_markdown(std::string_view text) {
+    return Document{cmark_parse_document(text.data(), text.size(), CMARK_OPT_DEFAULT)};
+}
+
+/// Visits every node, in the order of the text.
+template <class Visit> void each_node(cmark_node *root, Visit visit) {
+    const std::unique_ptr<cmark_iter, decltype(&cmark_iter_free)> iterator{cmark_iter_new(root), &cmark_iter_free};
+    for (cmark_event_type event; (event = cmark_iter_next(iterator.get())) != CMARK_EVENT_DONE;)
+        if (event == CMARK_EVENT_ENTER) visit(cmark_iter_get_node(iterator.get()));
+}
+
+inline std::string literal(cmark_node *node) {
+    const char *text = cmark_node_get_literal(node);
+    return text ? text : "";
+}
+
+/// A text whose formulas were taken out, since Markdown knows none and would eat their backslashes.
+struct WithoutFormulas {
+    static constexpr std::string_view stand_in = "\xEE\x80\x80"; ///< a private character, U+E000, for each formula
+    std::string text;                                            ///< with as many lines as before
+    std::vector<std::string> formulas; ///< what stood between `$` and `$`, or `$$` and `$$`, in order
+};
+WithoutFormulas take_out_formulas(std::string_view text);
+
+/// A piece of Markdown as somebody would read it in a terminal: no `$`, backticks, stars or braces, formulas as plain
+/// as can be ("|w| ≤ √2"), one sentence a line as it was written.
+std::string plain_text(std::string_view markdown);
+
+/// What a formula says, in plain characters: `\frac{w_x}{|\mathbf{w}|}` gives "w_x / |w|".
+std::string plain_formula(std::string_view tex);
+
+} // namespace course
