@@ -1,0 +1,449 @@
+// What can go wrong between a program's trace and a published figure, each with the sentence that says so.
+
+#include "commands.hpp"
+#include "figure.hpp"
+#include "files.hpp"
+#include "plots.hpp"
+#include "programs.hpp"
+#include "trace.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <regex>
+#include <string>
+#include <unistd.h>
+
+using namespace course;
+namespace fs = std::filesystem;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::Equals;
+
+namespace {
+
+/// A small course in a folder of its own, gone in the end: one section, one figure.
+struct Place {
+    Place() {
+        std::string name = (fs::temp_directory_path() / "figures test.XXXXXX").string();
+        if (!::mkdtemp(name.data())) throw std::runtime_error{"no folder for a test"};
+        tree = {name, fs::path{name} / "build"};
+        write("CMakeLists.txt", "section(07_lines)\n");
+        write("plots/style.gp", read_file(fs::path{COURSE_ROOT} / "plots/style.gp"));
+        write("plots/07_lines_rise.gp", script("using 1:2 with lines title 'rise'"));
+        write("build/traces/07_lines/07_lines_rise.tsv", good_trace);
+    }
+    ~Place() { fs::remove_all(tree.root); }
+
+    void write(const fs::path &name, const std::string &text) const { write_file(tree.root / name, text); }
+    std::string read(const fs::path &name) const { return read_file(tree.root / name); }
+
+    static std::string script(const std::string &curve) {
+        return "#> Figure: a line that rises\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange "
+               "[0:5]\nplot ARG1 "
+               + curve + '\n';
+    }
+    static constexpr const char *good_trace = "# t[s]\tx[m]\n0\t1\n1\t2\n\n2\t2.5\n3\t4\n";
+
+    Figure figure() const { return figures_of(tree, section).at(0); }
+    Tree tree;
+    Section section{"07_lines"};
+};
+
+std::string refusal(const std::function<void()> &action) {
+    try {
+        action();
+    } catch (const Complaint &complaint) {
+        return complaint.what();
+    }
+    return "nothing was refused";
+}
+
+/// What is said of the figure when its script ends in this curve.
+std::string said_of_script(const std::string &curve) {
+    const Place place;
+    place.write("plots/07_lines_rise.gp", Place::script(curve));
+    return refusal([&] { draw(place.figure()); });
+}
+
+std::string said_of_trace(const std::string &trace) {
+    return refusal([&] { parse_trace(trace, "x.tsv"); });
+}
+
+/// PATH is this folder alone, for as long as it lives.
+struct OnlyPath {
+    explicit OnlyPath(const fs::path &folder) : before{std::getenv("PATH")} { ::setenv("PATH", folder.c_str(), 1); }
+    ~OnlyPath() { ::setenv("PATH", before.c_str(), 1); }
+    std::string before;
+};
+
+/// The course's own command line with `draw` in it.
+void course_draw(const std::vector<std::string> &words) {
+    CLI::App app;
+    const Tree tree;
+    add_draw(app, tree);
+    std::vector<std::string> reversed{words.rbegin(), words.rend()}; // as CLI11 wants it
+    reversed.push_back("draw");
+    app.parse(reversed);
+}
+
+} // namespace
+
+// Drawing
+
+TEST_CASE("a figure is drawn, says what it shows, and is the same on every run") {
+    const Place place;
+    const std::string svg = draw(place.figure());
+    CHECK_THAT(svg, ContainsSubstring("<title>a line that rises</title>") && ContainsSubstring(">rise</"));
+    CHECK_THAT(svg, !ContainsSubstring("GNUPLOT") && !ContainsSubstring("<desc>"));
+    CHECK(svg == draw(place.figure()));
+}
+
+TEST_CASE("a figure follows its reader's colour scheme, and shows a light one where there are no style sheets") {
+    const Place place;
+    place.write(
+        "plots/07_lines_rise.gp",
+        Place::script("using 1:2 with linespoints title 'rise', ARG1 using 1:2 with points lc rgb INK notitle"));
+    const std::string svg = draw(place.figure());
+    CHECK_THAT(svg, ContainsSubstring("@media (prefers-color-scheme: dark)")
+                        && ContainsSubstring("color-scheme: light dark"));
+
+    const Colours colours = read_colours(place.read("plots/style.gp"));
+    static const std::regex painted{R"re( (fill|stroke|color)="([^"]*)")re"};
+    const std::string drawing = svg.substr(svg.find("</style>"));
+    std::size_t counted = 0;
+    for (std::sregex_iterator found{drawing.begin(), drawing.end(), painted}, end; found != end; ++found) {
+        const std::string attribute = (*found)[1], colour = (*found)[2];
+        if (colour == "none" || colour == "currentColor") continue;
+        CAPTURE(attribute, colour);
+        REQUIRE(colours.dark.contains(colour));
+        CHECK_THAT(svg, ContainsSubstring("[" + attribute + "=\"" + colour + "\"] { " + attribute + ": "
+                                          + colours.dark.at(colour) + " }"));
+        ++counted;
+    }
+    CHECK(counted > 20);
+}
+
+TEST_CASE("words without a colour of their own are ink, not black") {
+    const Place place;
+    place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\nset output ARG2\nset label 'here' at 1,2\n"
+                                          "plot ARG1 using 1:2 with lines lt -1 title 'rise'\n");
+    const std::string svg = draw(place.figure());
+    CHECK_THAT(svg, !ContainsSubstring("black") && !ContainsSubstring("\"#000000\""));
+}
+
+TEST_CASE("a colour that nobody has looked at on a dark page is refused") {
+    CHECK_THAT(said_of_script("using 1:2 with lines lc rgb '#00ff00'"),
+               ContainsSubstring("07_lines_rise.gp draws in #00ff00"));
+    CHECK_THAT(said_of_script("using 1:2 with lines lc 'white'"), ContainsSubstring("draws in #ffffff"));
+}
+
+TEST_CASE("a colour of the style without its twin is refused") {
+    CHECK_THAT(refusal([] { read_colours("INK = \"#1d2430\" # dark: #e3e8f0\nDIM = \"#66707f\"\n"); }),
+               ContainsSubstring("style.gp, line 2") && ContainsSubstring("#66707f"));
+    CHECK_THAT(refusal([] { read_colours("DIM = \"#66707f\" # dark: #e3e8f0\n"); }), ContainsSubstring("INK"));
+}
+
+TEST_CASE("a curve without a point inside the axes is refused, though its sample in the key is drawn") {
+    CHECK_THAT(said_of_script("using ($1 + 100):2 with lines title 'far'"),
+               ContainsSubstring("\"far\"") && ContainsSubstring("none of its 4"));
+    CHECK_THAT(said_of_script("using 1:2 with lines title 'rise', NaN title 'nothing'"),
+               ContainsSubstring("\"nothing\""));
+    CHECK_THAT(said_of_script("using ($1 + 100):2 with lines notitle"), ContainsSubstring("blank"));
+    CHECK_THAT(said_of_script("using 1:2 with lines title 'rise', NaN notitle"), Equals("nothing was refused"));
+}
+
+TEST_CASE("a script that plots nothing is refused") {
+    const Place place;
+    place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\nset output ARG2\n");
+    CHECK_THAT(refusal([&] { draw(place.figure()); }),
+               ContainsSubstring("plots/07_lines_rise.gp") && ContainsSubstring("blank"));
+}
+
+TEST_CASE("a column that the trace doesn't have is named, with the line of the script and the columns that there are") {
+    CHECK_THAT(
+        said_of_script("using 1:3 with lines"),
+        Equals("plots/07_lines_rise.gp, line 5: column 3 is drawn, but 07_lines_rise.tsv has only 1 t[s], 2 x[m]"));
+    CHECK_THAT(said_of_script("using 1:($2 > 0 ? $4 : NaN) with lines"), ContainsSubstring("column 4"));
+}
+
+TEST_CASE("columns are found in expressions, after modifiers, in macros and continued lines, not in comments") {
+    const auto columns = [](const std::string &script) {
+        std::string all;
+        for (const auto &[line, column] : columns_used(script))
+            all += std::to_string(line) + ":" + std::to_string(column) + ' ';
+        return all;
+    };
+    CHECK(columns("plot ARG1 using 1:2") == "1:1 1:2 ");
+    CHECK(columns("plot ARG1 u 1:($0 == 2 ? $3 : column(4)):-2") == "1:1 1:3 1:4 ");
+    CHECK(columns("# ARG1 using 7\nplot ARG1 every 60 using 2 with lines, \\\n ARG1 index 0 using 3:0") == "2:2 3:3 ");
+    CHECK(columns("plot ARG1 \\\n  using 1:4") == "1:1 1:4 ");
+    CHECK(columns("yours = \"ARG3 using 2:5 with lines lt 2 # not a comment\"") == "1:2 1:5 ");
+    CHECK(columns("plot ARG1 using 1:2 lc rgb '#ff0000', ARG1 using 1:6") == "1:1 1:2 1:1 1:6 ");
+    CHECK(columns("plot sin(x) with lines, '+' using 1:9").empty());
+}
+
+TEST_CASE("any word of gnuplot's is a failure, with file and line") {
+    CHECK_THAT(
+        said_of_script("using 1:2 with lines title 'rise', no_such_function(x)"),
+        ContainsSubstring("plots/07_lines_rise.gp, line 5: gnuplot says \"undefined function: no_such_function"));
+    CHECK_THAT(said_of_script("using 1:2 with lines notitle, 'gone.tsv' using 1:2 notitle"),
+               ContainsSubstring("gone.tsv"));
+    CHECK_THAT(said_of_script("using 1:2 with lines title 'rise'; print 'a word'"),
+               ContainsSubstring("gnuplot says \"a word\""));
+}
+
+TEST_CASE("a script that doesn't say what it shows is refused") {
+    const Place place;
+    place.write("plots/07_lines_rise.gp", "load 'style.gp'\nset output ARG2\nplot ARG1 using 1:2\n");
+    CHECK_THAT(refusal([&] { draw(place.figure()); }), ContainsSubstring("#> Figure: "));
+}
+
+TEST_CASE("a script that forgets its output or its style is refused") {
+    const Place place;
+    place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\nplot ARG1 using 1:2 with lines\n");
+    CHECK_THAT(refusal([&] { draw(place.figure()); }), ContainsSubstring("set output ARG2"));
+    place.write("plots/07_lines_rise.gp",
+                "#> Figure: x\nset terminal png\nset output ARG2\nplot ARG1 using 1:2 with lines\n");
+    CHECK_THAT(refusal([&] { draw(place.figure()); }), ContainsSubstring("load 'style.gp'"));
+}
+
+TEST_CASE("without gnuplot one sentence says how to get it") {
+    const Place place;
+    const OnlyPath nowhere{place.tree.root};
+    CHECK_THAT(refusal([&] { draw(place.figure()); }),
+               ContainsSubstring("gnuplot, which draws the figures, is not here")
+                   && ContainsSubstring("./course doctor"));
+}
+
+TEST_CASE("`course draw` writes the figure, and says which file it cannot write") {
+    const Place place;
+    const std::string script = place.figure().script, trace = place.figure().trace,
+                      out = place.tree.root / "new/rise.svg";
+    course_draw({"--script", script, "--trace", trace, "--out", out});
+    CHECK(read_file(out) == draw(place.figure()));
+
+    const std::string blocked = out + "/rise.svg"; // a file stands where its folder should be
+    CHECK_THAT(refusal([&] {
+                   course_draw({"--script", script, "--trace", trace, "--out", blocked});
+               }),
+               ContainsSubstring("cannot write " + blocked));
+}
+
+TEST_CASE("a student's curve is drawn over the reference's where the script has a place for it") {
+    const Place place;
+    place.write("plots/07_lines_rise.gp",
+                "#> Figure: x\nload 'style.gp'\nset output ARG2\n"
+                "yours = ARGC > 2 ? \"ARG3 using 1:2 with lines lt 2 title 'yours'\" : \"NaN notitle\"\n"
+                "plot ARG1 using 1:2 with lines title 'reference', @yours\n");
+    place.write("mine's.tsv", "# t[s]\tx[m]\n0\t1\n3\t2\n");
+    Figure figure = place.figure();
+    CHECK(draws_student(figure.script));
+    CHECK_THAT(draw(figure), !ContainsSubstring("yours"));
+    figure.student = place.tree.root / "mine's.tsv";
+    CHECK_THAT(draw(figure), ContainsSubstring(">yours</"));
+
+    place.write("mine's.tsv", "# t[s]\tx[m]\n0\tnan\n3\t2\n");
+    CHECK_THROWS_AS(draw(figure), TraceFault);
+}
+
+// Traces
+
+TEST_CASE("a trace is read: columns, rows, gaps") {
+    const Trace trace = parse_trace("# t[s]\tfrom x[m/s]\n0\t-1.5e-3\n\n2\t4\n", "x.tsv");
+    CHECK(trace.columns == std::vector<std::string>{"t[s]", "from x[m/s]"});
+    REQUIRE(trace.rows.size() == 3);
+    CHECK(trace.rows[0].values == std::vector{0.0, -1.5e-3});
+    CHECK(trace.rows[1].values.empty());
+    CHECK(trace.rows[2].values == std::vector{2.0, 4.0});
+    CHECK(parse_trace("# t[s]\tx[m]\r\n0\t1\r\n2\t3\r\n", "x.tsv").rows[1].values == std::vector{2.0, 3.0});
+}
+
+TEST_CASE("a trace that cannot be drawn is refused with its line and column") {
+    CHECK_THAT(said_of_trace(""), ContainsSubstring("x.tsv is empty"));
+    CHECK_THAT(said_of_trace("# t[s]\tx[m]\n"), ContainsSubstring("x.tsv has 0 rows"));
+    CHECK_THAT(said_of_trace("# t[s]\tx[m]\n0\t1\n\n"), ContainsSubstring("x.tsv has 1 row;"));
+    CHECK_THAT(said_of_trace("0\t1\n1\t2\n"), ContainsSubstring("line 1"));
+    CHECK_THAT(said_of_trace("# t\tx[m]\n0\t1\n1\t2\n"), ContainsSubstring("\"t\" has no unit"));
+    CHECK_THAT(said_of_trace("# t[s]\tx[m]\n0\t1\n1\n2\t3\n"), ContainsSubstring("x.tsv, line 3 has 1 numbers"));
+    CHECK_THAT(said_of_trace("# t[s]\tx[m]\n0\t1\n1\t2\t3\n"), ContainsSubstring("line 3 has 3 numbers"));
+    CHECK_THAT(said_of_trace("# t[s]\tx[m]\n0\t1\n1\tnan\n"),
+               ContainsSubstring("line 3, column x[m]: nan cannot be drawn"));
+    CHECK_THAT(said_of_trace("# t[s]\tx[m]\n0\t-inf\n1\t2\n"), ContainsSubstring("line 2, column x[m]: -inf"));
+    CHECK_THAT(said_of_trace("# t[s]\tx[m]\n0\t1m\n1\t2\n"), ContainsSubstring("\"1m\" is no number"));
+    CHECK_THAT(said_of_trace("# t[s]\tx[m]\n0\t\n1\t2\n"), ContainsSubstring("\"\" is no number"));
+}
+
+TEST_CASE("a trace that isn't there is refused, with where it comes from") {
+    const Place place;
+    fs::remove(place.figure().trace);
+    CHECK_THAT(refusal([&] { draw(place.figure()); }),
+               ContainsSubstring("07_lines_rise.tsv is not there") && ContainsSubstring("--out"));
+}
+
+// Keeping traces
+
+TEST_CASE("a kept trace has six digits and no negative zero") {
+    CHECK(rounded(parse_trace("# t[s]\tx[m]\n0.123456789\t-0.0\n\n123456789\t1e-20\n", "x.tsv"))
+          == "# t[s]\tx[m]\n0.123457\t0\n\n1.23457e+08\t1e-20\n");
+}
+
+namespace {
+std::string changed(const std::string &kept, const std::string &now) {
+    return difference(parse_trace("# t[s]\tx[m]\n" + kept, "k.tsv"), parse_trace("# t[s]\tx[m]\n" + now, "n.tsv"),
+                      "k.tsv");
+}
+} // namespace
+
+TEST_CASE("a kept trace agrees with the one that it was rounded from, and with the last digits of another compiler") {
+    const std::string now = "0\t0.12345649999999\n1\t-98765.449999\n2\t1e-9\n3\t9.9999949\n4\t99999950\n";
+    const std::string kept = rounded(parse_trace("# t[s]\tx[m]\n" + now, "n.tsv"));
+    CHECK(changed(kept.substr(kept.find('\n') + 1), now) == "");
+    CHECK(changed("0\t1.23457\n1\t2\n", "0\t1.23457812\n1\t2\n") == ""); // the eighth digit, and most of the seventh
+    CHECK(changed("0\t1000\n1\t0\n", "0\t1000\n1\t-3e-13\n") == "");     // a zero with its rounding
+}
+
+TEST_CASE("a change in the sixth digit of a kept trace is found, with row, column, was and is") {
+    CHECK(changed("0\t1.23457\n1\t2\n", "0\t1.23459\n1\t2\n")
+          == "k.tsv, row 1, column x[m]: it was 1.23457, it is 1.23459");
+    CHECK_THAT(changed("0\t1\n1\t2\n", "0\t1\n1\t-2\n"), ContainsSubstring("row 2, column x[m]: it was 2, it is -2"));
+    CHECK_THAT(changed("0\t1\n1\t0\n", "0\t1\n1\t1e-9\n"), ContainsSubstring("it was 0, it is 1e-09"));
+    CHECK_THAT(changed("0\t1e-6\n1\t1\n", "0\t1.0001e-6\n1\t1\n"), ContainsSubstring("it was 1e-06, it is 1.0001e-06"));
+}
+
+TEST_CASE("a missing row, another gap, another column of a kept trace is found") {
+    CHECK(changed("0\t1\n1\t2\n2\t3\n", "0\t1\n1\t2\n") == "k.tsv: it had 3 rows, it has 2");
+    CHECK(changed("0\t1\n1\t2\n", "0\t1\n1\t2\n2\t3\n") == "k.tsv: it had 2 rows, it has 3");
+    CHECK(changed("0\t1\n\n1\t2\n", "0\t1\n0\t1\n1\t2\n") == "k.tsv, row 2: it was a gap, it is a row");
+    const Trace kept = parse_trace("# t[s]\tx[m]\n0\t1\n1\t2\n", "k"),
+                now = parse_trace("# t[s]\ty[m]\n0\t1\n1\t2\n", "n");
+    CHECK(difference(kept, now, "k.tsv") == "k.tsv, the columns: they were t[s], x[m], they are t[s], y[m]");
+}
+
+// Publishing
+
+TEST_CASE("publishing keeps figure and trace once, and the check then finds nothing") {
+    const Place place;
+    place.write("build/plots/07_lines_rise.svg", draw(place.figure()));
+    CHECK(outdated(place.tree, place.section).size() == 2); // neither is there yet
+    CHECK(publish(place.tree, place.section).size() == 2);
+    CHECK(place.read("plots/07_lines_rise.svg") == draw(place.figure()));
+    CHECK(place.read("plots/07_lines_rise.tsv") == Place::good_trace);
+    CHECK(outdated(place.tree, place.section).empty());
+    CHECK(publish(place.tree, place.section).empty());
+    CHECK(strays(place.tree).empty());
+}
+
+TEST_CASE("a kept trace that is still true keeps its digits, one that is not is replaced") {
+    const Place place;
+    place.write("build/plots/07_lines_rise.svg", "<svg/>");
+    publish(place.tree, place.section);
+    place.write("build/traces/07_lines/07_lines_rise.tsv", "# t[s]\tx[m]\n0\t1.000006\n1\t2\n\n2\t2.5\n3\t4\n");
+    CHECK(publish(place.tree, place.section).empty());
+    place.write("build/traces/07_lines/07_lines_rise.tsv", "# t[s]\tx[m]\n0\t1.3\n1\t2\n\n2\t2.5\n3\t4\n");
+    CHECK(outdated(place.tree, place.section)
+          == std::vector<std::string>{"plots/07_lines_rise.tsv, row 1, column x[m]: it was 1, it is 1.3"});
+    CHECK(publish(place.tree, place.section).size() == 1);
+    CHECK(outdated(place.tree, place.section).empty());
+}
+
+TEST_CASE("a damaged kept trace is a difference, and publishing mends it") {
+    const Place place;
+    place.write("build/plots/07_lines_rise.svg", "<svg/>");
+    place.write("plots/07_lines_rise.svg", "<svg/>");
+    place.write("plots/07_lines_rise.tsv", "<<<<<<< ours\n");
+    REQUIRE(outdated(place.tree, place.section).size() == 1);
+    CHECK_THAT(outdated(place.tree, place.section)[0], ContainsSubstring("plots/07_lines_rise.tsv, line 1"));
+    publish(place.tree, place.section);
+    CHECK(outdated(place.tree, place.section).empty());
+}
+
+TEST_CASE("files in plots/ without a section or without a script are found") {
+    const Place place;
+    place.write("plots/08_gone_x.gp", "");
+    place.write("plots/07_lines_fall.svg", "");
+    place.write("plots/07_lines_fall.tsv", "");
+    place.write("plots/notes.txt", "");
+    const auto found = strays(place.tree);
+    REQUIRE(found.size() == 3);
+    CHECK_THAT(found[0], ContainsSubstring("07_lines_fall.svg has no script"));
+    CHECK_THAT(found[1], ContainsSubstring("07_lines_fall.tsv has no script"));
+    CHECK_THAT(found[2], ContainsSubstring("08_gone_x.gp belongs to no section"));
+}
+
+// A student's program: here a shell script, behind a cmake that has nothing to do.
+
+namespace {
+
+/// What is said of a student's program that does this.
+Ran ran(const std::string &program, const std::string &cmake = "exit 0") {
+    const Place place;
+    const auto command = [&](const fs::path &name, const std::string &script) {
+        place.write(name, "#!/bin/sh\n" + script + '\n');
+        fs::permissions(place.tree.root / name, fs::perms::owner_all);
+    };
+    command("bin/cmake", cmake);
+    command("build/mine/07_lines", program);
+    place.write("exercises/07_lines.cpp", "");
+    place.write("build/mine/traces/07_lines/old.tsv", "");
+    const OnlyPath path{(place.tree.root / "bin").string() + ":/usr/bin:/bin"};
+    const fs::path traces = student_traces(place.tree, place.section);
+    const Ran result = run_program(place.tree, place.section, Whose::student, traces, 0.6);
+    CHECK(fs::exists(traces / "old.tsv") != result.started); // no trace of an earlier run survives
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("a student's program that runs well is run with --out, and what it prints is kept") {
+    const Ran done = ran("echo \"$1\"; echo words >&2");
+    CHECK(done.started);
+    CHECK(done.trouble == "");
+    CHECK(done.finished.out == "--out\n");
+    CHECK(done.finished.err == "words\n");
+    CHECK(ran("ulimit -f").finished.out == "200000\n"); // no file of a student's fills the disk
+}
+
+TEST_CASE("each way in which a student's program can fail has its sentence") {
+    CHECK_THAT(ran("sleep 60").trouble,
+               ContainsSubstring("after 1 s, it would not end") && ContainsSubstring("./course check 7"));
+    CHECK_THAT(ran("kill -SEGV $$").trouble, ContainsSubstring("crashed: it used memory that is not its own"));
+    CHECK_THAT(ran("kill -ABRT $$").trouble, ContainsSubstring("crashed: it gave up"));
+    CHECK_THAT(ran("echo 'not started: a.tsv: begin here' >&2; exit 1").trouble, ContainsSubstring("not started"));
+    CHECK_THAT(ran("echo 'error: a.tsv: radius is -1' >&2; exit 1").trouble,
+               ContainsSubstring("one of your functions threw"));
+    CHECK_THAT(ran("echo 'a word' >&2; exit 1").trouble,
+               ContainsSubstring("exit code 1") && ContainsSubstring("\"a word\""));
+    CHECK_THAT(ran("kill -XFSZ $$").trouble, ContainsSubstring("100 MB"));
+    CHECK_THAT(ran("exit 3").trouble, ContainsSubstring("exit code 3"));
+}
+
+TEST_CASE("what a program said of one trace is found") {
+    const Ran done = ran("echo 'not started: a.tsv: begin here' >&2; echo 'error: b.tsv: no: 3' >&2; exit 1");
+    CHECK(said_of(done.finished, "a.tsv") == "not started: begin here");
+    CHECK(said_of(done.finished, "b.tsv") == "error: no: 3");
+    CHECK(said_of(done.finished, "c.tsv") == "");
+}
+
+TEST_CASE("a student's file that cannot be built is told with its first error") {
+    const Ran done = ran("exit 0", "echo '[1/2] Building'; echo 'exercises/07_lines.cpp:3:5: error: no such thing'; "
+                                   "echo 'x.cpp:9:1: error: later'; exit 1");
+    CHECK_FALSE(done.started);
+    CHECK(done.trouble == "your program cannot be built: exercises/07_lines.cpp:3:5: error: no such thing");
+}
+
+TEST_CASE("the first error is a compiler's before a linker's, and a linker's says which function is missing") {
+    CHECK(first_error("/usr/bin/ld: main.o: in function `trace()':\nmain.cpp:(.text+0x1): undefined reference to "
+                      "`lines::rise(double)'\n")
+          == "lines::rise(double) is not defined; has its name or its signature changed?");
+    CHECK(first_error("[1/2] x\na.cpp:1:2: warning: w\na.cpp:2:2: error: e\n") == "a.cpp:2:2: error: e");
+    CHECK(first_error("[1/2] x\na.cpp:2:2: Fehler: e\n") == "a.cpp:2:2: Fehler: e");
+    CHECK(first_error("ninja: nothing to do\n") == "");
+}
+
+TEST_CASE("an exercise that is not there is missed, with the way back") {
+    const Place place;
+    CHECK_THAT(refusal([&] { run_program(place.tree, place.section, Whose::student, place.tree.build / "traces"); }),
+               ContainsSubstring("exercises/07_lines.cpp") && ContainsSubstring("./course reset 7"));
+}

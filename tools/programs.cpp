@@ -1,0 +1,151 @@
+#include "programs.hpp"
+
+#include "complaint.hpp"
+
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <regex>
+#include <sstream>
+
+namespace course {
+namespace fs = std::filesystem;
+
+fs::path reference_traces(const Tree &tree, const Section &section) { return tree.build / "traces" / section.name; }
+
+fs::path student_traces(const Tree &tree, const Section &section) {
+    return tree.build / "mine" / "traces" / section.name;
+}
+
+fs::path program_binary(const Tree &tree, const Section &section, Whose whose) {
+    return tree.build / (whose == Whose::student ? "mine" : "chapters") / section.name;
+}
+
+std::string said_of(const Finished &finished, const std::string &trace) {
+    std::istringstream lines{finished.err};
+    for (std::string line; std::getline(lines, line);)
+        for (const std::string kind : {"not started: ", "error: "})
+            if (line.starts_with(kind + trace + ": ")) return kind + line.substr(kind.size() + trace.size() + 2);
+    return "";
+}
+
+std::string first_error(const std::string &printed) {
+    static const std::regex undefined{R"(undefined reference to [`'](.*)')"};
+    static const std::array marks{undefined, std::regex{"multiple definition of"}, std::regex{"error: "},
+                                  std::regex{R"(^[^ ]+:\d+:\d+: )"}}; // a compiler that speaks another language
+    for (const std::regex &mark : marks) {
+        std::istringstream lines{printed};
+        for (std::string line; std::getline(lines, line);) {
+            if (!std::regex_search(line, mark)) continue;
+            if (std::smatch found; std::regex_search(line, found, undefined))
+                return found[1].str() + " is not defined; has its name or its signature changed?";
+            return line;
+        }
+    }
+    return "";
+}
+
+namespace {
+
+/// What a signal means to somebody who has never met one.
+std::string meaning(int signal) {
+    switch (signal) {
+    case SIGSEGV:
+    case SIGBUS:
+        return "it used memory that is not its own: an index past the end, a null pointer, a recursion without end";
+    case SIGABRT: return "it gave up: an uncaught exception, or a library's check that failed";
+    case SIGXFSZ: return "it wrote a file of more than 100 MB";
+    case SIGFPE: return "it divided an integer by zero";
+    case SIGILL: return "it ran into an instruction that cannot be: a function without a return, perhaps";
+    case SIGKILL: return "it was killed, perhaps for using too much memory";
+    default: return "signal " + std::to_string(signal);
+    }
+}
+
+std::string last_line(const std::string &text) {
+    const auto end = text.find_last_not_of(" \r\n");
+    if (end == std::string::npos) return "";
+    const auto start = text.find_last_of('\n', end);
+    return text.substr(start + 1, end - start); // npos + 1 is 0
+}
+
+/// How a student's program ended, if not well. A part that could not run has said so itself: chapters/program.hpp.
+std::string student_trouble(const Section &section, const Finished &finished, double deadline) {
+    const std::string check = "`./course check " + section.short_number() + "`";
+    if (finished.timed_out)
+        return "your program was stopped after " + std::to_string(std::lround(deadline)) + " s, it would not end; "
+               + check + " says which function it is in";
+    if (finished.code > 128)
+        return "your program crashed: " + meaning(finished.code - 128) + "; " + check + " says in which function";
+    if (finished.code == 0) return "";
+    const auto says = [&](const char *kind) { return finished.err.find(kind) != std::string::npos; };
+    if (finished.code == 1 && says("error: "))
+        return "some parts of the program failed, because one of your functions threw; " + check + " shows which";
+    if (finished.code == 1 && says("not started: "))
+        return "some parts of the program need functions that are not started; " + check + " shows which";
+    const std::string said = last_line(finished.err);
+    return "your program left with exit code " + std::to_string(finished.code)
+           + (said.empty() ? " and without a word" : ", and its last words were \"" + said + "\"") + "; " + check
+           + " shows what is wrong";
+}
+
+/// An empty folder, so that no trace of an earlier run is taken for one of this run.
+void empty_folder(const fs::path &folder) {
+    std::error_code trouble;
+    fs::remove_all(folder, trouble);
+    fs::create_directories(folder, trouble);
+    if (trouble)
+        throw Complaint{"cannot write " + folder.string() + ": " + trouble.message()
+                        + "; make the build folder writable, or run this as its owner."};
+}
+
+/// Builds the program; what keeps it from being built, in one line.
+std::string build(const Tree &tree, const Section &section, Whose whose) {
+    const std::string target = section.name + (whose == Whose::student ? "_mine" : "");
+    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
+    if (built.code == 0) return "";
+    const std::string printed = built.out + '\n' + built.err, root = tree.root.string() + '/';
+    std::string error = first_error(printed);
+    if (error.empty()) error = last_line(printed);
+    for (std::size_t at; (at = error.find(root)) != std::string::npos;) error.erase(at, root.size());
+    return error;
+}
+
+/// Starts what follows with limits, so that a function gone wild cannot take the machine with it: no core file, files
+/// of 100 MB, 4 GB of memory. (An address sanitizer reserves more than there is, and must not be limited.)
+#if defined(__SANITIZE_ADDRESS__)
+constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; exec \"$@\"";
+#else
+constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; ulimit -v 4000000 2>/dev/null; exec \"$@\"";
+#endif
+
+Ran run_student(const Tree &tree, const Section &section, const fs::path &traces, double deadline) {
+    tree.written_exercise(section);
+    if (const std::string error = build(tree, section, Whose::student); !error.empty())
+        return {false, {}, "your program cannot be built: " + error};
+    empty_folder(traces);
+    const std::string program = program_binary(tree, section, Whose::student).string();
+    const Finished finished = run({"sh", "-c", limited, "sh", program, "--out", traces.string()},
+                                  {.quiet = true, .deadline = deadline, .folder = traces});
+    return {true, finished, student_trouble(section, finished, deadline)};
+}
+
+Ran run_reference(const Tree &tree, const Section &section, const fs::path &traces) {
+    if (const std::string error = build(tree, section, Whose::reference); !error.empty())
+        return {false, {}, "the program of " + section.name + " cannot be built: " + error};
+    std::error_code ignored;
+    fs::create_directories(traces, ignored); // the program says so if it cannot write
+    const Finished finished = run({program_binary(tree, section, Whose::reference).string(), "--out", traces.string()});
+    if (finished.code == 0) return {true, finished, ""};
+    return {true, finished, "the program of " + section.name + " left with exit code " + std::to_string(finished.code)};
+}
+
+} // namespace
+
+Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs::path &traces, double deadline) {
+    const fs::path folder = fs::absolute(traces);
+    return whose == Whose::student ? run_student(tree, section, folder, deadline)
+                                   : run_reference(tree, section, folder);
+}
+
+} // namespace course
