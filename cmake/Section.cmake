@@ -62,7 +62,7 @@ macro(section_tests)
   target_include_directories(${section}_cases PRIVATE tests ${chapter})
   target_link_libraries(${section}_cases PRIVATE course_harness)
   target_compile_options(${section}_cases PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # verdicts say tests/NN_slug.cpp
-  add_executable(${section}_tests $<TARGET_OBJECTS:${section}_cases>)
+  add_executable(${section}_tests $<TARGET_OBJECTS:${section}_cases> $<TARGET_OBJECTS:course_harness>)
   target_link_libraries(${section}_tests PRIVATE course_harness)
   set_target_properties(${section}_tests PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   set(catalogue ${PROJECT_BINARY_DIR}/catalogue/${section}.json)

@@ -1,13 +1,15 @@
 # What a verdict needs: see tools/verdict. `COURSE_LOOP` is how a student's file is compiled, by `course check` and here.
 include(CheckCXXSourceCompiles)
 
-add_library(course_harness STATIC
-  ${PROJECT_SOURCE_DIR}/tools/verdict/harness.cpp
+add_library(course_verdict STATIC
   ${PROJECT_SOURCE_DIR}/tools/verdict/session.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/subject.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/verdict.cpp)
-target_include_directories(course_harness PUBLIC ${PROJECT_SOURCE_DIR}/tools)
-target_link_libraries(course_harness PUBLIC course_flags Catch2::Catch2 CLI11::CLI11 nlohmann_json::nlohmann_json course::gmp)
+target_include_directories(course_verdict PUBLIC ${PROJECT_SOURCE_DIR}/tools)
+target_link_libraries(course_verdict PUBLIC course_flags nlohmann_json::nlohmann_json)
+
+add_library(course_harness OBJECT ${PROJECT_SOURCE_DIR}/tools/verdict/harness.cpp) # the main of all section tests
+target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2 CLI11::CLI11 course::gmp)
 
 # gold links in a third of the default linker's time, and comes with it.
 set(CMAKE_REQUIRED_LINK_OPTIONS -fuse-ld=gold)

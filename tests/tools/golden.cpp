@@ -8,15 +8,22 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <regex>
 #include <sstream>
 
-int main(int argc, char **argv) {
+/// Where a check stands in its file may change: the verdict has not.
+std::string without_lines(const std::string &text) {
+    static const std::regex line{R"((see   tests/\w+\.cpp):\d+)"};
+    return std::regex_replace(text, line, "$1:…");
+}
+
+int main(int argc, char **argv) try {
     if (argc < 3) {
         std::cerr << "usage: golden EXPECTED COMMAND...\n";
         return 2;
     }
     const auto result = course::run({argv + 2, argv + argc});
-    const std::string now = result.out + result.err + "exit code " + std::to_string(result.code) + '\n';
+    const std::string now = without_lines(result.out + result.err) + "exit code " + std::to_string(result.code) + '\n';
     if (const char *write = std::getenv("COURSE_GOLDEN"); write != nullptr && std::string_view{write} == "write") {
         course::write_file(argv[1], now);
         return 0;
@@ -30,4 +37,7 @@ int main(int argc, char **argv) {
     while (std::getline(olds, before) && std::getline(news, after) && before == after) ++line;
     std::cerr << argv[1] << ':' << line << ": expected\n  " << before << "\nbut it says\n  " << after << "\nThe whole of it:\n" << now;
     return 1;
+} catch (const std::exception &error) {
+    std::cerr << error.what() << '\n';
+    return 2;
 }

@@ -9,23 +9,23 @@
 namespace course {
 
 /// What a COURSE_EXERCISE line says, and how to read the bytes of a call.
-struct Exercise {
+struct ExerciseLine {
     std::string_view number;    ///< "7.2"
     std::string_view tier;      ///< core, stretch, challenge
     std::string_view function;  ///< its name
     std::string_view arguments; ///< names and units: "motion [m], wall [m]"
     std::string_view unit;      ///< of the result
-    std::vector<std::string> (*describe_arguments)(const Exercise &, std::string_view bytes);
+    std::vector<std::string> (*describe_arguments)(const ExerciseLine &, std::string_view bytes);
     std::uint32_t index = 0; ///< its place in the section's header
 };
 
 /// Those of the section, in the order of its header.
-std::vector<const Exercise *> &exercises();
+std::vector<const ExerciseLine *> &exercise_lines();
 
 /// Makes the call in the student's code, wherever that runs, and gives back the bytes of its result.
 /// @throws NotYet, std::invalid_argument  as the student's code does
 /// @throws CaseOver  if there will be no result; the verdict has been noted
-std::string call(const Exercise &exercise, const std::string &arguments);
+std::string call(const ExerciseLine &exercise, const std::string &arguments);
 
 /// Ends the running test case: its verdict stands. It is no std::exception, so that no test takes it for an answer.
 struct CaseOver {};

@@ -8,12 +8,12 @@
 
 namespace course {
 
-std::vector<const Exercise *> &exercises() {
-    static std::vector<const Exercise *> all;
+std::vector<const ExerciseLine *> &exercise_lines() {
+    static std::vector<const ExerciseLine *> all;
     return all;
 }
 
-std::string call(const Exercise &exercise, const std::string &arguments) {
+std::string call(const ExerciseLine &exercise, const std::string &arguments) {
     wire::Reader in{arguments};
     wire::Writer out;
     served[exercise.index](in, out); // its exceptions are the test's to see

@@ -76,7 +76,7 @@ class Listener : public Catch::EventListenerBase {
 
 nlohmann::json catalogue(const std::string &section) {
     nlohmann::json list = nlohmann::json::array();
-    for (const Exercise *exercise : exercises())
+    for (const ExerciseLine *exercise : exercise_lines())
         list.push_back({{"number", exercise->number}, {"tier", exercise->tier}, {"function", exercise->function},
                         {"arguments", exercise->arguments}, {"result", exercise->unit}});
     return {{"section", section}, {"exercises", list}};
@@ -149,7 +149,8 @@ int main(int argc, char **argv) {
     }
 
     course::prepare_for_subjects();
-    Session here{subject, all_cases ? Patience{60, 600} : Patience{}};
+    // A wrong one may well hang, and will be no less wrong after a minute.
+    Session here{subject, all_cases && !expect.starts_with("red") ? Patience{60, 600} : Patience{}};
     session() = &here;
     Catch::Session catch2;
     auto &config = catch2.configData();

@@ -13,8 +13,8 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
   public:
     Remote(std::string_view number, std::string_view tier, std::string_view function, std::string_view arguments,
            std::string_view unit)
-        : exercise{number, tier, function, arguments, unit, &describe_all, static_cast<std::uint32_t>(exercises().size())} {
-        exercises().push_back(&exercise);
+        : exercise{number, tier, function, arguments, unit, &describe_all, static_cast<std::uint32_t>(exercise_lines().size())} {
+        exercise_lines().push_back(&exercise);
     }
     Remote(const Remote &) = delete;
     Remote &operator=(const Remote &) = delete;
@@ -30,7 +30,7 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
     }
 
   private:
-    static std::vector<std::string> describe_all(const Exercise &exercise, std::string_view bytes) {
+    static std::vector<std::string> describe_all(const ExerciseLine &exercise, std::string_view bytes) {
         wire::Reader reader{bytes};
         std::vector<std::string> lines;
         const auto named = split_list(exercise.arguments);
@@ -45,7 +45,7 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
         return lines;
     }
 
-    Exercise exercise;
+    ExerciseLine exercise;
 };
 
 } // namespace course

@@ -113,12 +113,12 @@ void Session::start() {
         over(Kind::crashed, "Before the first test, in the constructor of a global variable: your code crashed.");
     }
     wire::Reader reader{hello->payload};
-    if (hello->header.frame != wire::Frame::hello || reader.take<std::uint32_t>() != exercises().size() || !reader.finished())
+    if (hello->header.frame != wire::Frame::hello || reader.take<std::uint32_t>() != exercise_lines().size() || !reader.finished())
         over(Kind::no_verdict, "The program with your code serves other exercises than these tests ask for: build it anew.");
     greeted = true;
 }
 
-std::string Session::call(const Exercise &exercise, const std::string &arguments) {
+std::string Session::call(const ExerciseLine &exercise, const std::string &arguments) {
     if (!verdict.passed()) throw CaseOver{};
     if (never_starts) {
         const auto [test, of] = std::pair{verdict.test, verdict.exercise};
@@ -202,20 +202,25 @@ Verdict Session::end(bool asserted_something) {
         if (subject->left_processes())
             note_verdict(Kind::left_process, "Your code started another process and left it running. An exercise computes a value, and starts nothing.");
     }
-    if (subject && !verdict.passed()) std::tie(verdict.printed, verdict.printed_more) = tidy(subject->printed());
+    if (subject && !verdict.passed()) {
+        const std::string printed = subject->printed();
+        std::tie(verdict.printed, verdict.printed_more) = tidy(printed);
+        const std::string meaning = verdict.kind == Kind::crashed ? meaning_of_assertion(printed) : "";
+        if (!meaning.empty()) verdict.sentence = "Your code was stopped by a check of the library that it uses: " + meaning + '.';
+    }
     if (never_starts && never_starts->printed.empty()) never_starts->printed = verdict.printed;
     subject.reset();
     return std::move(verdict);
 }
 
-std::string call(const Exercise &exercise, const std::string &arguments) { return session()->call(exercise, arguments); }
+std::string call(const ExerciseLine &exercise, const std::string &arguments) { return session()->call(exercise, arguments); }
 void answered_nonsense() { session()->answered_nonsense(); }
 void note_mismatch(const Mismatch &mismatch) { session()->note(mismatch); }
 bool is_last_result(std::string_view bytes) { return session()->last_exercise != nullptr && session()->last_result == bytes; }
 std::string_view last_unit() { return session()->last_exercise->unit; }
 
-std::vector<const Exercise *> &exercises() {
-    static std::vector<const Exercise *> all;
+std::vector<const ExerciseLine *> &exercise_lines() {
+    static std::vector<const ExerciseLine *> all;
     return all;
 }
 

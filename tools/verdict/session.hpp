@@ -27,12 +27,12 @@ class Session {
     /// The case is over: its verdict.
     Verdict end(bool asserted_something);
 
-    std::string call(const Exercise &exercise, const std::string &arguments);
+    std::string call(const ExerciseLine &exercise, const std::string &arguments);
     [[noreturn]] void answered_nonsense();
     void note(std::optional<Mismatch> mismatch) { noted = std::move(mismatch); }
 
     std::string last_result;                ///< bytes
-    const Exercise *last_exercise = nullptr;
+    const ExerciseLine *last_exercise = nullptr;
 
   private:
     [[noreturn]] void over(Kind kind, std::string sentence);

@@ -50,9 +50,9 @@ int make_output() {
     return file;
 }
 
-void limit(int what, rlim_t most) {
+void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
     const rlimit both{most, most};
-    ::setrlimit(static_cast<__rlimit_resource_t>(what), &both);
+    ::setrlimit(what, &both);
 }
 
 constexpr bool sanitized =

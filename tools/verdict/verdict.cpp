@@ -96,12 +96,36 @@ std::string tidy_line(std::string_view line) {
 
 } // namespace
 
+namespace {
+
+/// What a library says of a check that failed, without the name of the function, which fills the screen.
+std::string short_assertion(std::string_view line) {
+    const std::size_t at = line.find(" Assertion "), name = line.rfind('/', line.find(": "));
+    if (at == line.npos || name == line.npos) return std::string{line};
+    const std::size_t place = line.find(": ", name);
+    return std::string{line.substr(name + 1, place - name)} + std::string{line.substr(at)};
+}
+
+} // namespace
+
+std::string meaning_of_assertion(std::string_view printed) {
+    const std::size_t at = printed.find(" Assertion ");
+    if (at == printed.npos) return {};
+    const std::string_view said = printed.substr(at, printed.find('\n', at) - at);
+    const auto says = [&](std::string_view words) { return said.find(words) != said.npos; };
+    if (says("__n < this->size()") || says("index < size()")) return "an index beyond the end";
+    if (says("_M_is_engaged()")) return "the value of an empty std::optional";
+    if (says("!this->empty()")) return "an element of an empty vector";
+    if (says("!(__hi < __lo)")) return "std::clamp with its low end above its high end";
+    return "see below";
+}
+
 std::pair<std::vector<std::string>, std::size_t> tidy(std::string_view printed, std::size_t lines) {
     std::vector<std::string> shown;
     std::size_t more = 0;
     while (!printed.empty()) {
         const std::size_t end = std::min(printed.find('\n'), printed.size());
-        if (shown.size() < lines) shown.push_back(tidy_line(printed.substr(0, end)));
+        if (shown.size() < lines) shown.push_back(tidy_line(short_assertion(printed.substr(0, end))));
         else ++more;
         printed.remove_prefix(std::min(end + 1, printed.size()));
     }

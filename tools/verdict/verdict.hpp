@@ -64,4 +64,7 @@ std::string explain(const Verdict &verdict, int indent);
 /// or broken UTF-8; and how many lines there were beyond.
 std::pair<std::vector<std::string>, std::size_t> tidy(std::string_view printed, std::size_t lines = 20);
 
+/// What a failed check of the standard library or of Eigen means, by what it printed; empty if none did.
+std::string meaning_of_assertion(std::string_view printed);
+
 } // namespace course

@@ -1,0 +1,16 @@
+// 7.6: differences and products with more digits; what doubt is left is smaller
+#include "segment_intersection.hpp"
+
+namespace segment_intersection {
+
+int turn(const Segment &first, const Segment &second) {
+    require_range({first.start, first.end, second.start, second.end});
+    using Vector = Eigen::Matrix<long double, 2, 1>;
+    const Vector a = first.end.cast<long double>() - first.start.cast<long double>();
+    const Vector b = second.end.cast<long double>() - second.start.cast<long double>();
+    const long double left = a.x() * b.y(), right = a.y() * b.x();
+    const long double doubt = 3e-19L * (std::abs(left) + std::abs(right));
+    return left - right > doubt ? 1 : left - right < -doubt ? -1 : 0;
+}
+
+} // namespace segment_intersection

@@ -1,0 +1,60 @@
+// A student's process that does not play by the rules of the wire: MODE says how. See verdict_test.cpp.
+
+#include "verdict/wire.hpp"
+
+#include <csignal>
+#include <unistd.h>
+
+using namespace course::wire;
+
+namespace {
+
+void send(Frame frame, std::uint32_t call, std::uint32_t size, const std::string &payload) {
+    const Header header{frame, call, size};
+    std::string message(sizeof header, '\0');
+    std::memcpy(message.data(), &header, sizeof header);
+    message += payload;
+    if (::write(reply_fd, message.data(), message.size()) < 0) ::_exit(1);
+}
+
+void send(Frame frame, std::uint32_t call, const std::string &payload) {
+    send(frame, call, static_cast<std::uint32_t>(payload.size()), payload);
+}
+
+std::string bytes_of(double x) {
+    Writer writer;
+    writer.put(x);
+    return writer.bytes;
+}
+
+std::uint32_t next_call() {
+    Header header;
+    if (::read(request_fd, &header, sizeof header) != sizeof header) ::_exit(0);
+    std::string arguments(header.size, '\0');
+    if (::read(request_fd, arguments.data(), arguments.size()) < 0) ::_exit(0);
+    return header.call;
+}
+
+} // namespace
+
+int main() {
+    const std::string mode = MODE;
+    Writer one;
+    one.put(std::uint32_t{1});
+    if (mode == "greets_wrongly") send(Frame::hello, 0, "hello");
+    if (mode == "is_mute") ::pause();
+    send(Frame::hello, 0, one.bytes);
+    const std::uint32_t call = next_call();
+    if (mode == "answers") send(Frame::result, call, bytes_of(2.5));
+    if (mode == "answers_another_call") send(Frame::result, call + 1, bytes_of(2.5));
+    if (mode == "claims_four_gigabytes") send(Frame::result, call, 0xFFFFFFFF, "");
+    if (mode == "sends_half_a_frame") send(Frame::result, call, 8, "1234");
+    if (mode == "sends_too_much") send(Frame::result, call, bytes_of(2.5) + "more");
+    if (mode == "sends_too_little") send(Frame::result, call, "123");
+    if (mode == "sends_no_frame") send(Frame{7}, call, "");
+    if (mode == "answers_twice") send(Frame::result, call, bytes_of(2.5)), send(Frame::result, call, bytes_of(2.5));
+    if (mode == "drips")
+        for (const char byte : bytes_of(2.5) + "123456789012") ::usleep(200'000), static_cast<void>(::write(reply_fd, &byte, 1) + 1);
+    if (mode == "dies") ::raise(SIGKILL);
+    next_call();
+}

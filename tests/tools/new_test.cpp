@@ -1,0 +1,262 @@
+// `course new`: a section's skeleton, in a small course, and once in a copy of this one, where it is built and judged.
+
+#include "small_course.hpp"
+
+#include "complaint.hpp"
+#include "contents.hpp"
+#include "trace.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
+using Catch::Matchers::StartsWith;
+using namespace course;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char *book = "# The book\n\n## Contents\n\n| | chapter | minutes |\n|--:|:--|--:|\n"
+                             "| 6 | [Reflection](chapters/06_reflection/README.md) | 60 |\n"
+                             "| 7 | [Walls that meet](chapters/07_wall_meeting/README.md) | 90 |\n"
+                             "| 8 | Collisions | to come |\n| 12 | Time | to come |\n\n| 8 | a table of its own |\n";
+
+/// What a new section consists of.
+const std::set<std::string> files_of_springs{
+    "chapters/13_springs/README.md",      "chapters/13_springs/main.cpp", "chapters/13_springs/springs.hpp",
+    "exercises/13_springs.cpp",           "plots/13_springs_pull.gp",     "plots/13_springs_pull.svg",
+    "plots/13_springs_pull.tsv",          "solutions/13_springs.cpp",     "tests/13_springs.cpp",
+    "tests/right/13_springs/by_side.cpp", "tests/stubs/13_springs.cpp",   "tests/wrong/13_springs/pulls_along.cpp"};
+
+/// Every file below a folder, and what stands in it.
+std::map<std::string, std::string> snapshot(const fs::path &root) {
+    std::map<std::string, std::string> files;
+    for (const auto &entry : fs::recursive_directory_iterator{root})
+        if (entry.is_regular_file() && !entry.is_symlink())
+            files[entry.path().lexically_relative(root).generic_string()] = read_file(entry.path());
+    return files;
+}
+
+/// A small course that has what `new` needs.
+struct Author : SmallCourse {
+    Author() {
+        write("book.md", book);
+        fs::create_directories(tree.root / "tools");
+        fs::copy(fs::path{COURSE_ROOT} / "tools" / "skeleton", tree.root / "tools" / "skeleton",
+                 fs::copy_options::recursive);
+    }
+};
+
+} // namespace
+
+TEST_CASE("new writes every file of a section, its line and its entry, and changes nothing else") {
+    const Author course;
+    const auto before = snapshot(course.tree.root);
+    const Finished done = course({"new", "13_springs", "--title", "Springs and so on"});
+    CHECK(done.err.empty());
+    REQUIRE(done.code == 0);
+    const auto after = snapshot(course.tree.root);
+
+    std::set<std::string> written, changed;
+    for (const auto &[file, text] : after) {
+        const auto old = before.find(file);
+        if (old == before.end()) written.insert(file);
+        else if (old->second != text) changed.insert(file);
+    }
+    CHECK(written == files_of_springs);
+    CHECK(changed == std::set<std::string>{"CMakeLists.txt", "book.md"});
+    CHECK(after.size() == before.size() + written.size());
+    for (const std::string &file : written) CHECK_THAT(done.out, ContainsSubstring("  " + file + "\n"));
+
+    CHECK(after.at("CMakeLists.txt")
+          == "project(x)\nsection(06_reflection)\nsection(07_wall_meeting)\nsection(13_springs)\n");
+    CHECK_THAT(after.at("book.md"),
+               ContainsSubstring(
+                   "| 12 | Time | to come |\n| 13 | [Springs and so on](chapters/13_springs/README.md) | |\n\n"));
+    CHECK_THAT(after.at("chapters/13_springs/README.md"),
+               StartsWith("# 13 Springs and so on\n") && ContainsSubstring("$ ./course run 13\n"));
+    CHECK_THAT(after.at("chapters/13_springs/springs.hpp"),
+               ContainsSubstring("namespace springs {")
+                   && ContainsSubstring("COURSE_EXERCISE(\"13.1\", core, springs, pull"));
+    CHECK(after.at("tests/stubs/13_springs.cpp") == after.at("exercises/13_springs.cpp"));
+    for (const std::string &file : written)
+        if (!file.ends_with(".svg")) {
+            CAPTURE(file);
+            CHECK(after.at(file).find("keleton") == std::string::npos);
+            CHECK(after.at(file).find("99") == std::string::npos);
+        }
+    CHECK(course.tree.section("springs").number() == 13);
+}
+
+TEST_CASE("without a title a section takes the one that it has to come, or one made from its name") {
+    const Author course;
+    CHECK(course({"new", "08_nt_collisions"}).code == 0);
+    CHECK_THAT(course.read("chapters/08_nt_collisions/README.md"), StartsWith("# 8 Collisions\n"));
+    CHECK(course({"new", "13_coupled_springs"}).code == 0);
+    CHECK_THAT(course.read("chapters/13_coupled_springs/README.md"), StartsWith("# 13 Coupled springs\n"));
+    CHECK_THAT(
+        course.read("book.md"),
+        ContainsSubstring("| 8 | [Collisions](chapters/08_nt_collisions/README.md) | |\n| 12 | Time | to come |\n"
+                          "| 13 | [Coupled springs](chapters/13_coupled_springs/README.md) | |\n"));
+}
+
+TEST_CASE("new refuses what is no name, or not a new one, and says the right form; nothing is written") {
+    const Author course;
+    const auto [name, says] = GENERATE(table<std::string, std::string>({
+        {"springs", "as in 13_springs"},
+        {"13-Springs", "as in 13_springs"},
+        {"8 elastic Collisions", "as in 08_elastic_collisions"},
+        {"8.gas", "as in 08_gas"},
+        {"13_", "as in 13_springs"},
+        {"13_2nd", "as in 13_springs"},
+        {"13__springs", "as in 13_springs"},
+        {"13_springs_", "two digits, an underscore, and small letters"},
+        {"../13_springs", "two digits, an underscore, and small letters"},
+        {"130_springs", "two digits, an underscore, and small letters"},
+        {"00_springs", "counted from 01"},
+        {"07_springs", "section 7 is there already: 07_wall_meeting; the next free number is 8"},
+        {"13_reflection", "there is a section of that name already: 06_reflection"},
+        {"13_while", "`while` is a word of C++"},
+        {"13_time", "`time` is a word of C++ or of a library"},
+        {"13_course", "`course` is a word"},
+    }));
+    const auto before = snapshot(course.tree.root);
+    const Finished said = course({"new", name});
+    CAPTURE(name, said.err);
+    CHECK(said.code == 2);
+    CHECK_THAT(said.err, StartsWith("course: ") && ContainsSubstring(says));
+    CHECK(snapshot(course.tree.root) == before);
+}
+
+TEST_CASE("new overwrites nothing: one file in its way, and none is written") {
+    const Author course;
+    const std::string file =
+        GENERATE("exercises/13_springs.cpp", "tests/stubs/13_springs.cpp", "plots/13_springs_pull.svg");
+    course.write(file, "mine");
+    const auto before = snapshot(course.tree.root);
+    const Finished said = course({"new", "13_springs"});
+    CHECK(said.code == 2);
+    CHECK_THAT(said.err, ContainsSubstring(file + " is there already"));
+    CHECK(snapshot(course.tree.root) == before);
+}
+
+TEST_CASE("without a place for it in CMakeLists.txt or book.md, or with a title of two lines, nothing is written") {
+    const Author course;
+    const auto refuses = [&](const std::vector<std::string> &words, const std::string &says) {
+        const auto before = snapshot(course.tree.root);
+        const Finished said = course(words);
+        CHECK(said.code == 2);
+        CHECK_THAT(said.err, ContainsSubstring(says));
+        CHECK(snapshot(course.tree.root) == before);
+    };
+    refuses({"new", "13_springs", "--title", "two\nlines"}, "a title is one line");
+    course.write("book.md", "# no contents\n");
+    refuses({"new", "13_springs"}, "book.md link to no chapter yet");
+    course.write("book.md", book);
+    course.write("CMakeLists.txt", "project(x)\n");
+    refuses({"new", "13_springs"}, "CMakeLists.txt has no line like section(07_segment_intersection)");
+}
+
+TEST_CASE("a section's line comes where its number belongs") {
+    const std::string lists = "project(x)\n\nsection(06_a) # a\n  section(08_b)\n# section(09_c)\n\nfinish()\n";
+    CHECK(with_section(lists, {"03_x"})
+          == "project(x)\n\nsection(03_x)\nsection(06_a) # a\n  section(08_b)\n# section(09_c)\n\nfinish()\n");
+    CHECK(with_section(lists, {"07_x"})
+          == "project(x)\n\nsection(06_a) # a\nsection(07_x)\n  section(08_b)\n# section(09_c)\n\nfinish()\n");
+    CHECK(with_section(lists, {"13_x"})
+          == "project(x)\n\nsection(06_a) # a\n  section(08_b)\nsection(13_x)\n# section(09_c)\n\nfinish()\n");
+}
+
+TEST_CASE("an entry of the contents comes where its number belongs, and one to come gives way to it") {
+    const std::string eight = with_entry(book, {"08_nt_collisions"}, "Collisions in n-t");
+    CHECK_THAT(eight, ContainsSubstring("| 90 |\n| 8 | [Collisions in n-t](chapters/08_nt_collisions/README.md) | |\n| "
+                                        "12 | Time | to come |\n\n| 8 | a table of its own |\n"));
+    CHECK(eight.find("| 8 | Collisions | to come |") == std::string::npos);
+    CHECK_THAT(with_entry(book, {"01_motion"}, "Motion"),
+               ContainsSubstring("|--:|:--|--:|\n| 1 | [Motion](chapters/01_motion/README.md) | |\n| 6 | "));
+
+    const std::string list = "- [6 Reflection](chapters/06_reflection/README.md), an hour\n- 8 Collisions (to come)\n";
+    CHECK(with_entry(list, {"08_x"}, "X")
+          == "- [6 Reflection](chapters/06_reflection/README.md), an hour\n- [8 X](chapters/08_x/README.md)\n");
+    CHECK(with_entry(list, {"07_x"}, "X")
+          == "- [6 Reflection](chapters/06_reflection/README.md), an hour\n- [7 X](chapters/07_x/README.md)\n- 8 "
+             "Collisions (to come)\n");
+}
+
+// The whole way, in a copy of this course: half a minute, most of it compiling.
+TEST_CASE("a new section configures, builds, is drawn, woven and judged, and nothing else has changed", "[new]") {
+    const SmallCourse place; // for its folder
+    const Tree copy{.root = place.tree.root / "copy", .build = place.tree.root / "copy's build"};
+    fs::create_directories(copy.root);
+    for (const auto &entry : fs::directory_iterator{COURSE_ROOT})
+        if (!std::set<std::string>{"build", ".git", ".course"}.contains(entry.path().filename().string()))
+            REQUIRE(run({"cp", "-a", entry.path().string(), copy.root.string()}).code == 0);
+    const std::string path = place.instead_of("gdb", "exit 0");
+    const auto course = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"env", path, "COURSE_ROOT=" + copy.root.string(),
+                                     "COURSE_BUILD=" + copy.build.string(), COURSE_TOOL});
+        return run(words);
+    };
+    const auto succeeds = [](const Finished &done) {
+        INFO(done.out << done.err);
+        REQUIRE(done.code == 0);
+    };
+
+    const auto before = snapshot(copy.root);
+    succeeds(course({"new", "13_springs"}));
+    const auto after = snapshot(copy.root);
+    CHECK(after.size() == before.size() + files_of_springs.size());
+    for (const auto &[file, text] : before)
+        if (file != "CMakeLists.txt" && file != "book.md" && after.at(file) != text) FAIL(file << " has changed");
+    CHECK(after.at("CMakeLists.txt") != before.at("CMakeLists.txt"));
+    CHECK_THAT(after.at("book.md"), ContainsSubstring("](chapters/13_springs/README.md)"));
+
+    const auto settings = nlohmann::json::parse(read_file(fs::path{COURSE_BUILD} / "course.json"));
+    succeeds(run({"cmake", "-S", copy.root.string(), "-B", copy.build.string(), "-G", "Ninja",
+                  "-DCMAKE_CXX_COMPILER=" + settings.at("compiler").get<std::string>()}));
+    std::vector<std::string> build{"cmake", "--build", copy.build.string(), "--target"};
+    for (const char *target :
+         {"13_springs", "13_springs_loop", "13_springs_subject_solution", "13_springs_subject_stub",
+          "13_springs_subject_wrong_pulls_along", "13_springs_subject_right_by_side"})
+        build.push_back(target);
+    const Finished built = run(build);
+    succeeds(built);
+    CHECK(built.out.find("warning:") == std::string::npos);
+    const Finished tested = run({"ctest", "--test-dir", copy.build.string(), "--output-on-failure", "-R",
+                                 "^13_springs\\.(solution|stub|wrong_|right_)"});
+    succeeds(tested);
+    CHECK_THAT(tested.out, ContainsSubstring("100% tests passed, 0 tests failed out of 4"));
+
+    const Finished untouched = course({"check", "13"});
+    CHECK(untouched.code == 1);
+    CHECK_THAT(untouched.out, ContainsSubstring("13.1 pull, core: not started"));
+    succeeds(course({"check", "13", "--file", copy.solution(copy.section("13")).string()}));
+
+    const Finished mine = course({"run", "13", "--mine"});
+    CHECK(mine.code == 1);
+    CHECK_THAT(mine.err, ContainsSubstring("not started"));
+    const Finished debug = course({"debug", "13.1", "--print"});
+    succeeds(debug);
+    CHECK_THAT(debug.out, StartsWith("gdb -q -ex 'break springs::pull' --args "));
+    CHECK(run({(copy.build / "debug" / "13_springs").string(), "[13.1]"}).code != 0); // not started
+
+    const fs::path traces = copy.build / "traces", trace = traces / "13_springs_pull.tsv",
+                   svg = copy.build / "pull.svg";
+    fs::create_directories(traces);
+    succeeds(run({(copy.build / "chapters" / "13_springs").string(), "--out", traces.string()}));
+    succeeds(course({"draw", "--script", (copy.root / "plots" / "13_springs_pull.gp").string(), "--trace",
+                     trace.string(), "--out", svg.string()}));
+    CHECK(rounded(read_trace(trace, "the trace")) == after.at("plots/13_springs_pull.tsv"));
+
+    succeeds(course({"weave", "13"}));
+    succeeds(course({"weave", "--check", "13"}));
+    CHECK(read_file(copy.chapter(copy.section("13")))
+          == after.at("chapters/13_springs/README.md")); // nothing was left to weave
+}

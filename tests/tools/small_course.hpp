@@ -1,0 +1,114 @@
+#pragma once
+// For the tests of the `course` program: a course of two small sections, made anew for each test and never built, and
+// the program run in it.
+
+#include "files.hpp"
+#include "process.hpp"
+#include "tree.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace course {
+
+struct SmallCourse {
+    SmallCourse() {
+        std::string name = (std::filesystem::temp_directory_path() / "a course XXXXXX").string(); // blanks and all
+        tree.root = ::mkdtemp(name.data());
+        tree.build = tree.root / "build" / "default";
+        write("CMakeLists.txt", "project(x)\nsection(06_reflection)\nsection(07_wall_meeting)\n");
+        for (const Section &section : tree.sections()) {
+            write(tree.stub(section), "// " + section.name + ", nothing done yet\n");
+            write(tree.exercise(section), "// " + section.name + ", nothing done yet\n");
+            write(tree.build / "catalogue" / (section.name + ".json"),
+                  R"({"section": ")" + section.name + R"(", "exercises": [)" + exercise(section, "1", "core", "first")
+                      + ", " + exercise(section, "2", "stretch", "second") + "]}");
+        }
+        write("chapters/06_reflection/README.md", "# 6 Reflection\n");
+        write("chapters/07_wall_meeting/README.md", chapter);
+        write("solutions/07_wall_meeting.cpp",
+              "//> Solution: a helper\nint two() { return 2; }\n\n//> Solution 7.1: one\nint first() { return 1; }\n\n"
+              "//> Solution 7.2: two\nint second() { return two(); }\n//>\n");
+    }
+    ~SmallCourse() { std::filesystem::remove_all(tree.root); }
+    SmallCourse(const SmallCourse &) = delete;
+    SmallCourse &operator=(const SmallCourse &) = delete;
+
+    /// `./course words`, without a terminal. `environment` is more of it, as {"NO_COLOR=1"}.
+    Finished operator()(const std::vector<std::string> &words, const std::vector<std::string> &environment = {}) const {
+        return run(command(words, environment));
+    }
+
+    std::vector<std::string> command(const std::vector<std::string> &words,
+                                     const std::vector<std::string> &environment = {}) const {
+        std::vector<std::string> line{"env",
+                                      "-u",
+                                      "COURSE_LOCKED",
+                                      "-u",
+                                      "NO_COLOR",
+                                      "COURSE_ROOT=" + tree.root.string(),
+                                      "COURSE_BUILD=" + tree.build.string()};
+        line.insert(line.end(), environment.begin(), environment.end());
+        line.push_back(COURSE_TOOL);
+        line.insert(line.end(), words.begin(), words.end());
+        return line;
+    }
+
+    void write(const std::filesystem::path &file, const std::string &text) const { write_file(tree.root / file, text); }
+    std::string read(const std::filesystem::path &file) const { return read_file(tree.root / file); }
+    bool has(const std::filesystem::path &file) const { return std::filesystem::exists(tree.root / file); }
+
+    /// Puts a shell script in the place of a program, and returns the environment in which it is found.
+    std::string instead_of(const std::string &program, const std::string &script) const {
+        write("bin/" + program, "#!/bin/sh\n" + script + '\n');
+        std::filesystem::permissions(tree.root / "bin" / program, std::filesystem::perms::all);
+        return "PATH=" + (tree.root / "bin").string() + ":" + std::getenv("PATH");
+    }
+
+    std::vector<std::filesystem::path> kept() const {
+        std::vector<std::filesystem::path> copies;
+        if (has(".course/kept"))
+            for (const auto &entry : std::filesystem::directory_iterator{tree.root / ".course" / "kept"})
+                copies.push_back(entry.path());
+        return copies;
+    }
+
+    Section seven() const { return tree.section("7"); }
+
+    Tree tree;
+
+private:
+    static std::string exercise(const Section &section, const std::string &n, const std::string &tier,
+                                const char *name) {
+        return R"({"number": ")" + section.short_number() + "." + n + R"(", "tier": ")" + tier + R"(", "function": ")"
+               + (section.number() == 6 ? std::string{name} + "_bounce" : name)
+               + R"(", "arguments": "", "result": ""})";
+    }
+
+    static constexpr const char *chapter = R"(# 7 Walls that meet
+
+<details>
+<summary>7.1, a hint: where to look</summary>
+
+Under the *first* stone.
+</details>
+
+<details>
+<summary>7.2, a hint: not for 7.1</summary>
+
+Elsewhere.
+</details>
+
+<details>
+<summary>7.1, a hint: the first line</summary>
+
+`return 1;`
+</details>
+)";
+};
+
+} // namespace course

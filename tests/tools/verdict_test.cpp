@@ -1,0 +1,251 @@
+// The wire, and the session that owns the verdict, against processes that lie.
+
+#include "diagnosis.hpp"
+#include "junit.hpp"
+#include "verdict/describe.hpp"
+#include "verdict/mismatch.hpp"
+#include "verdict/session.hpp"
+#include "verdict/wire.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace course;
+using Eigen::Vector2d;
+
+namespace {
+
+struct Inner {
+    Vector2d place;
+    int count = 0;
+    static constexpr std::string_view field_units = "m, 1", field_names = "place, count";
+    auto fields() { return std::tie(place, count); }
+    auto fields() const { return std::tie(place, count); }
+};
+struct Outer {
+    double time = 0;
+    std::vector<Inner> inner;
+    std::optional<bool> known;
+    static constexpr std::string_view field_units = "s, , ", field_names = "time, inner, known";
+    auto fields() { return std::tie(time, inner, known); }
+    auto fields() const { return std::tie(time, inner, known); }
+};
+
+template <class T> std::string bytes_of(const T &value) {
+    wire::Writer writer;
+    writer.put(value);
+    return writer.bytes;
+}
+
+const Outer outer{1.5, {{{1, -2}, 3}, {{0.1, 1e300}, -4}}, true};
+
+} // namespace
+
+TEST_CASE("what crosses the wire arrives as it was") {
+    const std::string bytes = bytes_of(outer);
+    wire::Reader reader{bytes};
+    const auto arrived = reader.take<Outer>();
+    CHECK(reader.finished());
+    CHECK(bytes_of(arrived) == bytes);
+    CHECK(arrived.inner.at(1).place == Vector2d{0.1, 1e300});
+    CHECK(arrived.known == true);
+}
+
+TEST_CASE("every beginning of a message is refused, and every message with a byte too many") {
+    const std::string bytes = bytes_of(outer);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        wire::Reader reader{std::string_view{bytes}.substr(0, size)};
+        reader.take<Outer>();
+        CHECK_FALSE(reader.finished());
+    }
+    const std::string longer = bytes + 'x';
+    wire::Reader reader{longer};
+    reader.take<Outer>();
+    CHECK(reader.ok());
+    CHECK_FALSE(reader.finished());
+}
+
+TEST_CASE("a bool is 0 or 1, and a length is no longer than what is there") {
+    wire::Reader seven{std::string_view{"\x07", 1}};
+    seven.take<bool>();
+    CHECK_FALSE(seven.ok());
+
+    const std::string long_list = bytes_of(std::uint32_t{0xFFFFFFFF}) + "12345678";
+    wire::Reader list{long_list}, text{long_list};
+    CHECK(list.take<std::vector<double>>().size() <= 2);
+    CHECK_FALSE(list.ok());
+    text.take<std::string>();
+    CHECK_FALSE(text.ok());
+}
+
+TEST_CASE("values are described as a student reads them") {
+    CHECK(describe(0.1) == "0.1");
+    CHECK(describe(1.0 / 3, "m", 3) == "0.333 m");
+    CHECK(describe(std::nan("")) == "not a number");
+    CHECK(describe(-std::numeric_limits<double>::infinity()) == "-infinity");
+    CHECK(describe(Vector2d{4, -2}, "m/s") == "(4, -2) m/s");
+    CHECK(describe(std::optional<double>{}) == "nothing");
+    CHECK(describe(outer) == "{time 1.5 s, inner [{place (1, -2) m, count 3}, {place (0.1, 1e+300) m, count -4}], known true}");
+    CHECK(describe(std::vector<int>(20, 7)) == "[7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, … 20 in all]");
+}
+
+TEST_CASE("the first field that differs is named, with its unit") {
+    Outer other = outer;
+    other.inner[0].place.x() = 0.2;
+    const auto found = mismatch::find<Outer>({}, other, outer, 1e-9);
+    REQUIRE(found);
+    CHECK(found->got == "inner[0].place = (0.2, -2) m");
+}
+
+TEST_CASE("near is absolute below one, relative above, and never for what is not a number") {
+    const auto near = [](double got, double want, double tolerance) { return !mismatch::find<double>({}, got, want, tolerance); };
+    CHECK(near(1e-10, 0, 1e-9));
+    CHECK_FALSE(near(2e-9, 0, 1e-9));
+    CHECK(near(1e9 + 0.5, 1e9, 1e-9));
+    CHECK_FALSE(near(1e9 + 2, 1e9, 1e-9));
+    CHECK_FALSE(near(NAN, 0, 1e9));
+    CHECK_FALSE(near(0, NAN, 1e9));
+    CHECK_FALSE(near(INFINITY, 1, 1e9));
+    CHECK(near(INFINITY, INFINITY, 0));
+    CHECK(mismatch::find<double>({}, NAN, 1, 0)->not_a_number);
+    CHECK_FALSE(mismatch::find<double>({}, 2, 1, 0)->not_a_number);
+}
+
+TEST_CASE("got and want are told apart at as many digits as that takes") {
+    const auto found = mismatch::find<double>({}, 1 + 1e-14, 1, 1e-15);
+    REQUIRE(found);
+    CHECK(found->got == "1.00000000000001");
+    CHECK(found->want == "1");
+}
+
+TEST_CASE("what is printed is shown without what could move a cursor or break a file") {
+    const auto [lines, more] = tidy("red \x1b[31m\ttab\r\n\xff\xfe broken\n\xc2\x9b" "31m c1\nzwölf\n", 3);
+    CHECK(lines == std::vector<std::string>{"red ?[31m tab?", "?? broken", "?31m c1"});
+    CHECK(more == 1);
+    CHECK(tidy(std::string(1000, 'x')).first.front().size() == 160 + std::string{"…"}.size());
+    CHECK(tidy("no line end").first == std::vector<std::string>{"no line end"});
+}
+
+TEST_CASE("a failed check of a library is said in words, and on one line") {
+    const std::string vector = "/usr/include/c++/12/bits/stl_vector.h:1123: std::vector<_Tp>::reference std::vector<_Tp>::operator[](size_type) "
+                               "[with _Tp = double]: Assertion '__n < this->size()' failed.\n";
+    const std::string eigen = "subject: /usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h:408: Scalar &operator[](Index): Assertion `index >= 0 && index < size()' failed.\n";
+    CHECK(meaning_of_assertion(vector) == "an index beyond the end");
+    CHECK(meaning_of_assertion(eigen) == "an index beyond the end");
+    CHECK(meaning_of_assertion("nothing of the kind\n").empty());
+    CHECK(tidy(vector).first == std::vector<std::string>{"stl_vector.h:1123: Assertion '__n < this->size()' failed."});
+    CHECK(tidy(eigen).first == std::vector<std::string>{"DenseCoeffsBase.h:408: Assertion `index >= 0 && index < size()' failed."});
+}
+
+namespace {
+
+std::vector<std::string> describe_one(const ExerciseLine &, std::string_view bytes) {
+    wire::Reader reader{bytes};
+    return {"x = " + describe(reader.take<double>())};
+}
+const ExerciseLine half{"1.1", "core", "half", "x [m]", "m", describe_one, 0};
+
+Verdict ask(const std::string &mode) {
+    static const bool once = (exercise_lines().push_back(&half), prepare_for_subjects(), true);
+    static_cast<void>(once);
+    Session own{std::string{HOSTILE} + mode, Patience{1, 5}};
+    session() = &own;
+    own.begin("1.1", "half of five");
+    try {
+        wire::Reader reader{own.call(half, bytes_of(5.0))};
+        reader.take<double>();
+        if (!reader.finished()) own.answered_nonsense();
+    } catch (const CaseOver &) {}
+    session() = nullptr;
+    return own.end(true);
+}
+
+} // namespace
+
+TEST_CASE("a process that answers properly passes") { CHECK(ask("answers").kind == Kind::passed); }
+
+TEST_CASE("a process that lies on the wire fails the call, quickly, and nothing else") {
+    const auto [mode, kind] = GENERATE(table<std::string, Kind>({
+        {"answers_another_call", Kind::out_of_turn},
+        {"claims_four_gigabytes", Kind::out_of_turn},
+        {"sends_half_a_frame", Kind::too_long},
+        {"sends_too_much", Kind::out_of_turn},
+        {"sends_too_little", Kind::out_of_turn},
+        {"sends_no_frame", Kind::out_of_turn},
+        {"answers_twice", Kind::out_of_turn},
+        {"drips", Kind::too_long},
+        {"dies", Kind::crashed},
+        {"is_mute", Kind::too_long},
+        {"greets_wrongly", Kind::no_verdict},
+    }));
+    CAPTURE(mode);
+    const auto start = Clock::now();
+    CHECK(name_of(ask(mode).kind) == name_of(kind));
+    CHECK(Clock::now() - start < std::chrono::seconds{4});
+}
+
+TEST_CASE("a session notes the first failure of a case, and a case without assertions is one") {
+    Session own{"/nowhere", Patience{}};
+    own.begin("1.1", "two failures");
+    own.fail(Kind::wrong, "first", "a.cpp", 1);
+    own.fail(Kind::crashed, "second", "b.cpp", 2);
+    const Verdict verdict = own.end(true);
+    CHECK(verdict.kind == Kind::wrong);
+    CHECK(verdict.sentence == "first");
+    CHECK(verdict.file == "a.cpp");
+
+    own.begin("1.1", "nothing asserted");
+    CHECK(own.end(false).kind == Kind::no_verdict);
+}
+
+TEST_CASE("a verdict survives its way through JSON") {
+    Verdict verdict{"7.2", "a \"claim\"", Kind::left_process, "what happened", Call{"meet", {"first = 1"}, 3}, "g", "w", "1e-9", "t.cpp", 12, {"printed"}, 4};
+    const auto back = nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>();
+    CHECK(explain(back, 2) == explain(verdict, 2));
+    CHECK(back.kind == verdict.kind);
+    CHECK(explain(verdict, 2).find("meet() with   (and 3 calls before it)") != std::string::npos);
+}
+
+TEST_CASE("JUnit files are XML whatever a student prints, and count what failed") {
+    Verdict wrong{"7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, "1", "2", "", "t.cpp", 3, {"\u00e4"}, 0};
+    Verdict ours = wrong;
+    ours.kind = Kind::no_verdict;
+    Verdict passed{"7.1", "fine", Kind::passed, "", {}, "", "", "", "", 0, {}, 0};
+    pugi::xml_document read;
+    REQUIRE(read.load_string(junit({{Section{"07_x"}, {wrong, ours, passed}}}).c_str()));
+    const auto suite = read.child("testsuites").child("testsuite");
+    CHECK(suite.attribute("tests").as_int() == 3);
+    CHECK(suite.attribute("failures").as_int() == 1);
+    CHECK(suite.attribute("errors").as_int() == 1);
+    CHECK(suite.child("testcase").child("failure").attribute("message").as_string() == std::string{"]]> </failure>"});
+}
+
+TEST_CASE("of all that a compiler says, the first error is shown, with how many there are") {
+    const auto verdict = diagnose_compiler("In file included from a.hpp:1:\n/x/07.cpp:3:5: error: ‘y’ was not declared\n    3 |  y\n      |  ^\n"
+                                           "/x/07.cpp:9:1: error: expected ‘;’\n", "/x/07.cpp", "exercises/07.cpp");
+    CHECK(verdict.sentence == "'y' was not declared");
+    CHECK(verdict.file == "exercises/07.cpp");
+    CHECK(verdict.line == 3);
+    CHECK(verdict.printed.size() == 2);
+    CHECK(verdict.printed_more == 1);
+}
+
+TEST_CASE("linkers of two families are understood") {
+    const std::string linker = GENERATE("s.o: in function `f':\n07.cpp:(.text+0x5): undefined reference to `ns::helper(double)'\n",
+                                        "07.cpp:function f: error: undefined reference to 'ns::helper(double)'\n");
+    CHECK(diagnose_linker(linker, "07.cpp", "7").sentence.find("`ns::helper(double)` is declared in 07.cpp") == 0);
+    const std::string twice = GENERATE("/usr/bin/ld: a.o: in function `main':\nmultiple definition of `main'; b.o: first defined here\n",
+                                       "/usr/bin/ld.gold: error: b.o: multiple definition of 'main'\n");
+    CHECK(diagnose_linker(twice, "07.cpp", "7").sentence.find("Your file has a `main` of its own.") == 0);
+}
+
+TEST_CASE("namesakes of a missing function are found, and no others") {
+    const std::string symbols = "0000000000000000 T ns::meet(double)\n0000000000000010 T meeting(int)\n0000000000000020 T ns::remeet(int)\n"
+                                "0000000000000030 W std::vector<ns::meet(int)>\n0000000000000040 D ns::meet(int)\n";
+    CHECK(find_namesakes(symbols, "meet") == std::vector<std::string>{"ns::meet(double)"});
+}

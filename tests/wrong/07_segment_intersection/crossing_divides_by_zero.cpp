@@ -1,0 +1,18 @@
+// 7.1: parallel lines are not asked for, so t and s become infinite or NaN, as in the source
+#include "segment_intersection.hpp"
+
+namespace segment_intersection {
+
+std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+    require_range({motion.start, motion.end, wall.start, wall.end});
+    const Vec2 a = motion.end - motion.start;
+    const Vec2 b = wall.end - wall.start;
+    const Vec2 gap = wall.start - motion.start;
+
+    const double d = a.x() * b.y() - a.y() * b.x();
+    const double t = (gap.x() * b.y() - gap.y() * b.x()) / d;
+    const double s = (gap.x() * a.y() - gap.y() * a.x()) / d;
+    return Crossing{t, s, motion.start + t * a};
+}
+
+} // namespace segment_intersection

@@ -1,0 +1,18 @@
+// 7.1: what is not a number goes in, and comes out
+#include "segment_intersection.hpp"
+
+namespace segment_intersection {
+
+std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+    const Vec2 a = motion.end - motion.start;
+    const Vec2 b = wall.end - wall.start;
+    const Vec2 gap = wall.start - motion.start;
+
+    const double d = a.x() * b.y() - a.y() * b.x();
+    if (!(std::abs(d) > parallel * a.norm() * b.norm())) return {};
+    const double t = (gap.x() * b.y() - gap.y() * b.x()) / d;
+    const double s = (gap.x() * a.y() - gap.y() * a.x()) / d;
+    return Crossing{t, s, motion.start + t * a};
+}
+
+} // namespace segment_intersection

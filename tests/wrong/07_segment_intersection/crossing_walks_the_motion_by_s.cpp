@@ -1,0 +1,19 @@
+// 7.1: the point is s of the way along the motion, as the source walks it; s belongs to the wall
+#include "segment_intersection.hpp"
+
+namespace segment_intersection {
+
+std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+    require_range({motion.start, motion.end, wall.start, wall.end});
+    const Vec2 a = motion.end - motion.start;
+    const Vec2 b = wall.end - wall.start;
+    const Vec2 gap = wall.start - motion.start;
+
+    const double d = a.x() * b.y() - a.y() * b.x();
+    if (std::abs(d) <= parallel * a.norm() * b.norm()) return {};
+    const double t = (gap.x() * b.y() - gap.y() * b.x()) / d;
+    const double s = (gap.x() * a.y() - gap.y() * a.x()) / d;
+    return Crossing{t, s, motion.start + s * a};
+}
+
+} // namespace segment_intersection

@@ -1,0 +1,20 @@
+// 7.2: sides without boxes: two segments on one line, a gap between them, count as meeting
+#include "segment_intersection.hpp"
+
+#include <algorithm>
+
+namespace segment_intersection {
+
+static double side(const Segment &line, const Vec2 &point) {
+    const Vec2 a = line.end - line.start, p = point - line.start;
+    return a.x() * p.y() - a.y() * p.x();
+}
+
+bool meet(const Segment &first, const Segment &second) {
+    require_range({first.start, first.end, second.start, second.end});
+    const auto [low_1, high_1] = std::minmax({side(first, second.start), side(first, second.end)});
+    const auto [low_2, high_2] = std::minmax({side(second, first.start), side(second, first.end)});
+    return low_1 <= 0 && high_1 >= 0 && low_2 <= 0 && high_2 >= 0;
+}
+
+} // namespace segment_intersection

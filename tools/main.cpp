@@ -1,0 +1,164 @@
+// The `course` program: finds its tree, lets each command add itself, and says every error in one sentence.
+
+#include "commands.hpp"
+#include "nearest.hpp"
+#include "process.hpp"
+
+#include <cstdlib>
+#include <iostream>
+
+namespace course {
+namespace {
+
+using Adds = void (*)(CLI::App &, const Tree &);
+
+/// What the `course` script does itself, before this program is there: listed here for help and for slips of the pen.
+template <const char *const &name, const char *const &what> void by_the_script(CLI::App &app, const Tree &) {
+    app.add_subcommand(name, what)->footer(std::string{"Example: ./course "} + name)->callback([] {
+        throw Complaint{std::string{"`"} + name + "` is a command of the script: type ./course " + name};
+    });
+}
+
+constexpr const char *setup = "setup", *installs = "Install what the course needs; asks first";
+constexpr const char *test = "test", *runs_all_tests = "Run the whole test suite";
+constexpr const char *doctor = "doctor", *finds_tools = "Say which tools are here, and how to get the others";
+
+struct Group {
+    const char *title;
+    std::vector<Adds> commands;
+};
+
+const std::vector<Group> groups{
+    {"For students",
+     {add_check, add_list, add_hint, add_solution, add_reset, add_run, add_plot, add_debug,
+      by_the_script<setup, installs>, by_the_script<doctor, finds_tools>}},
+    {"For instructors", {by_the_script<test, runs_all_tests>}},
+    {"For contributors", {add_new, add_weave, add_draw, add_publish, add_bench}},
+};
+
+constexpr const char *description = R"(Frame by Frame, a course in game physics.
+`./course` alone installs what is missing, builds everything, draws the figures and checks the book.)";
+
+constexpr const char *footer =
+    R"(A section is named by its number, a part of its name, or one of its files: 7, segment, exercises/07_segment_intersection.cpp.
+
+Exit codes:
+  0    all is well
+  1    something is left to do: a test is not passed, a check found a difference
+  2    the command, a file or the machine: the message says what to do
+  3    the course itself is at fault: please report it
+  130  stopped by Ctrl-C
+
+Example: ./course check 7 --watch)";
+
+void add_commands(CLI::App &app, const Tree &tree) {
+    for (const Group &group : groups)
+        for (Adds add : group.commands) {
+            const auto before = app.get_subcommands({}).size();
+            add(app, tree);
+            const auto all = app.get_subcommands({});
+            for (std::size_t i = before; i < all.size(); ++i)
+                if (!all[i]->get_group().empty()) all[i]->group(group.title); // else hidden
+        }
+}
+
+std::filesystem::path folder(const char *variable, const char *built_with) {
+    const char *value = std::getenv(variable);
+    return std::filesystem::absolute(value && *value ? value : built_with).lexically_normal();
+}
+
+Tree find_tree() {
+    const Tree tree{.root = folder("COURSE_ROOT", COURSE_DEFAULT_ROOT),
+                    .build = folder("COURSE_BUILD", COURSE_DEFAULT_BUILD)};
+    if (std::filesystem::exists(tree.root / "CMakeLists.txt")) return tree;
+    throw Complaint{"the course is not in " + tree.root.string()
+                    + "; has it been moved? Run the script ./course in its new place"};
+}
+
+/// The command that was typed, or the whole program.
+const CLI::App &typed(const CLI::App &app) {
+    const auto chosen = app.get_subcommands();
+    return chosen.empty() ? app : *chosen.front();
+}
+
+std::vector<std::string> names(const CLI::App &app, bool options) {
+    std::vector<std::string> result;
+    if (options)
+        for (const CLI::Option *option : app.get_options([](const CLI::Option *o) { return o->nonpositional(); }))
+            for (const std::string &name : option->get_lnames()) result.push_back("--" + name);
+    else
+        for (const CLI::App *command : app.get_subcommands({})) result.push_back(command->get_name());
+    return result;
+}
+
+/// One sentence about a command line that cannot be understood.
+std::string misunderstood(const CLI::App &app, const CLI::ParseError &error) {
+    const CLI::App &command = typed(app);
+    const bool whole = &command == &app;
+    const std::string help = whole ? "./course --help" : "./course " + command.get_name() + " --help";
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!dynamic_cast<const CLI::ExtrasError *>(&error) || unknown.empty())
+        return std::string{error.what()} + "; see " + help;
+
+    const std::string &word = unknown.front();
+    if (word.starts_with("-")) {
+        const std::string of = whole ? "`course`" : "`" + command.get_name() + "`";
+        return of + " has no option `" + word + "`."
+               + did_you_mean(word.substr(0, word.find('=')), names(command, true)) + " See " + help;
+    }
+    if (whole) return "there is no command `" + word + "`." + did_you_mean(word, names(app, false)) + " See " + help;
+    return "`" + command.get_name() + "` does not know what to do with `" + word + "`; see " + help;
+}
+
+int obey(int argc, char **argv) {
+    const Tree tree = find_tree();
+    CLI::App app{description, "./course"};
+    app.require_subcommand(0, 1)->failure_message(nullptr);
+    app.set_help_flag("-h,--help", "Print this help");
+    add_commands(app, tree);
+    app.footer(footer); // last: a command would inherit it
+    try {
+        app.parse(argc, argv);
+        if (app.get_subcommands().empty()) std::cout << app.help();
+    } catch (const CLI::Success &help) {
+        app.exit(help);
+    } catch (const CLI::ParseError &error) {
+        throw Complaint{misunderstood(app, error)};
+    }
+    if (!std::cout.flush()) throw Complaint{"cannot write the output; is the disk full?"};
+    return all_well;
+}
+
+int complain(const std::string &sentence, int code) {
+    std::cout.flush();
+    std::cerr << "course: " << sentence << '\n';
+    return code;
+}
+
+} // namespace
+} // namespace course
+
+int main(int argc, char **argv) {
+    using namespace course;
+    catch_signals();
+    try {
+        return obey(argc, argv);
+    } catch (const Leave &leave) {
+        std::cout.flush();
+        return leave.code;
+    } catch (const Interrupted &stop) {
+        return 128 + stop.signal;
+    } catch (const Complaint &complaint) {
+        return complain(complaint.what(), bad_input);
+    } catch (const std::filesystem::filesystem_error &error) {
+        const std::string where = error.path1().empty() ? "a file" : error.path1().string();
+        return complain(where + ": " + error.code().message() + "; is it there, and yours to read and write?",
+                        bad_input);
+    } catch (const std::exception &error) {
+        return complain(std::string{"the course itself is at fault ("} + error.what()
+                            + "); please report it, with the command that you typed",
+                        our_fault);
+    } catch (...) {
+        return complain("the course itself is at fault; please report it, with the command that you typed", our_fault);
+    }
+}

@@ -1,0 +1,46 @@
+#pragma once
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace course {
+
+struct RunOptions {
+    bool quiet = true;            ///< keep what it prints, instead of letting it through to the terminal
+    double deadline = 0;          ///< [s], 0: as long as it takes; afterwards it and its children are killed
+    std::filesystem::path folder = {}; ///< where it runs; empty: here
+};
+
+struct Finished {
+    int code = 0; ///< exit code; 128 + signal if it was killed
+    bool timed_out = false;
+    std::string out, err; ///< what it printed, if kept: the first 16 MB of each
+};
+
+/// Ctrl-C, or another request to stop: unwinds to main, which leaves with 128 + signal.
+struct Interrupted {
+    int signal;
+};
+
+/// Runs a program (looked up in PATH) with these arguments; no shell in between.
+/// A quiet one reads nothing; neither it nor its children outlive a deadline or Ctrl-C. One runs at a time.
+/// @throws Complaint if it cannot be started; Interrupted after Ctrl-C, once the program has ended.
+Finished run(const std::vector<std::string> &command, const RunOptions &options = {});
+
+/// Called once, by main: from here on Ctrl-C ends a running program and then us, with 130.
+void catch_signals();
+
+/// While one lives, a signal waits: for the few steps that must not stop half-way.
+class Undisturbed {
+public:
+    Undisturbed();
+    ~Undisturbed();
+    Undisturbed(const Undisturbed &) = delete;
+    Undisturbed &operator=(const Undisturbed &) = delete;
+
+private:
+    sigset_t before;
+};
+
+} // namespace course

@@ -1,0 +1,41 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// One section: `07_segment_intersection`, and where its files are.
+struct Section {
+    std::string name; ///< "07_segment_intersection"
+
+    int number() const { return std::stoi(name.substr(0, 2)); }
+    std::string slug() const { return name.substr(3); }                   ///< "segment_intersection"
+    std::string short_number() const { return std::to_string(number()); } ///< "7"
+};
+
+/// The checkout and its build folder; every path that a command uses is asked for here.
+struct Tree {
+    std::filesystem::path root;  ///< the checkout
+    std::filesystem::path build; ///< where everything made lies
+
+    std::vector<Section> sections() const; ///< those that CMakeLists.txt names, in its order
+
+    /// The section meant by "7", "07", "segment", a file's path, "07_segment_intersection"; or by an exercise, "7.2".
+    /// @throws Complaint offering the nearest one.
+    Section section(std::string_view words) const;
+
+    std::filesystem::path chapter(const Section &s) const { return root / "chapters" / s.name / "README.md"; }
+    std::filesystem::path header(const Section &s) const { return root / "chapters" / s.name / (s.slug() + ".hpp"); }
+    std::filesystem::path program(const Section &s) const { return root / "chapters" / s.name / "main.cpp"; }
+    std::filesystem::path exercise(const Section &s) const { return root / "exercises" / (s.name + ".cpp"); }
+    /// The same, for whoever must read it. @throws Complaint with the way back, if the student's file is gone.
+    std::filesystem::path written_exercise(const Section &s) const;
+    std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }
+    std::filesystem::path solution(const Section &s) const { return root / "solutions" / (s.name + ".cpp"); }
+    std::filesystem::path tests(const Section &s) const { return root / "tests" / (s.name + ".cpp"); }
+    std::filesystem::path memory() const { return root / ".course"; } ///< what the course remembers of its student
+};
+
+} // namespace course
