@@ -18,7 +18,7 @@ function(need_file file)
 endfunction()
 
 function(section section)
-  if(NOT section MATCHES "^[0-9][0-9]_[a-z0-9_]+$")
+  if(NOT section MATCHES "^[0-9][0-9]_[a-z][a-z0-9_]*$")
     message(FATAL_ERROR "section(${section}): a section is named NN_slug, as 07_segment_intersection")
   endif()
   string(SUBSTRING ${section} 3 -1 slug)
@@ -99,7 +99,9 @@ macro(section_tests)
   set_property(GLOBAL APPEND_STRING PROPERTY course_sections_json
     ",\n  {\"name\": \"${section}\", \"server\": \"$<TARGET_OBJECTS:${section}_server>\", \"missing\": \"${missing}\"}")
 
+  set(all_cases --all-cases) # of what is generated; the others are judged as a student's check is
   add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
+  set(all_cases)
   add_subject(stub none $<TARGET_OBJECTS:${section}_stub>)
   foreach(kind wrong right)
     file(GLOB attempts CONFIGURE_DEPENDS tests/${kind}/${section}/*.cpp)
@@ -145,7 +147,7 @@ macro(add_subject name expect)
   set_target_properties(${section}_subject_${name} PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${name}
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
   target_link_options(${section}_subject_${name} PRIVATE ${COURSE_LOOP_LINK})
-  add_test(NAME ${section}.${name} COMMAND ${section}_tests $<TARGET_FILE:${section}_subject_${name}> --all-cases --expect ${expect})
+  add_test(NAME ${section}.${name} COMMAND ${section}_tests $<TARGET_FILE:${section}_subject_${name}> --expect ${expect} ${all_cases})
 endmacro()
 
 macro(section_figures)

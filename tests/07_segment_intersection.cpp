@@ -82,8 +82,9 @@ TEST_CASE("segments that were laid through a point cross there, at the shares th
 
         const auto found = crossing({point - t * a, point + (1 - t) * a}, {point - s * b, point + (1 - s) * b});
 
-        // A coordinate near 200 is off by 3e-14, which is 3e-13 of a way of 0.1, and the angle makes it more.
-        CHECK_THAT(found, IsNear(Crossing{t, s, point}, 1e-12 / sine));
+        // A coordinate near 200 is off by 3e-14, which is 3e-13 of a way of 0.1; the angle makes it more, and so does
+        // a product of two coordinates, in other formulas than ours.
+        CHECK_THAT(found, IsNear(Crossing{t, s, point}, 1e-10 / sine));
     }
 }
 
@@ -440,7 +441,7 @@ TEST_CASE("off the grid, segments that were laid across each other share the poi
 
         const auto points = shared({point - t * a, point + (1 - t) * a}, {point - s * b, point + (1 - s) * b});
 
-        CHECK_THAT(points, IsNear(Points{point}, 1e-12 / sine)); // as in 7.1
+        CHECK_THAT(points, IsNear(Points{point}, 1e-10 / sine)); // as in 7.1
     }
 }
 

@@ -67,7 +67,7 @@ std::map<std::string, Memory> recall(const Tree &tree, const Section &section) {
     const auto memories = progress.find(section.name);
     if (memories == progress.end() || !memories->is_object()) return result;
     for (const auto &[number, memory] : memories->items())
-        if (memory.is_object() && !word(memory, "state").empty())
+        if (!word(memory, "state").empty()) // a memory that is no object has no words
             result[number] = {word(memory, "state"), word(memory, "file"), word(memory, "when")};
     return result;
 }

@@ -7,8 +7,8 @@
 namespace course {
 
 struct RunOptions {
-    bool quiet = true;            ///< keep what it prints, instead of letting it through to the terminal
-    double deadline = 0;          ///< [s], 0: as long as it takes; afterwards it and its children are killed
+    bool quiet = true;                 ///< keep what it prints, instead of letting it through to the terminal
+    double deadline = 0;               ///< [s], 0: as long as it takes; afterwards it and its children are killed
     std::filesystem::path folder = {}; ///< where it runs; empty: here
 };
 

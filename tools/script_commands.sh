@@ -19,7 +19,7 @@ END
 }
 
 help_all() {
-    if fresh; then exec "$build/course-tool" --help; fi
+    if [ -x "$build/course-tool" ]; then exec "$build/course-tool" --help; fi # an older one will do
     help
     echo
     echo 'There are more commands; they come with the program that ./course builds. Type ./course, then ./course --help'

@@ -130,6 +130,7 @@ END
 }
 
 each_lacking() { printf '%s' "$lacking"; }
+lacking_names() { each_lacking | cut -d'|' -f2 | paste -sd, - | sed 's/,/, /g'; }
 
 # What `./course doctor` prints: found X, need Y, and if that is not enough: type Z.
 doctor() {
@@ -169,7 +170,7 @@ if [ "$(id -u)" = 0 ]; then sudo_if_needed=''; else sudo_if_needed='sudo '; fi
 have_tools() {
     find_lacking
     [ -z "$lacking" ] ||
-        complain 2 "missing here: $(each_lacking | cut -d'|' -f2 | paste -sd, - | sed 's/,/, /g'). Type ./course, which installs what is missing"
+        complain 2 "missing here: $(lacking_names). Type ./course, which installs what is missing"
 }
 
 # Installs what is missing, if anything is; asks before it does.
@@ -196,7 +197,7 @@ install_missing() {
     try 'installing packages' install_whole || explain
     find_lacking
     [ -z "$lacking" ] ||
-        complain 2 "the packages are installed, but $(each_lacking | cut -d'|' -f2 | paste -sd, - | sed 's/,/, /g') are still not found or too old; perhaps older ones stand first in PATH. See ./course doctor"
+        complain 2 "the packages are installed, but $(lacking_names) are still not found or too old; perhaps older ones stand first in PATH. See ./course doctor"
 }
 
 ask_for_it_by_name() {

@@ -2,6 +2,7 @@
 # How ./course does its steps: one line each, their noise in a log, one build at a time. Read by ./course.
 # It knows $root and $build; progress goes to file descriptor 3.
 
+export LC_ALL=C # logs are searched for English words
 again="./course${*:+ $*}" # what was typed
 
 # complain CODE SENTENCE: says what to do, and leaves.

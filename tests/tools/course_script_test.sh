@@ -4,7 +4,7 @@
 # Usage: course_script_test.sh [CHECKOUT]
 set -u
 checkout=$(cd "${1:-$(dirname "$0")/../..}" && pwd -P)
-lab=$(mktemp -d)
+lab=$(cd "$(mktemp -d)" && pwd -P)
 trap 'rm -rf "$lab"' EXIT
 checks=0
 failures=0
@@ -120,6 +120,11 @@ Debian|main|Translations|bookworm|http://mirror.example/debian|$1
 Debian|main|Packages|bookworm-updates|http://mirror.example/debian|$1
 Debian|main|Packages|bookworm|http://mirror.example/debian|$1
 END
+}
+
+offers() { # offers PACKAGE VERSION: the release has this one
+    { grep -v "^$1 " "$lab/offers"; echo "$1 $2"; } >"$lab/offers.new"
+    mv "$lab/offers.new" "$lab/offers"
 }
 
 without() { # without FILE...: not installed yet
@@ -411,7 +416,7 @@ has "$out" 'adding the source bookworm-backports'
 machine 'a release with Catch2 3 of its own: no source'
 with_apt
 without $catch2
-echo 'libcatch2-dev 3.7.1-0.6' >>"$lab/offers"
+offers libcatch2-dev 3.7.1-0.6
 course setup
 leaves_with 0
 is "$(ls "$lab/sources")" debian.sources
@@ -419,7 +424,7 @@ has_not "$out" backports
 machine 'Ubuntu names it otherwise'
 with_apt
 without $catch2
-sed -i 's/^catch2 .*/catch2 3.4.0-1/' "$lab/offers"
+offers catch2 3.4.0-1
 course setup
 has "$did" "$installs catch2"
 
@@ -435,7 +440,7 @@ is "$(ls "$lab/sources")" debian.sources
 machine 'a release that is too old is found out before anything is installed'
 with_apt
 without bin/cmake $catch2
-sed -i 's/^cmake .*/cmake 3.18.4/' "$lab/offers"
+offers cmake 3.18.4
 course
 leaves_with 2
 has "$err" "have no CMake 3.25"

@@ -12,7 +12,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 
@@ -434,8 +436,9 @@ TEST_CASE("a student's file that cannot be built is told with its first error") 
 }
 
 TEST_CASE("the first error is a compiler's before a linker's, and a linker's says which function is missing") {
-    CHECK(first_error("/usr/bin/ld: main.o: in function `trace()':\nmain.cpp:(.text+0x1): undefined reference to "
-                      "`lines::rise(double)'\n")
+    CHECK(first_error("/usr/bin/ld: main.o: in function `trace()':\n"
+                      "main.cpp:(.text+0x1): undefined reference to `lines::rise(double)'\n"
+                      "collect2: error: ld returned 1 exit status\n")
           == "lines::rise(double) is not defined; has its name or its signature changed?");
     CHECK(first_error("[1/2] x\na.cpp:1:2: warning: w\na.cpp:2:2: error: e\n") == "a.cpp:2:2: error: e");
     CHECK(first_error("[1/2] x\na.cpp:2:2: Fehler: e\n") == "a.cpp:2:2: Fehler: e");
@@ -446,4 +449,61 @@ TEST_CASE("an exercise that is not there is missed, with the way back") {
     const Place place;
     CHECK_THAT(refusal([&] { run_program(place.tree, place.section, Whose::student, place.tree.build / "traces"); }),
                ContainsSubstring("exercises/07_lines.cpp") && ContainsSubstring("./course reset 7"));
+}
+
+// `course plot --mine`, on such a program.
+
+namespace {
+
+/// What `course plot 7 --mine` prints, and its exit code, when the student's program does this.
+std::string plotted(const std::string &program) {
+    const Place place;
+    place.write("plots/07_lines_rise.gp",
+                "#> Figure: x\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange [0:5]\n"
+                "yours = ARGC > 2 ? \"ARG3 using 1:2 with lines lt 2 title 'yours'\" : \"NaN notitle\"\n"
+                "plot ARG1 using 1:2 with lines title 'reference', @yours\n");
+    place.write("exercises/07_lines.cpp", "");
+    place.write("build/plots/mine/07_lines_rise.svg", "of yesterday");
+    place.write("bin/cmake", "#!/bin/sh\n");
+    place.write("build/mine/07_lines", "#!/bin/sh\n" + program + '\n');
+    for (const char *name : {"bin/cmake", "build/mine/07_lines"})
+        fs::permissions(place.tree.root / name, fs::perms::owner_all);
+    const OnlyPath path{(place.tree.root / "bin").string() + ":/usr/bin:/bin"};
+
+    CLI::App app;
+    add_plot(app, place.tree);
+    std::ostringstream printed;
+    std::streambuf *const before = std::cout.rdbuf(printed.rdbuf());
+    int code = 0;
+    try {
+        app.parse(std::vector<std::string>{"--mine", "7", "plot"});
+    } catch (const Leave &leave) {
+        code = leave.code;
+    }
+    std::cout.rdbuf(before);
+    CHECK(fs::exists(place.tree.build / "plots/mine/07_lines_rise.svg") == (code == 0));
+    return std::to_string(code) + ' ' + printed.str();
+}
+
+std::string writes(const std::string &rows) {
+    return "printf '# t[s]\\tx[m]\\n" + rows + "' > \"$2/07_lines_rise.tsv\"";
+}
+
+} // namespace
+
+TEST_CASE("a student's good trace is drawn") {
+    CHECK_THAT(plotted(writes("0\\t1\\n2\\t3\\n")), Equals("0 build/plots/mine/07_lines_rise.svg  x\n"));
+}
+
+TEST_CASE("a student's trace that cannot be drawn has a sentence for its student, and yesterday's figure is gone") {
+    CHECK_THAT(plotted(writes("0\\t1\\n2\\t-nan\\n")),
+               ContainsSubstring("1 07_lines_rise is not drawn: your functions gave nan where x[m]"));
+    CHECK_THAT(plotted(writes("0\\t99\\n2\\t99\\n")), ContainsSubstring("your values lie outside the axes"));
+    CHECK_THAT(plotted(writes("0\\n2\\n")), ContainsSubstring("your trace 07_lines_rise.tsv, line 2 has 1 numbers"));
+    CHECK_THAT(plotted("exit 0"), ContainsSubstring("does one of your functions leave the program?"));
+    CHECK_THAT(plotted("kill -SEGV $$"), ContainsSubstring("did not get as far") && ContainsSubstring("crashed"));
+    CHECK_THAT(plotted("echo 'not started: 07_lines_rise.tsv: from the slope' >&2; exit 1"),
+               ContainsSubstring("not started yet: from the slope"));
+    CHECK_THAT(plotted("echo 'error: 07_lines_rise.tsv: t is -1' >&2; exit 1"),
+               ContainsSubstring("one of your functions threw: t is -1"));
 }

@@ -58,6 +58,7 @@ struct Author : SmallCourse {
 
 TEST_CASE("new writes every file of a section, its line and its entry, and changes nothing else") {
     const Author course;
+    course.write("tools/skeleton/plots/99_skeleton_pull.svg", "<svg>a point at 99 px</svg>");
     const auto before = snapshot(course.tree.root);
     const Finished done = course({"new", "13_springs", "--title", "Springs and so on"});
     CHECK(done.err.empty());
@@ -85,6 +86,7 @@ TEST_CASE("new writes every file of a section, its line and its entry, and chang
     CHECK_THAT(after.at("chapters/13_springs/springs.hpp"),
                ContainsSubstring("namespace springs {")
                    && ContainsSubstring("COURSE_EXERCISE(\"13.1\", core, springs, pull"));
+    CHECK(after.at("plots/13_springs_pull.svg") == "<svg>a point at 99 px</svg>"); // a drawing is no text
     CHECK(after.at("tests/stubs/13_springs.cpp") == after.at("exercises/13_springs.cpp"));
     for (const std::string &file : written)
         if (!file.ends_with(".svg")) {

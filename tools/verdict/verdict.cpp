@@ -100,9 +100,8 @@ namespace {
 
 /// What a library says of a check that failed, without the name of the function, which fills the screen.
 std::string short_assertion(std::string_view line) {
-    const std::size_t at = line.find(" Assertion "), name = line.rfind('/', line.find(": "));
+    const std::size_t at = line.find(" Assertion "), place = line.find(": ", line.find('/')), name = line.rfind('/', place);
     if (at == line.npos || name == line.npos) return std::string{line};
-    const std::size_t place = line.find(": ", name);
     return std::string{line.substr(name + 1, place - name)} + std::string{line.substr(at)};
 }
 

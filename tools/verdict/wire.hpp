@@ -60,7 +60,7 @@ class Writer {
             for (const auto &element : value) put(element);
         } else if constexpr (Fields<T>) {
             static_assert(names_all_fields<T>, "COURSE_FIELDS must name every field, in the order of declaration");
-            std::apply([this](const auto &...field) { (put(field), ...); }, value.fields());
+            std::apply([this](const auto &...field) { (this->put(field), ...); }, value.fields());
         } else {
             static_assert(always_false<T>, "this type cannot cross: bool, int, double, Vec2, std::optional, std::vector, "
                                            "or a struct with COURSE_FIELDS");
@@ -107,7 +107,7 @@ class Reader {
             if (size > bytes.size()) good = false; // an element is a byte at least
             for (std::uint32_t i = 0; i < size && good; ++i) value.push_back(take<typename T::value_type>());
         } else if constexpr (Fields<T>) {
-            std::apply([this](auto &...field) { ((field = take<std::remove_reference_t<decltype(field)>>()), ...); },
+            std::apply([this](auto &...field) { ((field = this->template take<std::remove_reference_t<decltype(field)>>()), ...); },
                        value.fields());
         } else {
             static_assert(always_false<T>, "this type cannot cross");

@@ -1,6 +1,8 @@
 // 7.6: differences and products with more digits; what doubt is left is smaller
 #include "segment_intersection.hpp"
 
+#include <limits>
+
 namespace segment_intersection {
 
 int turn(const Segment &first, const Segment &second) {
@@ -9,7 +11,8 @@ int turn(const Segment &first, const Segment &second) {
     const Vector a = first.end.cast<long double>() - first.start.cast<long double>();
     const Vector b = second.end.cast<long double>() - second.start.cast<long double>();
     const long double left = a.x() * b.y(), right = a.y() * b.x();
-    const long double doubt = 3e-19L * (std::abs(left) + std::abs(right));
+    const long double digits = std::numeric_limits<long double>::epsilon(); // on some machines no more than a double's
+    const long double doubt = 2.3L * digits * (std::abs(left) + std::abs(right)) + 1e-301L;
     return left - right > doubt ? 1 : left - right < -doubt ? -1 : 0;
 }
 

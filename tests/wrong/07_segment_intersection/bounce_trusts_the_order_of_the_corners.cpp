@@ -5,18 +5,14 @@
 
 namespace segment_intersection {
 
-static double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
-
 Mover bounce(const Mover &mover, const std::vector<Vec2> &room, double dt) {
     require_range(room);
     require_range({mover.position, mover.velocity, Vec2{dt, 0}});
     course::require(dt >= 0, "dt [s] must not be negative", dt);
     course::require(room.size() >= 3, "the number of corners must be three or more", double(room.size()));
-    double area = 0;
     for (std::size_t i = 0; i < room.size(); ++i) {
         const Vec2 &next = room[(i + 1) % room.size()];
         course::require(room[i] != next, "the length of a wall [m] must be positive", 0);
-        area += det(room[i] - room[0], next - room[0]);
     }
 
     Mover now = mover;
