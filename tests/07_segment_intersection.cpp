@@ -34,7 +34,7 @@ Segment moved(const Segment &s, double scale, const Vec2 &by) { return {scale * 
 
 /// The same numbers each time for one seed, which the tests print.
 class Dice {
-public:
+  public:
     double real(double low, double high) { return low + (high - low) * double(engine() >> 5) / double(1 << 27); }
     int whole(int low, int high) { return low + int(engine() % unsigned(high - low + 1)); }
     double sign() { return whole(0, 1) == 0 ? -1 : 1; }
@@ -45,7 +45,7 @@ public:
         return {std::cos(angle), std::sin(angle)};
     }
 
-private:
+  private:
     std::mt19937 engine{Catch::getSeed()};
 };
 

@@ -42,13 +42,17 @@ template <class T> class IsNear : public Catch::Matchers::MatcherGenericBase {
     std::string describe() const override { return "is near " + course::describe(want); }
 
   private:
-    template <class Got> static constexpr bool wraps = std::is_same_v<Got, std::optional<T>>; // want 3, got std::optional{3}
+    template <class Got> static constexpr bool wraps =
+        std::is_same_v<Got, std::optional<T>>; // want 3, got std::optional{3}
     T want;
     double tolerance;
 };
 
 /// Endless random vectors with both components in [low, high].
 inline auto vectors(double low, double high) {
-    return Catch::Generators::map([](const std::vector<double> &xy) { return Vec2{xy[0], xy[1]}; },
-                                  Catch::Generators::chunk(2, Catch::Generators::random(low, high)));
+    return Catch::Generators::map(
+        [](const std::vector<double> &xy) {
+            return Vec2{xy[0], xy[1]};
+        },
+        Catch::Generators::chunk(2, Catch::Generators::random(low, high)));
 }

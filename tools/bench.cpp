@@ -23,17 +23,19 @@ double median(std::vector<double> times) {
 /// What the command takes [s].
 double time_of(const std::vector<std::string> &command) {
     const auto start = std::chrono::steady_clock::now();
-    if (const auto done = run(command); done.code > 1) throw Complaint{"`" + command.front() + "` failed: " + done.err + done.out};
+    if (const auto done = run(command); done.code > 1)
+        throw Complaint{"`" + command.front() + "` failed: " + done.err + done.out};
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// Save to verdict, for a finished solution, against a bare compilation of the same file with the same flags.
 void bench_loop(const Tree &tree, const Section &section, int runs) {
     const fs::path object = tree.build / "loop" / "bench.o", solution = tree.solution(section);
-    const std::vector<std::string> check{(tree.root / "course").string(), "check", section.name, "--file", solution.string()};
+    const std::vector<std::string> check{(tree.root / "course").string(), "check", section.name, "--file",
+                                         solution.string()};
     const std::vector<std::string> nothing{(tree.root / "course").string(), "check", "--help"};
     std::vector<double> bare, quick, whole, start;
-    time_of(check); // what a first run alone has to do
+    time_of(check);                  // what a first run alone has to do
     for (int i = 0; i < runs; ++i) { // in turns, so that a busy moment meets all of them
         bare.push_back(time_of(compile_command(tree, section, solution, object, true)));
         quick.push_back(time_of(compile_command(tree, section, solution, object)));
@@ -42,10 +44,12 @@ void bench_loop(const Tree &tree, const Section &section, int runs) {
     }
     fs::remove(object);
     const auto line = [&](const char *what, const std::vector<double> &times) {
-        std::cout << std::left << std::setw(46) << what << std::right << std::fixed << std::setprecision(0) << std::setw(6) << 1e3 * median(times)
-                  << " ms   " << std::setprecision(2) << median(times) / median(bare) << '\n';
+        std::cout << std::left << std::setw(46) << what << std::right << std::fixed << std::setprecision(0)
+                  << std::setw(6) << 1e3 * median(times) << " ms   " << std::setprecision(2)
+                  << median(times) / median(bare) << '\n';
     };
-    std::cout << "Section " << section.short_number() << ", its finished solution; medians of " << runs << " runs, and their ratio to the first:\n";
+    std::cout << "Section " << section.short_number() << ", its finished solution; medians of " << runs
+              << " runs, and their ratio to the first:\n";
     line("bare compilation", bare);
     line("the same, with the precompiled header", quick);
     line("save to verdict: ./course check", whole);

@@ -18,7 +18,7 @@ std::size_t run_of(char sign, std::string_view line) {
 }
 
 class FenceReader {
-public:
+  public:
     FenceReader(std::string_view text, const std::filesystem::path &path, Chapter &result)
         : file{path}, lines{lines_of(text)}, chapter{result} {}
 
@@ -34,7 +34,7 @@ public:
         });
     }
 
-private:
+  private:
     const Line &at(int line) const { return lines.at(static_cast<std::size_t>(line) - 1); }
 
     /// Markdown also takes four blanks for code; cmark does not tell which kind it met, but only there is the first

@@ -65,13 +65,17 @@ void print_failure(const Verdict &verdict) {
 void print(const Outcome &outcome, bool verbose) {
     const auto &[exercise, verdicts] = outcome;
     const Verdict *failure = outcome.first_failure();
-    const auto passed = static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); }));
+    const auto passed = static_cast<std::size_t>(
+        std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); }));
     const std::string head = exercise.number + ' ' + exercise.function + ", " + exercise.tier;
-    if (failure == nullptr) std::cout << painted(Colour::green, "✓ " + head) << ": " << tests(verdicts.size()) << " passed\n";
+    if (failure == nullptr)
+        std::cout << painted(Colour::green, "✓ " + head) << ": " << tests(verdicts.size()) << " passed\n";
     else if (failure->kind == Kind::not_started && passed == 0) {
         std::cout << painted(Colour::dim, "· " + head) << ": " << (verbose ? failure->sentence : "not started") << '\n';
         return;
-    } else std::cout << painted(Colour::red, "✗ " + head) << ": " << passed << " of " << tests(verdicts.size()) << " passed\n";
+    } else
+        std::cout << painted(Colour::red, "✗ " + head) << ": " << passed << " of " << tests(verdicts.size())
+                  << " passed\n";
 
     constexpr std::size_t most = 3; // claims beside the first: enough to guess from
     std::size_t failures = 0;
@@ -83,22 +87,28 @@ void print(const Outcome &outcome, bool verbose) {
         } else if (failures == 1 || verbose) print_failure(verdict);
         else if (failures <= 1 + most) std::cout << "    " << painted(Colour::red, "✗") << ' ' << verdict.test << '\n';
     }
-    if (failures > 1 + most && !verbose && failure->kind != Kind::missing) std::cout << painted(Colour::dim, "      and " + std::to_string(failures - 1 - most) + " more (-v shows all)") << '\n';
+    if (failures > 1 + most && !verbose && failure->kind != Kind::missing)
+        std::cout << painted(Colour::dim, "      and " + std::to_string(failures - 1 - most) + " more (-v shows all)")
+                  << '\n';
 }
 
 /// Whether all tests failed for one reason, which has nothing to do with any of them: the code never got as far.
 bool never_started(const Judgement &judgement) {
     const auto &first = judgement.verdicts.front();
     return !first.passed() && first.kind != Kind::missing && first.kind != Kind::not_started
-           && std::all_of(judgement.verdicts.begin(), judgement.verdicts.end(), [&](const Verdict &v) { return !v.call && v.sentence == first.sentence; });
+           && std::all_of(judgement.verdicts.begin(), judgement.verdicts.end(),
+                          [&](const Verdict &v) { return !v.call && v.sentence == first.sentence; });
 }
 
 /// Where the compiler or the linker stopped.
 void print_unbuilt(const Verdict &verdict, const std::string &name) {
     std::cout << painted(Colour::red, "✗ " + name + ' ' + std::string{name_of(verdict.kind)}) << '\n';
-    std::cout << "    " << (verdict.file.empty() ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ") << verdict.sentence << '\n';
+    std::cout << "    " << (verdict.file.empty() ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ")
+              << verdict.sentence << '\n';
     for (const auto &line : verdict.printed) std::cout << "    " << line << '\n';
-    if (verdict.printed_more > 0) std::cout << "    (" << verdict.printed_more << " more " << (verdict.printed_more == 1 ? "error" : "errors") << "; the first one first)\n";
+    if (verdict.printed_more > 0)
+        std::cout << "    (" << verdict.printed_more << " more " << (verdict.printed_more == 1 ? "error" : "errors")
+                  << "; the first one first)\n";
 }
 
 void print_warnings(const std::vector<std::string> &warnings, bool verbose) {
@@ -109,10 +119,11 @@ void print_warnings(const std::vector<std::string> &warnings, bool verbose) {
 }
 
 void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
-    const auto open = std::find_if(outcomes.begin(), outcomes.end(), [](const Outcome &o) { return o.first_failure() != nullptr; });
+    const auto open =
+        std::find_if(outcomes.begin(), outcomes.end(), [](const Outcome &o) { return o.first_failure() != nullptr; });
     if (open == outcomes.end()) {
-        std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.") << " See your figures: ./course plot "
-                  << section.short_number() << " --mine\n";
+        std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.")
+                  << " See your figures: ./course plot " << section.short_number() << " --mine\n";
         return;
     }
     const auto &exercise = open->exercise;
@@ -145,7 +156,9 @@ class Check {
             if (!judged.empty()) std::cout << '\n';
             const Judgement judgement = course::judge(tree, section, file_of(section), options.seed);
             report(section, judgement);
-            code = std::max(code, judgement.our_fault() ? +our_fault : judgement.all_passed() ? +all_well : +something_to);
+            code = std::max(code, judgement.our_fault()    ? +our_fault
+                                  : judgement.all_passed() ? +all_well
+                                                           : +something_to);
             judged.emplace_back(section, judgement.verdicts);
         }
         if (!options.junit.empty()) write_file(options.junit, junit(judged));
@@ -164,7 +177,8 @@ class Check {
             } catch (const Complaint &complaint) { // a file that is gone may come back
                 std::cout << complaint.what() << '\n';
             }
-            std::cout << painted(Colour::dim, "Waiting for you to save. Enter: check again; q Enter: leave.") << std::endl;
+            std::cout << painted(Colour::dim, "Waiting for you to save. Enter: check again; q Enter: leave.")
+                      << std::endl;
             if (!wait_for_change(section, seen)) return;
         }
     }
@@ -177,7 +191,9 @@ class Check {
         return {tree.sections().back()};
     }
 
-    fs::path file_of(const Section &section) const { return options.file.empty() ? tree.written_exercise(section) : fs::path{options.file}; }
+    fs::path file_of(const Section &section) const {
+        return options.file.empty() ? tree.written_exercise(section) : fs::path{options.file};
+    }
 
     void report(const Section &section, const Judgement &judgement) {
         const std::string name = options.file.empty() ? "exercises/" + section.name + ".cpp" : options.file;
@@ -189,7 +205,8 @@ class Check {
         }
         const auto outcomes = by_exercise(tree, section, judgement);
         if (never_started(judgement)) print_failure(nameless(judgement.verdicts.front(), "no test could start:"));
-        else for (const auto &outcome : outcomes) print(outcome, options.verbose);
+        else
+            for (const auto &outcome : outcomes) print(outcome, options.verbose);
         print_next(outcomes, section);
         if (options.file.empty()) keep_in_mind(section, outcomes, Kind::passed);
     }
@@ -198,7 +215,8 @@ class Check {
         std::vector<ExerciseState> states;
         for (const auto &outcome : outcomes) states.push_back({outcome.exercise.number, state_of(outcome)});
         if (outcomes.empty())
-            for (const auto &exercise : catalogue(tree, section)) states.push_back({exercise.number, std::string{name_of(of_all)}});
+            for (const auto &exercise : catalogue(tree, section))
+                states.push_back({exercise.number, std::string{name_of(of_all)}});
         remember(tree, section, states);
     }
 
@@ -232,16 +250,20 @@ class Check {
 
 void add_check(CLI::App &app, const Tree &tree) {
     auto options = std::make_shared<Options>();
-    CLI::App *command = app.add_subcommand("check", "Say what is right, what is wrong and why in what you have written");
-    command->add_option("section", options->what, "a section, by number, name or file; \"all\"; nothing: the first that is not finished");
+    CLI::App *command =
+        app.add_subcommand("check", "Say what is right, what is wrong and why in what you have written");
+    command->add_option("section", options->what,
+                        "a section, by number, name or file; \"all\"; nothing: the first that is not finished");
     command->add_flag("-w,--watch", options->watch, "check again whenever you save");
     command->add_flag("-v,--verbose", options->verbose, "show every test and every failure whole");
     command->add_option("--file", options->file, "judge this file instead of the one in exercises/");
     command->add_option("--junit", options->junit, "write the verdicts to this file as well, as JUnit XML");
-    command->add_option("--seed", options->seed, "for generated values; the same seed, the same values")->capture_default_str();
+    command->add_option("--seed", options->seed, "for generated values; the same seed, the same values")
+        ->capture_default_str();
     command->footer("Example: ./course check 7 --watch\nLeaves with 0 if all tests pass, 1 if not.");
     command->callback([&tree, options] {
-        if (!options->file.empty() && options->what.empty()) throw Complaint{"--file needs a section to judge it by, as in: ./course check 7 --file " + options->file};
+        if (!options->file.empty() && options->what.empty())
+            throw Complaint{"--file needs a section to judge it by, as in: ./course check 7 --file " + options->file};
         Check check{tree, *options};
         if (options->watch) check.watch();
         else if (const int code = check.once(); code != all_well) throw Leave{code};

@@ -18,7 +18,8 @@ std::vector<std::string> lines_of(std::string_view text) {
 }
 
 void replace_all(std::string &text, std::string_view old, std::string_view with) {
-    for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size()) text.replace(at, old.size(), with);
+    for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size())
+        text.replace(at, old.size(), with);
 }
 
 /// "/long/path/07_x.cpp:12:5: error: 'a' was not declared": where and what.
@@ -60,17 +61,20 @@ Verdict broken(Kind kind, std::string sentence) {
 } // namespace
 
 std::string with_short_names(std::string text) {
-    for (const char *spelling : {"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Eigen::Matrix<double, 2, 1>"}) replace_all(text, spelling, "Vec2");
+    for (const char *spelling : {"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Eigen::Matrix<double, 2, 1>"})
+        replace_all(text, spelling, "Vec2");
     return text;
 }
 
 std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
-    const std::string back = " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
+    const std::string back =
+        " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
     if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
         return broken(Kind::does_not_compile, name + " is empty." + back);
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         return broken(Kind::does_not_compile, name + " is saved as UTF-16: save it as UTF-8 in your editor.");
-    if (text.find('\0') != text.npos) return broken(Kind::does_not_compile, name + " is no text: has a compiled file been saved over it?" + back);
+    if (text.find('\0') != text.npos)
+        return broken(Kind::does_not_compile, name + " is no text: has a compiled file been saved over it?" + back);
     return {};
 }
 
@@ -85,7 +89,8 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
         verdict.sentence = plain(remark->what);
         verdict.file = shown(remark->file, file, name);
         verdict.line = remark->line;
-        for (std::size_t code = i + 1; code < lines.size() && code <= i + 2 && lines[code].find('|') != std::string::npos; ++code)
+        for (std::size_t code = i + 1;
+             code < lines.size() && code <= i + 2 && lines[code].find('|') != std::string::npos; ++code)
             verdict.printed.push_back(lines[code]);
     }
     if (errors == 0) verdict.sentence = "The compiler stopped: " + (lines.empty() ? "it said nothing." : lines.front());
@@ -93,7 +98,8 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
     return verdict;
 }
 
-std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file, const std::string &name) {
+std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
+                                       const std::string &name) {
     std::vector<std::string> warnings;
     for (const auto &line : lines_of(printed))
         if (const auto remark = parse(line, "warning"); remark && remark->file == file.string())
@@ -102,21 +108,28 @@ std::vector<std::string> find_warnings(std::string_view printed, const std::file
 }
 
 Verdict diagnose_linker(std::string_view printed, const std::string &name, const std::string &number) {
-    static const std::regex undefined{"undefined reference to [`']([^']+)'"}, twice{"multiple definition of [`']([^']+)'"};
+    static const std::regex undefined{"undefined reference to [`']([^']+)'"},
+        twice{"multiple definition of [`']([^']+)'"};
     std::set<std::string> missing;
     const std::string text = with_short_names(std::string{printed});
     for (std::sregex_iterator it{text.begin(), text.end(), undefined}, end; it != end; ++it) missing.insert((*it)[1]);
     if (std::smatch found; std::regex_search(text, found, twice)) {
         if (found[1] == "main")
-            return broken(Kind::does_not_link, "Your file has a `main` of its own. The course has one already: remove yours. "
-                                               "`./course run " + number + " --mine` runs the section's program with your code.");
-        return broken(Kind::does_not_link, '`' + found[1].str() + "` is defined twice, in your file and in the course: rename yours, or make it `static`.");
+            return broken(Kind::does_not_link,
+                          "Your file has a `main` of its own. The course has one already: remove yours. "
+                          "`./course run "
+                              + number + " --mine` runs the section's program with your code.");
+        return broken(Kind::does_not_link,
+                      '`' + found[1].str()
+                          + "` is defined twice, in your file and in the course: rename yours, or make it `static`.");
     }
-    if (missing.empty()) return broken(Kind::does_not_link, "The linker stopped: " + plain(text.substr(0, text.find('\n'))));
+    if (missing.empty())
+        return broken(Kind::does_not_link, "The linker stopped: " + plain(text.substr(0, text.find('\n'))));
     std::string names;
     for (const auto &one : missing) names += (names.empty() ? "`" : ", `") + one + '`';
-    return broken(Kind::does_not_link, names + (missing.size() == 1 ? " is" : " are") + " declared in " + name
-                                           + ", and used, but never defined: write the body, or correct name and parameters.");
+    return broken(Kind::does_not_link,
+                  names + (missing.size() == 1 ? " is" : " are") + " declared in " + name
+                      + ", and used, but never defined: write the body, or correct name and parameters.");
 }
 
 std::vector<std::string> find_namesakes(std::string_view symbols, std::string_view function) {
@@ -128,7 +141,8 @@ std::vector<std::string> find_namesakes(std::string_view symbols, std::string_vi
         if (kind != 'T' && kind != 't' && kind != 'W') continue;
         const std::string name = with_short_names(line.substr(19));
         const std::size_t at = name.find(call);
-        if (at == 0 || (at != name.npos && at >= 2 && name.compare(at - 2, 2, "::") == 0 && name.find('<') > at)) found.push_back(name);
+        if (at == 0 || (at != name.npos && at >= 2 && name.compare(at - 2, 2, "::") == 0 && name.find('<') > at))
+            found.push_back(name);
     }
     return found;
 }

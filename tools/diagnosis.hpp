@@ -20,7 +20,8 @@ std::optional<Verdict> diagnose_text(std::string_view text, const std::string &s
 Verdict diagnose_compiler(std::string_view errors, const std::filesystem::path &file, const std::string &shown_name);
 
 /// Warnings, one line each, without those that only explain another.
-std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file, const std::string &shown_name);
+std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
+                                       const std::string &shown_name);
 
 /// An own `main`, a helper that is declared and never defined, something defined twice.
 Verdict diagnose_linker(std::string_view errors, const std::string &shown_name, const std::string &number);

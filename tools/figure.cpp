@@ -21,7 +21,7 @@ constexpr double deadline =
 
 /// A folder for gnuplot's own output, gone in the end.
 class Workshop {
-public:
+  public:
     Workshop() {
         std::string name = (fs::temp_directory_path() / "course-figure.XXXXXX").string();
         if (!::mkdtemp(name.data()))

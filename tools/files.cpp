@@ -65,7 +65,7 @@ bool write_file(const fs::path &wanted, std::string_view text) {
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), trouble);
     if (trouble) refuse(path, trouble.value());
 
-    const Undisturbed by_signals; // Ctrl-C in between would leave the draft lying about
+    const Undisturbed by_signals;                  // Ctrl-C in between would leave the draft lying about
     std::string draft = path.string() + ".XXXXXX"; // in the same folder, so that the rename is one step
     const int file = ::mkstemp(draft.data());
     if (file < 0) refuse(path, errno);

@@ -41,7 +41,14 @@ Workshop workshop(const Tree &tree, const Section &section) {
     if (!fs::exists(file)) throw Complaint{"the course is not built yet: type ./course, which builds all of it."};
     try {
         const auto json = nlohmann::json::parse(read_file(file));
-        Workshop w{json.at("compiler"), json.at("cmake"), json.at("link"), json.at("nm"), json.at("flags"), json.at("precompiled"), {}, {}};
+        Workshop w{json.at("compiler"),
+                   json.at("cmake"),
+                   json.at("link"),
+                   json.at("nm"),
+                   json.at("flags"),
+                   json.at("precompiled"),
+                   {},
+                   {}};
         for (const auto &each : json.at("sections"))
             if (each.at("name") == section.name) {
                 w.server = each.at("server").get<std::string>();
@@ -64,7 +71,8 @@ fs::file_time_type newest(const Tree &tree, const Section &section) {
     for (const char *folder : {"chapters", "tools/verdict", "cmake"})
         for (const auto &entry : fs::directory_iterator{tree.root / folder})
             if (entry.is_regular_file()) look(entry.path());
-    for (const auto &file : {tree.root / "CMakeLists.txt", tree.root / "tests/section_test.hpp", tree.header(section), tree.tests(section), tree.stub(section)})
+    for (const auto &file : {tree.root / "CMakeLists.txt", tree.root / "tests/section_test.hpp", tree.header(section),
+                             tree.tests(section), tree.stub(section)})
         look(file);
     return date;
 }
@@ -77,7 +85,8 @@ void bring_up_to_date(const Tree &tree, const Section &section, const Workshop &
     if (!never && checked >= newest(tree, section)) return;
     const Lock lock{tree};
     const auto built = run({w.cmake, "--build", tree.build.string(), "--target", section.name + "_loop"});
-    if (built.code != 0) throw Complaint{"the course's own files do not build; `cmake --build " + tree.build.string() + "` shows why."};
+    if (built.code != 0)
+        throw Complaint{"the course's own files do not build; `cmake --build " + tree.build.string() + "` shows why."};
     write_file(stamp, "");
     fs::last_write_time(stamp, fs::file_time_type::clock::now());
 }
@@ -87,7 +96,8 @@ class Scratch {
   public:
     explicit Scratch(const fs::path &build) {
         std::string name = (build / "loop" / "judge.XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw Complaint{"cannot write in " + build.string() + ": make it writable, or its disk less full."};
+        if (::mkdtemp(name.data()) == nullptr)
+            throw Complaint{"cannot write in " + build.string() + ": make it writable, or its disk less full."};
         folder = name;
     }
     ~Scratch() {
@@ -124,7 +134,9 @@ void name_namesakes(std::vector<Verdict> &verdicts, const Workshop &w, const fs:
         if (symbols.empty()) symbols = run({w.nm, "-C", "--defined-only", object.string()}).out;
         const auto namesakes = find_namesakes(symbols, verdict.call->function);
         if (!namesakes.empty())
-            verdict.sentence += " It has `" + namesakes.front() + "`, which is another function to the compiler: copy name, parameters and namespace from the header.";
+            verdict.sentence +=
+                " It has `" + namesakes.front()
+                + "`, which is another function to the compiler: copy name, parameters and namespace from the header.";
     }
 }
 
@@ -137,13 +149,14 @@ std::vector<Verdict> read_verdicts(const fs::path &file) {
 
 } // namespace
 
-std::vector<std::string> compile_command(const Tree &tree, const Section &section, const fs::path &file, const fs::path &object, bool bare) {
+std::vector<std::string> compile_command(const Tree &tree, const Section &section, const fs::path &file,
+                                         const fs::path &object, bool bare) {
     const Workshop w = workshop(tree, section);
     std::vector<std::string> command{w.compiler};
     command.insert(command.end(), w.flags.begin(), w.flags.end());
     if (!bare) command.insert(command.end(), w.precompiled.begin(), w.precompiled.end());
-    command.insert(command.end(), {"-I" + tree.header(section).parent_path().string(), "-fdiagnostics-color=never", "-fmax-errors=20",
-                                   "-c", file.string(), "-o", object.string()});
+    command.insert(command.end(), {"-I" + tree.header(section).parent_path().string(), "-fdiagnostics-color=never",
+                                   "-fmax-errors=20", "-c", file.string(), "-o", object.string()});
     return command;
 }
 
@@ -161,7 +174,8 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     if (compiled.timed_out) {
         Verdict slow;
         slow.kind = Kind::does_not_compile;
-        slow.sentence = "The compiler was stopped after " + std::to_string(static_cast<int>(longest_compilation)) + " s: does a template or a constexpr function never end?";
+        slow.sentence = "The compiler was stopped after " + std::to_string(static_cast<int>(longest_compilation))
+                        + " s: does a template or a constexpr function never end?";
         return single(slow);
     }
     auto warnings = find_warnings(compiled.err, file, name);
@@ -169,13 +183,16 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
 
     std::vector<std::string> link{w.compiler, object, w.server.string(), w.missing.string(), "-o", subject};
     if (!w.link.empty()) link.push_back(w.link);
-    if (const auto linked = run(link, {.deadline = longest_compilation}); linked.code != 0) return single(diagnose_linker(linked.err, name, section.short_number()), warnings);
+    if (const auto linked = run(link, {.deadline = longest_compilation}); linked.code != 0)
+        return single(diagnose_linker(linked.err, name, section.short_number()), warnings);
 
     const fs::path verdicts = scratch / "verdicts";
-    const auto tested = run({(tree.build / "tests" / section.name).string(), subject, "--json", verdicts.string(), "--seed", std::to_string(seed)});
+    const auto tested = run({(tree.build / "tests" / section.name).string(), subject, "--json", verdicts.string(),
+                             "--seed", std::to_string(seed)});
     Judgement judgement{read_verdicts(verdicts), std::move(warnings)};
     if (tested.code > 1 || judgement.verdicts.empty())
-        throw std::runtime_error{"the tests of section " + section.short_number() + " broke off (" + std::to_string(tested.code) + "): " + tested.err};
+        throw std::runtime_error{"the tests of section " + section.short_number() + " broke off ("
+                                 + std::to_string(tested.code) + "): " + tested.err};
     name_namesakes(judgement.verdicts, w, object);
     return judgement;
 }

@@ -10,9 +10,9 @@
 namespace course {
 
 struct Judgement {
-    std::vector<Verdict> verdicts; ///< one for each test; a single one if the file does not compile or link
+    std::vector<Verdict> verdicts;     ///< one for each test; a single one if the file does not compile or link
     std::vector<std::string> warnings; ///< of the compiler: "exercises/07_….cpp:12: unused variable 'x'"
-    bool judged() const;  ///< whether the tests ran
+    bool judged() const;               ///< whether the tests ran
     bool all_passed() const;
     bool our_fault() const; ///< a test without a verdict
 };

@@ -11,7 +11,9 @@ std::string junit(const std::vector<std::pair<Section, std::vector<Verdict>>> &j
     pugi::xml_document document;
     pugi::xml_node suites = document.append_child("testsuites");
     for (const auto &[section, verdicts] : judged) {
-        const auto count = [&verdicts = verdicts](auto &&of) { return static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(), of)); };
+        const auto count = [&verdicts = verdicts](auto &&of) {
+            return static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(), of));
+        };
         const auto no_verdict = [](const Verdict &v) { return v.kind == Kind::no_verdict; };
         pugi::xml_node suite = suites.append_child("testsuite");
         suite.append_attribute("name") = section.name.c_str();
@@ -20,7 +22,8 @@ std::string junit(const std::vector<std::pair<Section, std::vector<Verdict>>> &j
         suite.append_attribute("errors") = count(no_verdict);
         for (const Verdict &verdict : verdicts) {
             pugi::xml_node test = suite.append_child("testcase");
-            test.append_attribute("classname") = verdict.exercise.empty() ? section.name.c_str() : verdict.exercise.c_str();
+            test.append_attribute("classname") =
+                verdict.exercise.empty() ? section.name.c_str() : verdict.exercise.c_str();
             test.append_attribute("name") = verdict.test.empty() ? "compiles and links" : verdict.test.c_str();
             if (verdict.passed()) continue;
             pugi::xml_node failure = test.append_child(no_verdict(verdict) ? "error" : "failure");

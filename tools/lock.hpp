@@ -7,7 +7,7 @@ namespace course {
 /// The same lock as the `course` script's, $BUILD/.lock, where its holder writes who it is. What a holder starts may
 /// build as well: it finds COURSE_LOCKED in the environment, and takes none of its own.
 class Lock {
-public:
+  public:
     /// Waits for the other one, and says so on stderr if that takes longer than a moment.
     /// @throws Complaint if the build folder cannot be written.
     explicit Lock(const Tree &tree);
@@ -15,7 +15,7 @@ public:
     Lock(const Lock &) = delete;
     Lock &operator=(const Lock &) = delete;
 
-private:
+  private:
     int file = -1; ///< -1: whoever started us holds the lock
 };
 

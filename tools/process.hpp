@@ -33,13 +33,13 @@ void catch_signals();
 
 /// While one lives, a signal waits: for the few steps that must not stop half-way.
 class Undisturbed {
-public:
+  public:
     Undisturbed();
     ~Undisturbed();
     Undisturbed(const Undisturbed &) = delete;
     Undisturbed &operator=(const Undisturbed &) = delete;
 
-private:
+  private:
     sigset_t before;
 };
 

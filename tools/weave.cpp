@@ -51,7 +51,7 @@ std::string output_of(const Tree &tree, const Section &section) {
 std::string counted(int n, const std::string &thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
 
 class Command {
-public:
+  public:
     Command(const Tree &tree_, bool check_) : tree{tree_}, check{check_} {}
 
     void section(const Section &section) {
@@ -78,7 +78,7 @@ public:
                       << counted(outputs, "output") << ": as the code says\n";
     }
 
-private:
+  private:
     std::string name_of(const fs::path &file) const { return file.lexically_relative(tree.root).generic_string(); }
     void add(const std::vector<Finding> &more) { findings.insert(findings.end(), more.begin(), more.end()); }
 

@@ -54,7 +54,7 @@ struct Wanted {
 };
 
 class Weaver {
-public:
+  public:
     Weaver(const Tree &tree_, const Page &page_, std::string_view text_, const Output &output_)
         : tree{tree_}, page{page_}, text{text_}, output{output_} {}
 
@@ -67,7 +67,7 @@ public:
         return std::move(result);
     }
 
-private:
+  private:
     std::string name_of(const fs::path &file) const { return file.lexically_relative(tree.root).generic_string(); }
     std::string place(const Chunk &chunk) const { return name_of(chunk.file) + ':' + std::to_string(chunk.line); }
     void find(const fs::path &file, int line, std::string message) {

@@ -35,7 +35,9 @@ int main(int argc, char **argv) try {
     std::string before, after;
     int line = 1;
     while (std::getline(olds, before) && std::getline(news, after) && before == after) ++line;
-    std::cerr << argv[1] << ':' << line << ": expected\n  " << before << "\nbut it says\n  " << after << "\nThe whole of it:\n" << now;
+    std::cerr << argv[1] << ':' << line << ": expected\n  " << before << "\nbut it says\n  " << after
+              << "\nThe whole of it:\n"
+              << now;
     return 1;
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';

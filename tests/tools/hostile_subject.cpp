@@ -54,7 +54,8 @@ int main() {
     if (mode == "sends_no_frame") send(Frame{7}, call, "");
     if (mode == "answers_twice") send(Frame::result, call, bytes_of(2.5)), send(Frame::result, call, bytes_of(2.5));
     if (mode == "drips")
-        for (const char byte : bytes_of(2.5) + "123456789012") ::usleep(200'000), static_cast<void>(::write(reply_fd, &byte, 1) + 1);
+        for (const char byte : bytes_of(2.5) + "123456789012")
+            ::usleep(200'000), static_cast<void>(::write(reply_fd, &byte, 1) + 1);
     if (mode == "dies") ::raise(SIGKILL);
     next_call();
 }

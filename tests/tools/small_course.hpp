@@ -81,7 +81,7 @@ struct SmallCourse {
 
     Tree tree;
 
-private:
+  private:
     static std::string exercise(const Section &section, const std::string &n, const std::string &tier,
                                 const char *name) {
         return R"({"number": ")" + section.short_number() + "." + n + R"(", "tier": ")" + tier + R"(", "function": ")"

@@ -90,7 +90,8 @@ TEST_CASE("values are described as a student reads them") {
     CHECK(describe(-std::numeric_limits<double>::infinity()) == "-infinity");
     CHECK(describe(Vector2d{4, -2}, "m/s") == "(4, -2) m/s");
     CHECK(describe(std::optional<double>{}) == "nothing");
-    CHECK(describe(outer) == "{time 1.5 s, inner [{place (1, -2) m, count 3}, {place (0.1, 1e+300) m, count -4}], known true}");
+    CHECK(describe(outer)
+          == "{time 1.5 s, inner [{place (1, -2) m, count 3}, {place (0.1, 1e+300) m, count -4}], known true}");
     CHECK(describe(std::vector<int>(20, 7)) == "[7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, … 20 in all]");
 }
 
@@ -103,7 +104,9 @@ TEST_CASE("the first field that differs is named, with its unit") {
 }
 
 TEST_CASE("near is absolute below one, relative above, and never for what is not a number") {
-    const auto near = [](double got, double want, double tolerance) { return !mismatch::find<double>({}, got, want, tolerance); };
+    const auto near = [](double got, double want, double tolerance) {
+        return !mismatch::find<double>({}, got, want, tolerance);
+    };
     CHECK(near(1e-10, 0, 1e-9));
     CHECK_FALSE(near(2e-9, 0, 1e-9));
     CHECK(near(1e9 + 0.5, 1e9, 1e-9));
@@ -124,7 +127,9 @@ TEST_CASE("got and want are told apart at as many digits as that takes") {
 }
 
 TEST_CASE("what is printed is shown without what could move a cursor or break a file") {
-    const auto [lines, more] = tidy("red \x1b[31m\ttab\r\n\xff\xfe broken\n\xc2\x9b" "31m c1\nzwölf\n", 3);
+    const auto [lines, more] = tidy("red \x1b[31m\ttab\r\n\xff\xfe broken\n\xc2\x9b"
+                                    "31m c1\nzwölf\n",
+                                    3);
     CHECK(lines == std::vector<std::string>{"red ?[31m tab?", "?? broken", "?31m c1"});
     CHECK(more == 1);
     CHECK(tidy(std::string(1000, 'x')).first.front().size() == 160 + std::string{"…"}.size());
@@ -132,14 +137,17 @@ TEST_CASE("what is printed is shown without what could move a cursor or break a 
 }
 
 TEST_CASE("a failed check of a library is said in words, and on one line") {
-    const std::string vector = "/usr/include/c++/12/bits/stl_vector.h:1123: std::vector<_Tp>::reference std::vector<_Tp>::operator[](size_type) "
+    const std::string vector = "/usr/include/c++/12/bits/stl_vector.h:1123: std::vector<_Tp>::reference "
+                               "std::vector<_Tp>::operator[](size_type) "
                                "[with _Tp = double]: Assertion '__n < this->size()' failed.\n";
-    const std::string eigen = "subject: /usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h:408: Scalar &operator[](Index): Assertion `index >= 0 && index < size()' failed.\n";
+    const std::string eigen = "subject: /usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h:408: Scalar "
+                              "&operator[](Index): Assertion `index >= 0 && index < size()' failed.\n";
     CHECK(meaning_of_assertion(vector) == "an index beyond the end");
     CHECK(meaning_of_assertion(eigen) == "an index beyond the end");
     CHECK(meaning_of_assertion("nothing of the kind\n").empty());
     CHECK(tidy(vector).first == std::vector<std::string>{"stl_vector.h:1123: Assertion '__n < this->size()' failed."});
-    CHECK(tidy(eigen).first == std::vector<std::string>{"DenseCoeffsBase.h:408: Assertion `index >= 0 && index < size()' failed."});
+    CHECK(tidy(eigen).first
+          == std::vector<std::string>{"DenseCoeffsBase.h:408: Assertion `index >= 0 && index < size()' failed."});
 }
 
 namespace {
@@ -204,7 +212,18 @@ TEST_CASE("a session notes the first failure of a case, and a case without asser
 }
 
 TEST_CASE("a verdict survives its way through JSON") {
-    Verdict verdict{"7.2", "a \"claim\"", Kind::left_process, "what happened", Call{"meet", {"first = 1"}, 3}, "g", "w", "1e-9", "t.cpp", 12, {"printed"}, 4};
+    Verdict verdict{"7.2",
+                    "a \"claim\"",
+                    Kind::left_process,
+                    "what happened",
+                    Call{"meet", {"first = 1"}, 3},
+                    "g",
+                    "w",
+                    "1e-9",
+                    "t.cpp",
+                    12,
+                    {"printed"},
+                    4};
     const auto back = nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>();
     CHECK(explain(back, 2) == explain(verdict, 2));
     CHECK(back.kind == verdict.kind);
@@ -212,7 +231,8 @@ TEST_CASE("a verdict survives its way through JSON") {
 }
 
 TEST_CASE("JUnit files are XML whatever a student prints, and count what failed") {
-    Verdict wrong{"7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, "1", "2", "", "t.cpp", 3, {"\u00e4"}, 0};
+    Verdict wrong{"7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, "1", "2", "", "t.cpp", 3, {"\u00e4"},
+                  0};
     Verdict ours = wrong;
     ours.kind = Kind::no_verdict;
     Verdict passed{"7.1", "fine", Kind::passed, "", {}, "", "", "", "", 0, {}, 0};
@@ -226,8 +246,10 @@ TEST_CASE("JUnit files are XML whatever a student prints, and count what failed"
 }
 
 TEST_CASE("of all that a compiler says, the first error is shown, with how many there are") {
-    const auto verdict = diagnose_compiler("In file included from a.hpp:1:\n/x/07.cpp:3:5: error: ‘y’ was not declared\n    3 |  y\n      |  ^\n"
-                                           "/x/07.cpp:9:1: error: expected ‘;’\n", "/x/07.cpp", "exercises/07.cpp");
+    const auto verdict = diagnose_compiler(
+        "In file included from a.hpp:1:\n/x/07.cpp:3:5: error: ‘y’ was not declared\n    3 |  y\n      |  ^\n"
+        "/x/07.cpp:9:1: error: expected ‘;’\n",
+        "/x/07.cpp", "exercises/07.cpp");
     CHECK(verdict.sentence == "'y' was not declared");
     CHECK(verdict.file == "exercises/07.cpp");
     CHECK(verdict.line == 3);
@@ -236,16 +258,19 @@ TEST_CASE("of all that a compiler says, the first error is shown, with how many 
 }
 
 TEST_CASE("linkers of two families are understood") {
-    const std::string linker = GENERATE("s.o: in function `f':\n07.cpp:(.text+0x5): undefined reference to `ns::helper(double)'\n",
-                                        "07.cpp:function f: error: undefined reference to 'ns::helper(double)'\n");
+    const std::string linker =
+        GENERATE("s.o: in function `f':\n07.cpp:(.text+0x5): undefined reference to `ns::helper(double)'\n",
+                 "07.cpp:function f: error: undefined reference to 'ns::helper(double)'\n");
     CHECK(diagnose_linker(linker, "07.cpp", "7").sentence.find("`ns::helper(double)` is declared in 07.cpp") == 0);
-    const std::string twice = GENERATE("/usr/bin/ld: a.o: in function `main':\nmultiple definition of `main'; b.o: first defined here\n",
-                                       "/usr/bin/ld.gold: error: b.o: multiple definition of 'main'\n");
+    const std::string twice =
+        GENERATE("/usr/bin/ld: a.o: in function `main':\nmultiple definition of `main'; b.o: first defined here\n",
+                 "/usr/bin/ld.gold: error: b.o: multiple definition of 'main'\n");
     CHECK(diagnose_linker(twice, "07.cpp", "7").sentence.find("Your file has a `main` of its own.") == 0);
 }
 
 TEST_CASE("namesakes of a missing function are found, and no others") {
-    const std::string symbols = "0000000000000000 T ns::meet(double)\n0000000000000010 T meeting(int)\n0000000000000020 T ns::remeet(int)\n"
-                                "0000000000000030 W std::vector<ns::meet(int)>\n0000000000000040 D ns::meet(int)\n";
+    const std::string symbols =
+        "0000000000000000 T ns::meet(double)\n0000000000000010 T meeting(int)\n0000000000000020 T ns::remeet(int)\n"
+        "0000000000000030 W std::vector<ns::meet(int)>\n0000000000000040 D ns::meet(int)\n";
     CHECK(find_namesakes(symbols, "meet") == std::vector<std::string>{"ns::meet(double)"});
 }

@@ -145,7 +145,7 @@ struct Told {
 
 /// A checkout with one section, 07_wall, and its built program; removed at the end.
 class Book {
-public:
+  public:
     Book() {
         std::string folder = (fs::temp_directory_path() / "a book XXXXXX").string(); // blanks in paths are all right
         tree.root = fs::canonical(::mkdtemp(folder.data()));
@@ -218,7 +218,7 @@ public:
     Tree tree;
     Section section{"07_wall"};
 
-private:
+  private:
     std::string script; ///< the program
 };
 

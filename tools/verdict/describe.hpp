@@ -49,7 +49,8 @@ template <class T> std::string describe(const T &value, std::string_view unit = 
     } else if constexpr (std::is_same_v<T, double>) {
         return with_unit(describe_number(value, digits), unit);
     } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
-        return with_unit('(' + describe_number(value.x(), digits) + ", " + describe_number(value.y(), digits) + ')', unit);
+        return with_unit('(' + describe_number(value.x(), digits) + ", " + describe_number(value.y(), digits) + ')',
+                         unit);
     } else if constexpr (wire::is_optional<T>) {
         return value ? describe(*value, unit, digits) : "nothing";
     } else if constexpr (wire::is_vector<T>) {

@@ -31,7 +31,9 @@ bool all_cases = false;
 std::vector<Verdict> verdicts;
 std::function<void(const Verdict &)> tell = [](const Verdict &) {};
 
-std::string exercise_of(const Catch::TestCaseInfo &test) { return test.tags.empty() ? "?" : std::string{test.tags.front().original}; }
+std::string exercise_of(const Catch::TestCaseInfo &test) {
+    return test.tags.empty() ? "?" : std::string{test.tags.front().original};
+}
 
 /// Hears what happens in the tests, and passes it to the session.
 class Listener : public Catch::EventListenerBase {
@@ -59,12 +61,15 @@ class Listener : public Catch::EventListenerBase {
   private:
     static std::string sentence(const Catch::AssertionResult &result) {
         switch (result.getResultType()) {
-        case Catch::ResultWas::DidntThrowException: return "Your code accepted input that the header says it refuses with std::invalid_argument.";
+        case Catch::ResultWas::DidntThrowException:
+            return "Your code accepted input that the header says it refuses with std::invalid_argument.";
         case Catch::ResultWas::ThrewException: return thrown(std::string{result.getMessage()});
         case Catch::ResultWas::ExpressionFailed:
             if (std::string{result.getTestMacroName()}.ends_with("_THAT")) return {}; // got and want say it
             return "This does not hold: " + std::string{result.getExpression()}
-                   + (result.getExpandedExpression() == result.getExpression() ? "" : ", that is " + result.getExpandedExpression());
+                   + (result.getExpandedExpression() == result.getExpression()
+                          ? ""
+                          : ", that is " + result.getExpandedExpression());
         default: return std::string{result.getMessage()};
         }
     }
@@ -77,15 +82,19 @@ class Listener : public Catch::EventListenerBase {
 nlohmann::json catalogue(const std::string &section) {
     nlohmann::json list = nlohmann::json::array();
     for (const ExerciseLine *exercise : exercise_lines())
-        list.push_back({{"number", exercise->number}, {"tier", exercise->tier}, {"function", exercise->function},
-                        {"arguments", exercise->arguments}, {"result", exercise->unit}});
+        list.push_back({{"number", exercise->number},
+                        {"tier", exercise->tier},
+                        {"function", exercise->function},
+                        {"arguments", exercise->arguments},
+                        {"result", exercise->unit}});
     return {{"section", section}, {"exercises", list}};
 }
 
 /// A test that ran but was not heard of, or the other way round, is our mistake, and no student's.
 void add_missing_verdicts() {
     for (const Catch::TestCaseInfo *test : Catch::getRegistryHub().getTestCaseRegistry().getAllInfos()) {
-        if (std::any_of(verdicts.begin(), verdicts.end(), [&](const Verdict &v) { return v.test == test->name; })) continue;
+        if (std::any_of(verdicts.begin(), verdicts.end(), [&](const Verdict &v) { return v.test == test->name; }))
+            continue;
         Verdict verdict;
         verdict.exercise = exercise_of(*test);
         verdict.test = test->name;
@@ -104,9 +113,13 @@ bool as_expected(const std::string &expect) {
     const auto passed = [](const Verdict &v) { return v.passed(); };
     const auto untouched = [](const Verdict &v) { return v.kind == Kind::not_started; };
     const auto of_it = [&](const Verdict &v) { return v.exercise == exercise; };
-    const bool sound = !verdicts.empty() && std::none_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.kind == Kind::no_verdict; });
+    const bool sound = !verdicts.empty() && std::none_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) {
+        return v.kind == Kind::no_verdict;
+    });
     const bool known = exercise.empty() || std::any_of(verdicts.begin(), verdicts.end(), of_it);
-    const auto all = [&](auto &&holds) { return sound && known && std::all_of(verdicts.begin(), verdicts.end(), holds); };
+    const auto all = [&](auto &&holds) {
+        return sound && known && std::all_of(verdicts.begin(), verdicts.end(), holds);
+    };
     if (what == "all") return all(passed);
     if (what == "none") return all(untouched);
     if (what == "only") return all([&](const Verdict &v) { return of_it(v) ? v.passed() : untouched(v); });
@@ -145,7 +158,10 @@ int main(int argc, char **argv) {
     if (json.empty()) tell = print;
     else {
         lines.open(json);
-        tell = [&](const Verdict &verdict) { lines << nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl; };
+        tell = [&](const Verdict &verdict) {
+            lines << nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
+                  << std::endl;
+        };
     }
 
     course::prepare_for_subjects();
@@ -161,6 +177,8 @@ int main(int argc, char **argv) {
     add_missing_verdicts();
 
     const auto failed = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return !v.passed(); });
-    if (json.empty()) std::cout << verdicts.size() - static_cast<std::size_t>(failed) << " of " << verdicts.size() << " passed (seed " << seed << ")\n";
+    if (json.empty())
+        std::cout << verdicts.size() - static_cast<std::size_t>(failed) << " of " << verdicts.size() << " passed (seed "
+                  << seed << ")\n";
     return as_expected(expect) ? 0 : 1;
 }

@@ -53,21 +53,27 @@ template <class T> std::optional<Mismatch> find(const Place &at, const T &got, c
         if (got.size() != want.size())
             return Mismatch{at.says(describe(got, at.unit, 9)), at.says(describe(want, at.unit, 9)), "", false};
         for (std::size_t i = 0; i < got.size(); ++i)
-            if (auto found = find<typename T::value_type>(at.field('[' + std::to_string(i) + ']', at.unit), got[i], want[i], tolerance))
+            if (auto found = find<typename T::value_type>(at.field('[' + std::to_string(i) + ']', at.unit), got[i],
+                                                          want[i], tolerance))
                 return found;
         return {};
     } else {
-        static_assert(wire::Fields<T>, "IsNear compares bool, int, double, Vec2, std::optional, std::vector, and structs with COURSE_FIELDS");
+        static_assert(
+            wire::Fields<T>,
+            "IsNear compares bool, int, double, Vec2, std::optional, std::vector, and structs with COURSE_FIELDS");
         const auto names = split_list(T::field_names), units = split_list(T::field_units);
         std::optional<Mismatch> found;
         std::size_t i = 0;
         const auto compare = [&]<class Field>(const Field &mine, const Field &theirs) {
-            if (!found) found = find<Field>(at.field(names[i], i < units.size() ? units[i] : ""), mine, theirs, tolerance);
+            if (!found)
+                found = find<Field>(at.field(names[i], i < units.size() ? units[i] : ""), mine, theirs, tolerance);
             ++i;
         };
-        std::apply([&](const auto &...mine) {
-            std::apply([&](const auto &...theirs) { (compare(mine, theirs), ...); }, want.fields());
-        }, got.fields());
+        std::apply(
+            [&](const auto &...mine) {
+                std::apply([&](const auto &...theirs) { (compare(mine, theirs), ...); }, want.fields());
+            },
+            got.fields());
         return found;
     }
 }

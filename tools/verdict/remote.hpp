@@ -13,7 +13,13 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
   public:
     Remote(std::string_view number, std::string_view tier, std::string_view function, std::string_view arguments,
            std::string_view unit)
-        : exercise{number, tier, function, arguments, unit, &describe_all, static_cast<std::uint32_t>(exercise_lines().size())} {
+        : exercise{number,
+                   tier,
+                   function,
+                   arguments,
+                   unit,
+                   &describe_all,
+                   static_cast<std::uint32_t>(exercise_lines().size())} {
         exercise_lines().push_back(&exercise);
     }
     Remote(const Remote &) = delete;

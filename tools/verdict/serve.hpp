@@ -14,7 +14,8 @@ std::uint32_t exercises = 0;
 /// Reads the arguments, calls the student's function, writes its result.
 template <class Result, class... Arguments> struct Server {
     template <Result (*F)(Arguments...)> static void serve(Reader &in, Writer &out) {
-        std::tuple<std::decay_t<Arguments>...> arguments{in.take<std::decay_t<Arguments>>()...}; // braces: left to right
+        std::tuple<std::decay_t<Arguments>...> arguments{
+            in.take<std::decay_t<Arguments>>()...}; // braces: left to right
         out.put(std::apply(F, arguments));
     }
 };

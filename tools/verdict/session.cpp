@@ -12,15 +12,19 @@ namespace {
 std::string seconds(double time) { return describe_number(time, 2) + " s"; }
 
 std::string leave_sentence(int code, bool before_main) {
-    return "Your code ended the program" + std::string{before_main ? " before the first test, in the constructor of a global variable" : ""}
-           + " (exit code " + std::to_string(code) + "). An exercise gives its answer back with `return`; it never calls exit().";
+    return "Your code ended the program"
+           + std::string{before_main ? " before the first test, in the constructor of a global variable" : ""}
+           + " (exit code " + std::to_string(code)
+           + "). An exercise gives its answer back with `return`; it never calls exit().";
 }
 
 std::string crash_sentence(int signal) {
     switch (signal) {
     case SIGABRT: return "Your code was stopped by a failed assertion or a call of abort().";
     case SIGFPE: return "Your code crashed: it divided a whole number by zero.";
-    case SIGILL: return "Your code crashed: it came to the end of a function without `return`, or to an instruction that this machine lacks.";
+    case SIGILL:
+        return "Your code crashed: it came to the end of a function without `return`, or to an instruction that this "
+               "machine lacks.";
     case SIGKILL: return "Your code was killed from outside: it used up its memory or its time.";
     default: return "Your code crashed (signal " + std::to_string(signal) + ", " + ::strsignal(signal) + ").";
     }
@@ -28,10 +32,11 @@ std::string crash_sentence(int signal) {
 
 std::string fault_sentence(std::uint64_t address, bool stack_ran_out) {
     if (stack_ran_out)
-        return "Your code crashed: a function called itself, again and again, until the stack was full. When does it stop?";
-    if (address < 4096)
-        return "Your code crashed: it used a null pointer, or an empty vector's elements.";
-    return "Your code crashed: it used memory that is not its own. An index beyond the end? A reference to something that is gone?";
+        return "Your code crashed: a function called itself, again and again, until the stack was full. When does it "
+               "stop?";
+    if (address < 4096) return "Your code crashed: it used a null pointer, or an empty vector's elements.";
+    return "Your code crashed: it used memory that is not its own. An index beyond the end? A reference to something "
+           "that is gone?";
 }
 
 } // namespace
@@ -41,11 +46,13 @@ Session *&session() {
     return only;
 }
 
-Session::Session(std::filesystem::path subject_, Patience patience_) : program{std::move(subject_)}, patience{patience_} {}
+Session::Session(std::filesystem::path subject_, Patience patience_)
+    : program{std::move(subject_)}, patience{patience_} {}
 
 void Session::begin(std::string exercise, std::string test) {
     const double spent = std::chrono::duration<double>(Clock::now() - started).count();
-    allowed = std::clamp((patience.all - spent) / 5, 0.2, patience.a_case); // hangs get less and less, working code no less than 0.2 s
+    allowed = std::clamp((patience.all - spent) / 5, 0.2,
+                         patience.a_case); // hangs get less and less, working code no less than 0.2 s
     deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(allowed));
     verdict = {};
     verdict.exercise = std::move(exercise);
@@ -61,8 +68,8 @@ void Session::note_verdict(Kind kind, std::string sentence) {
     verdict.kind = kind;
     verdict.sentence = std::move(sentence);
     if (last_exercise == nullptr || !greeted) return;
-    verdict.call = Call{std::string{last_exercise->function}, last_exercise->describe_arguments(*last_exercise, last_arguments),
-                        static_cast<int>(calls) - 1};
+    verdict.call = Call{std::string{last_exercise->function},
+                        last_exercise->describe_arguments(*last_exercise, last_arguments), static_cast<int>(calls) - 1};
 }
 
 void Session::over(Kind kind, std::string sentence) {
@@ -76,12 +83,14 @@ void Session::judge_end(int status, bool before_main) {
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ)
         note_verdict(Kind::printed_too_much, where + "Your code printed more than " + std::to_string(print_limit >> 20)
                                                  + " MB and was stopped: does it print in a loop that does not end?");
-    else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) note_verdict(Kind::too_long, where + "Your code used two minutes of computing time.");
+    else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+        note_verdict(Kind::too_long, where + "Your code used two minutes of computing time.");
     else if (WIFSIGNALED(status)) note_verdict(Kind::crashed, where + crash_sentence(WTERMSIG(status)));
     else if (WIFEXITED(status) && WEXITSTATUS(status) == 127 && before_main)
         note_verdict(Kind::no_verdict, "The program with your code cannot be started: " + program.string());
     else if (WIFEXITED(status) && WEXITSTATUS(status) == wire::pipe_is_gone)
-        note_verdict(Kind::out_of_turn, where + "Your code closed a file that it had not opened, and its answer was lost.");
+        note_verdict(Kind::out_of_turn,
+                     where + "Your code closed a file that it had not opened, and its answer was lost.");
     else note_verdict(Kind::left, leave_sentence(WEXITSTATUS(status), before_main));
 }
 
@@ -89,8 +98,10 @@ void Session::judge_end(int status, bool before_main) {
 void Session::over_in_silence() {
     const bool before_main = !greeted;
     if (subject->silence == Subject::Silence::late)
-        over(Kind::too_long, before_main ? "Your code starts before the first test, in the constructor of a global variable, and does not come to an end."
-                                         : "Your code gave no answer within " + seconds(allowed) + ": look for a loop that does not end.");
+        over(Kind::too_long, before_main ? "Your code starts before the first test, in the constructor of a global "
+                                           "variable, and does not come to an end."
+                                         : "Your code gave no answer within " + seconds(allowed)
+                                               + ": look for a loop that does not end.");
     if (subject->silence == Subject::Silence::nonsense) answered_nonsense();
     const auto status = subject->finish(Clock::now() + std::chrono::milliseconds{500});
     if (!status) over(Kind::out_of_turn, "Your code closed a file that it had not opened, and its answer was lost.");
@@ -99,8 +110,9 @@ void Session::over_in_silence() {
 }
 
 void Session::answered_nonsense() {
-    over(Kind::out_of_turn, "Something else than your function's result came back. Does your code start another process, or write to a "
-                            "file descriptor that it has not opened?");
+    over(Kind::out_of_turn,
+         "Something else than your function's result came back. Does your code start another process, or write to a "
+         "file descriptor that it has not opened?");
 }
 
 void Session::start() {
@@ -113,8 +125,10 @@ void Session::start() {
         over(Kind::crashed, "Before the first test, in the constructor of a global variable: your code crashed.");
     }
     wire::Reader reader{hello->payload};
-    if (hello->header.frame != wire::Frame::hello || reader.take<std::uint32_t>() != exercise_lines().size() || !reader.finished())
-        over(Kind::no_verdict, "The program with your code serves other exercises than these tests ask for: build it anew.");
+    if (hello->header.frame != wire::Frame::hello || reader.take<std::uint32_t>() != exercise_lines().size()
+        || !reader.finished())
+        over(Kind::no_verdict,
+             "The program with your code serves other exercises than these tests ask for: build it anew.");
     greeted = true;
 }
 
@@ -164,7 +178,8 @@ std::string Session::call(const ExerciseLine &exercise, const std::string &argum
     case wire::Frame::refused: throw std::invalid_argument{tidied(first)};
     case wire::Frame::not_yet: over(Kind::not_started, "Not started. Where to begin: " + tidied(first) + '.');
     case wire::Frame::missing:
-        over(Kind::missing, "Your file has no function `" + std::string{exercise.function} + "` with the parameters that the header asks for.");
+        over(Kind::missing, "Your file has no function `" + std::string{exercise.function}
+                                + "` with the parameters that the header asks for.");
     case wire::Frame::no_memory:
         over(Kind::no_memory, "Your code asked for more than " + std::to_string(memory_limit >> 20)
                                   + " MB of memory: does a loop add to a vector without an end?");
@@ -182,7 +197,8 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
         verdict.tolerance = noted->tolerance;
         if (noted->not_a_number) {
             kind = Kind::not_a_number;
-            sentence = "Your answer is \"not a number\": it comes from 0/0, from infinity - infinity, or from the root of a negative number.";
+            sentence = "Your answer is \"not a number\": it comes from 0/0, from infinity - infinity, or from the root "
+                       "of a negative number.";
         }
     }
     note_verdict(kind, std::move(sentence));
@@ -193,30 +209,41 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
 }
 
 Verdict Session::end(bool asserted_something) {
-    if (verdict.passed() && !asserted_something) note_verdict(Kind::no_verdict, "This test asserts nothing: a mistake of ours, not of yours.");
+    if (verdict.passed() && !asserted_something)
+        note_verdict(Kind::no_verdict, "This test asserts nothing: a mistake of ours, not of yours.");
     if (subject && verdict.passed()) {
         const auto status = subject->finish(std::max(deadline, Clock::now() + std::chrono::milliseconds{100}));
-        if (!status) note_verdict(Kind::too_long, "Your code answered, but its process did not come to an end: has it started a thread?");
+        if (!status)
+            note_verdict(Kind::too_long,
+                         "Your code answered, but its process did not come to an end: has it started a thread?");
         else if (!WIFEXITED(*status)) judge_end(*status, false);
-        else if (subject->said_more()) try { answered_nonsense(); } catch (const CaseOver &) {}
+        else if (subject->said_more()) try {
+                answered_nonsense();
+            } catch (const CaseOver &) {}
         if (subject->left_processes())
-            note_verdict(Kind::left_process, "Your code started another process and left it running. An exercise computes a value, and starts nothing.");
+            note_verdict(Kind::left_process, "Your code started another process and left it running. An exercise "
+                                             "computes a value, and starts nothing.");
     }
     if (subject && !verdict.passed()) {
         const std::string printed = subject->printed();
         std::tie(verdict.printed, verdict.printed_more) = tidy(printed);
         const std::string meaning = verdict.kind == Kind::crashed ? meaning_of_assertion(printed) : "";
-        if (!meaning.empty()) verdict.sentence = "Your code was stopped by a check of the library that it uses: " + meaning + '.';
+        if (!meaning.empty())
+            verdict.sentence = "Your code was stopped by a check of the library that it uses: " + meaning + '.';
     }
     if (never_starts && never_starts->printed.empty()) never_starts->printed = verdict.printed;
     subject.reset();
     return std::move(verdict);
 }
 
-std::string call(const ExerciseLine &exercise, const std::string &arguments) { return session()->call(exercise, arguments); }
+std::string call(const ExerciseLine &exercise, const std::string &arguments) {
+    return session()->call(exercise, arguments);
+}
 void answered_nonsense() { session()->answered_nonsense(); }
 void note_mismatch(const Mismatch &mismatch) { session()->note(mismatch); }
-bool is_last_result(std::string_view bytes) { return session()->last_exercise != nullptr && session()->last_result == bytes; }
+bool is_last_result(std::string_view bytes) {
+    return session()->last_exercise != nullptr && session()->last_result == bytes;
+}
 std::string_view last_unit() { return session()->last_exercise->unit; }
 
 std::vector<const ExerciseLine *> &exercise_lines() {

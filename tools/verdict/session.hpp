@@ -31,7 +31,7 @@ class Session {
     [[noreturn]] void answered_nonsense();
     void note(std::optional<Mismatch> mismatch) { noted = std::move(mismatch); }
 
-    std::string last_result;                ///< bytes
+    std::string last_result; ///< bytes
     const ExerciseLine *last_exercise = nullptr;
 
   private:

@@ -23,7 +23,9 @@
 namespace course {
 namespace {
 
-[[noreturn]] void give_up(const char *what) { throw std::runtime_error{std::string{what} + ": " + std::strerror(errno)}; }
+[[noreturn]] void give_up(const char *what) {
+    throw std::runtime_error{std::string{what} + ": " + std::strerror(errno)};
+}
 
 std::array<int, 2> make_pipe() {
     std::array<int, 2> ends{};
@@ -206,7 +208,7 @@ std::optional<Subject::Received> Subject::receive(Clock::time_point deadline) {
 
 std::optional<int> Subject::finish(Clock::time_point deadline) {
     if (to >= 0) ::close(std::exchange(to, -1)); // the server reads the end, and leaves
-    bool gone = false; // its end of the pipe is closed: a moment later the process is, too
+    bool gone = false;                           // its end of the pipe is closed: a moment later the process is, too
     for (int status = 0; process > 0;) {
         if (::waitpid(process, &status, WNOHANG) == process) {
             process = -1;

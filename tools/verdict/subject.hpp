@@ -41,8 +41,8 @@ class Subject {
     /// @return its wait status, or nothing if it had to be killed
     std::optional<int> finish(Clock::time_point deadline);
 
-    bool said_more();          ///< after finish: it had answered what nobody asked
-    bool left_processes();     ///< after finish: something that it started still runs
+    bool said_more();            ///< after finish: it had answered what nobody asked
+    bool left_processes();       ///< after finish: something that it started still runs
     std::string printed() const; ///< what it wrote to stdout and stderr
 
   private:

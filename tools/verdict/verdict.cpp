@@ -10,8 +10,22 @@ namespace course {
 
 namespace {
 constexpr std::array<std::string_view, 16> names = {
-    "passed",  "wrong",    "not started", "does not compile",  "does not link", "function missing",    "threw",      "crashed",
-    "out of memory", "too long", "ended the program", "not a number", "answered out of turn", "left a process", "printed too much", "no verdict",
+    "passed",
+    "wrong",
+    "not started",
+    "does not compile",
+    "does not link",
+    "function missing",
+    "threw",
+    "crashed",
+    "out of memory",
+    "too long",
+    "ended the program",
+    "not a number",
+    "answered out of turn",
+    "left a process",
+    "printed too much",
+    "no verdict",
 };
 static_assert(names.size() == static_cast<std::size_t>(Kind::no_verdict) + 1);
 } // namespace
@@ -19,10 +33,11 @@ static_assert(names.size() == static_cast<std::size_t>(Kind::no_verdict) + 1);
 std::string_view name_of(Kind kind) { return names.at(static_cast<std::size_t>(kind)); }
 
 void to_json(nlohmann::json &json, const Verdict &v) {
-    json = {{"exercise", v.exercise}, {"test", v.test}, {"kind", name_of(v.kind)}, {"sentence", v.sentence},
-            {"got", v.got}, {"want", v.want}, {"tolerance", v.tolerance}, {"file", v.file}, {"line", v.line},
-            {"printed", v.printed}, {"printed_more", v.printed_more}};
-    if (v.call) json["call"] = {{"function", v.call->function}, {"arguments", v.call->arguments}, {"before", v.call->before}};
+    json = {{"exercise", v.exercise}, {"test", v.test},       {"kind", name_of(v.kind)},       {"sentence", v.sentence},
+            {"got", v.got},           {"want", v.want},       {"tolerance", v.tolerance},      {"file", v.file},
+            {"line", v.line},         {"printed", v.printed}, {"printed_more", v.printed_more}};
+    if (v.call)
+        json["call"] = {{"function", v.call->function}, {"arguments", v.call->arguments}, {"before", v.call->before}};
 }
 
 void from_json(const nlohmann::json &json, Verdict &v) {
@@ -53,7 +68,9 @@ std::string explain(const Verdict &v, int indent) {
     if (v.call && !nothing_to_see) {
         const int before = v.call->before;
         say("call  " + v.call->function + "()" + (v.call->arguments.empty() ? "" : " with")
-            + (before == 0 ? "" : before == 1 ? "   (and 1 call before it)" : "   (and " + std::to_string(before) + " calls before it)"));
+            + (before == 0   ? ""
+               : before == 1 ? "   (and 1 call before it)"
+                             : "   (and " + std::to_string(before) + " calls before it)"));
         for (const auto &argument : v.call->arguments) say("        " + argument);
     }
     if (!v.got.empty()) say("got   " + v.got);
@@ -62,7 +79,8 @@ std::string explain(const Verdict &v, int indent) {
     if (!v.printed.empty()) {
         say("It printed:");
         for (const auto &line : v.printed) say("  | " + line);
-        if (v.printed_more > 0) say("  | … and " + std::to_string(v.printed_more) + (v.printed_more == 1 ? " more line" : " more lines"));
+        if (v.printed_more > 0)
+            say("  | … and " + std::to_string(v.printed_more) + (v.printed_more == 1 ? " more line" : " more lines"));
     }
     return text;
 }
@@ -72,7 +90,11 @@ namespace {
 /// Bytes of the well-formed UTF-8 character that `text` begins with; 0 if it is none.
 std::size_t utf8_length(std::string_view text) {
     const auto byte = static_cast<unsigned char>(text.front());
-    const std::size_t length = byte < 0x80 ? 1 : byte >= 0xC2 && byte < 0xE0 ? 2 : byte >= 0xE0 && byte < 0xF0 ? 3 : byte >= 0xF0 && byte < 0xF5 ? 4 : 0;
+    const std::size_t length = byte < 0x80                   ? 1
+                               : byte >= 0xC2 && byte < 0xE0 ? 2
+                               : byte >= 0xE0 && byte < 0xF0 ? 3
+                               : byte >= 0xF0 && byte < 0xF5 ? 4
+                                                             : 0;
     if (length == 0 || length > text.size()) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) return 0;
@@ -100,7 +122,8 @@ namespace {
 
 /// What a library says of a check that failed, without the name of the function, which fills the screen.
 std::string short_assertion(std::string_view line) {
-    const std::size_t at = line.find(" Assertion "), place = line.find(": ", line.find('/')), name = line.rfind('/', place);
+    const std::size_t at = line.find(" Assertion "), place = line.find(": ", line.find('/')),
+                      name = line.rfind('/', place);
     if (at == line.npos || name == line.npos) return std::string{line};
     return std::string{line.substr(name + 1, place - name)} + std::string{line.substr(at)};
 }

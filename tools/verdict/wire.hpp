@@ -24,7 +24,9 @@ template <class T> inline constexpr bool is_vector<std::vector<T>> = true;
 
 /// A struct of a section, which names its fields by COURSE_FIELDS.
 template <class T>
-concept Fields = requires(T &value) { value.fields(); };
+concept Fields = requires(T &value) {
+    value.fields();
+};
 
 /// The part of a struct that COURSE_FIELDS names is all of it: a field forgotten there would never cross.
 template <class T, class... Parts> constexpr std::size_t size_of_parts(std::tuple<Parts &...> *) {
@@ -33,8 +35,8 @@ template <class T, class... Parts> constexpr std::size_t size_of_parts(std::tupl
     return (end + alignof(T) - 1) / alignof(T) * alignof(T);
 }
 template <Fields T>
-constexpr bool names_all_fields =
-    size_of_parts<T>(static_cast<decltype(std::declval<T &>().fields()) *>(nullptr)) == sizeof(T);
+constexpr bool names_all_fields = size_of_parts<T>(static_cast<decltype(std::declval<T &>().fields()) *>(nullptr))
+                                  == sizeof(T);
 
 class Writer {
   public:
@@ -62,8 +64,9 @@ class Writer {
             static_assert(names_all_fields<T>, "COURSE_FIELDS must name every field, in the order of declaration");
             std::apply([this](const auto &...field) { (this->put(field), ...); }, value.fields());
         } else {
-            static_assert(always_false<T>, "this type cannot cross: bool, int, double, Vec2, std::optional, std::vector, "
-                                           "or a struct with COURSE_FIELDS");
+            static_assert(always_false<T>,
+                          "this type cannot cross: bool, int, double, Vec2, std::optional, std::vector, "
+                          "or a struct with COURSE_FIELDS");
         }
     }
 };
@@ -107,8 +110,11 @@ class Reader {
             if (size > bytes.size()) good = false; // an element is a byte at least
             for (std::uint32_t i = 0; i < size && good; ++i) value.push_back(take<typename T::value_type>());
         } else if constexpr (Fields<T>) {
-            std::apply([this](auto &...field) { ((field = this->template take<std::remove_reference_t<decltype(field)>>()), ...); },
-                       value.fields());
+            std::apply(
+                [this](auto &...field) {
+                    ((field = this->template take<std::remove_reference_t<decltype(field)>>()), ...);
+                },
+                value.fields());
         } else {
             static_assert(always_false<T>, "this type cannot cross");
         }
