@@ -1,0 +1,77 @@
+// What CMake says of a course that lacks a file, has one too many, or has its exercise deleted.
+
+#include "files.hpp"
+#include "process.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <unistd.h>
+
+using Catch::Matchers::ContainsSubstring;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A copy of this course's files, in a folder with blanks, configured but never built.
+struct Copy {
+    Copy() {
+        std::string name = (fs::temp_directory_path() / "a copy XXXXXX").string();
+        root = ::mkdtemp(name.data());
+        for (const char *part : {"CMakeLists.txt", "cmake", "chapters", "exercises", "solutions", "plots", "tests",
+                                 "tools", "book.md", "README.md"})
+            fs::copy(fs::path{COURSE_ROOT} / part, root / part, fs::copy_options::recursive);
+    }
+    ~Copy() { fs::remove_all(root); }
+    Copy(const Copy &) = delete;
+    Copy &operator=(const Copy &) = delete;
+
+    course::Finished configure() const {
+        return course::run({"cmake", "-G", "Ninja", "-S", root.string(), "-B", (root / "a build").string()});
+    }
+
+    fs::path root;
+};
+
+/// CMake breaks its lines anywhere.
+std::string on_one_line(const course::Finished &said) {
+    std::string text;
+    for (const char c : said.err)
+        if (c != '\n' && c != ' ') text += c;
+        else if (!text.empty() && text.back() != ' ') text += ' ';
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("a section without its solution is a configure error that names the file", "[configure]") {
+    const Copy copy;
+    fs::remove(copy.root / "solutions/07_segment_intersection.cpp");
+    const auto said = copy.configure();
+    CHECK(said.code != 0);
+    CHECK_THAT(on_one_line(said), ContainsSubstring("needs solutions/07_segment_intersection.cpp, which is not there"));
+}
+
+TEST_CASE("a file of no section is a configure error that names it", "[configure]") {
+    const Copy copy;
+    fs::rename(copy.root / "exercises/07_segment_intersection.cpp", copy.root / "exercises/07_segments.cpp");
+    const auto said = copy.configure();
+    CHECK(said.code != 0);
+    CHECK_THAT(on_one_line(said), ContainsSubstring("exercises/07_segments.cpp belongs to no section"));
+}
+
+TEST_CASE("without its exercise the course still configures, and says the way back", "[configure]") {
+    const Copy copy;
+    fs::remove(copy.root / "exercises/07_segment_intersection.cpp");
+    const auto said = copy.configure();
+    CHECK(said.code == 0);
+    CHECK_THAT(on_one_line(said), ContainsSubstring("`./course reset 7` brings the empty one back"));
+}
+
+TEST_CASE("an answer in tests/wrong that does not say what is wrong with it is a configure error", "[configure]") {
+    const Copy copy;
+    course::write_file(copy.root / "tests/wrong/07_segment_intersection/meet_x.cpp", "bool meet();\n");
+    const auto said = copy.configure();
+    CHECK(said.code != 0);
+    CHECK_THAT(on_one_line(said), ContainsSubstring("meet_x.cpp must begin with its exercise"));
+}
