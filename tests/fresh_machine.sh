@@ -34,11 +34,17 @@ command -v debootstrap >/dev/null ||
 
 machine=$(mktemp -d "${TMPDIR:-/var/tmp}/fresh-machine.XXXXXX")
 chmod 755 "$machine"
-leave() { # whatever happens: nothing is mounted in there, for that is done in a namespace of its own, which has ended
+inside=
+leave() { # whatever happens: what was mounted in there was so in a namespace, which ends with its first process
+    if [ -n "$inside" ]; then
+        kill -KILL "$inside"
+        wait "$inside" || true
+        sleep 1
+    fi
     if [ "$keep" = yes ]; then
         echo "The root is kept: chroot $machine"
     else
-        rm -rf --one-file-system "$machine"
+        rm -rf --one-file-system "$machine" "$machine.log"
     fi
 }
 trap leave EXIT
@@ -67,7 +73,11 @@ if [ "$uncommitted" = yes ]; then
     (cd "$checkout" && git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -pt "$course") || true
 fi
 
-# type COMMAND: as somebody would who has just logged in there.
+for command in ./course './course test'; do
+    grep -qxF "$command" "$course/README.md" || stop "README.md no longer tells to type $command"
+done
+
+# type_there COMMAND: as somebody would who has just logged in there.
 type_there() {
     echo "\$ $1"
     # shellcheck disable=SC2016 # for the shell in there
@@ -75,13 +85,14 @@ type_there() {
         mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" &&
             exec chroot "$1" /usr/bin/env -i HOME=/root TERM=dumb \
                 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin sh -c "cd ~/\"frame by frame\" && $2"
-    ' - "$machine" "$1" </dev/null
+    ' - "$machine" "$1" </dev/null & # so that a signal does not wait for its end
+    inside=$!
+    wait "$inside"
+    inside=
 }
-for command in ./course './course test'; do
-    grep -qxF "$command" "$course/README.md" || stop "README.md no longer tells to type $command"
-done
 type_there ./course
-type_there ./course | tee "$machine/root/second"
+type_there ./course >"$machine/root/second"
+cat "$machine/root/second"
 ! grep -E ' [0-9]+ s$' "$machine/root/second" || stop 'a second ./course did something again'
 type_there './course test'
 [ "$uncommitted" = yes ] || [ -z "$(git -C "$course" status --porcelain)" ] ||

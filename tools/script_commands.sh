@@ -54,6 +54,7 @@ test_all() {
     make_the_program
     must 3 'everything' cmake --build "$build"
     leave_build_folder
+    export CTEST_PARALLEL_LEVEL="${CTEST_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
     ctest --test-dir "$build" --output-on-failure --no-tests=error "$@"
     case $? in
     0) exit 0 ;;

@@ -24,7 +24,7 @@ machine() { # machine CLAIM: a new one, with everything installed, nothing built
     echo '{}' >"$tree/CMakePresets.json"
     : >"$tree/CMakeLists.txt"
     : >"$tree/chapters/course.hpp"
-    for tool in sh env cat sed awk grep cut head tail tr paste mkdir mv rm cp ls find date sleep sort install readlink flock touch; do
+    for tool in sh env cat sed awk grep cut head tail tr paste mkdir mv rm cp ls find date sleep sort install readlink flock touch getconf; do
         ln -s "$(command -v "$tool")" "$bin/$tool" 2>/dev/null
     done
 
