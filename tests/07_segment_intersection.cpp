@@ -155,7 +155,7 @@ TEST_CASE("lines that are nearly parallel still cross, at any scale", "[7.1]") {
     CHECK_THAT(found, IsNear(Crossing{0.5, 0.5, scale * point}, tolerance));
 }
 
-TEST_CASE("an answer does not hang on the question before", "[7.1]") {
+TEST_CASE("after a pair that crosses, parallel lines still cross nowhere, and the other way round", "[7.1]") {
     const Crossing want{69.0 / 172, 21.0 / 43, {379.0 / 43, 232.0 / 43}};
     CHECK_THAT(crossing(motion, wall), IsNear(want, rounding));
     CHECK_THAT(crossing({{0, 0}, {4, 2}}, {{1, 1}, {7, 4}}), IsNear(nowhere));

@@ -179,6 +179,9 @@ std::vector<Chunk> solution(const Tree &tree, const Section &section, std::strin
     if (std::none_of(chunks.begin(), chunks.end(), is_own))
         throw Complaint{"solutions/" + section.name + ".cpp has no solution of " + std::string{number}
                         + "; a line `//> " + own + ": ...` would begin it"};
+    // A helper that several share stands above all of them: one that comes later would give away another solution.
+    const auto last = std::find_if(chunks.rbegin(), chunks.rend(), is_own);
+    chunks.erase(last.base(), chunks.end());
     std::erase_if(chunks, [&](const Chunk &chunk) { return !is_own(chunk) && !chunk.title.starts_with("Solution:"); });
     return chunks;
 }

@@ -78,6 +78,25 @@ std::optional<Verdict> diagnose_text(std::string_view text, const std::string &n
     return {};
 }
 
+namespace {
+
+/// What a beginner needs to know beside the compiler's words, for the slips that are made most.
+std::string advice(const std::string &error) {
+    const std::pair<const char *, const char *> slips[] = {
+        {"non-void function", " There is a way through this function without a `return`."},
+        {"no return statement", " There is a way through this function without a `return`."},
+        {"unresolved overloaded function type", " A call needs parentheses: a.x(), not a.x."},
+        {"invalid use of member function", " A call needs parentheses: a.x(), not a.x."},
+        {"Eigen::Product<", " For the dot product of two vectors write a.dot(b)."},
+        {"is not a member of 'std'", " Is its #include there, as <iostream> for std::cout?"},
+    };
+    for (const auto &[words, what] : slips)
+        if (error.find(words) != error.npos) return what;
+    return {};
+}
+
+} // namespace
+
 Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name) {
     const auto lines = lines_of(printed);
     Verdict verdict = broken(Kind::does_not_compile, "");
@@ -87,6 +106,7 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
         if (!remark) remark = parse(lines[i], "fatal error");
         if (!remark || ++errors > 1) continue;
         verdict.sentence = plain(remark->what);
+        if (const std::string more = advice(verdict.sentence); !more.empty()) verdict.sentence += "." + more;
         verdict.file = shown(remark->file, file, name);
         verdict.line = remark->line;
         for (std::size_t code = i + 1;

@@ -140,9 +140,6 @@ int complain(const std::string &sentence, int code) {
 
 int main(int argc, char **argv) {
     using namespace course;
-    // What we start (compilers, gnuplot) speaks to us, and the same on every machine: in English, with UTF-8.
-    ::setenv("LC_ALL", "C.UTF-8", 1);
-    ::unsetenv("LANGUAGE");
     catch_signals();
     try {
         return obey(argc, argv);

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
@@ -110,6 +111,9 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
     arguments.push_back(nullptr);
 
     pid_t child = 0;
+    // Compilers and gnuplot speak to us, and the same on every machine: in English, with UTF-8.
+    ::setenv("LC_ALL", "C.UTF-8", 1);
+    ::unsetenv("LANGUAGE");
     const int error = ::posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(), environ);
     ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&actions);

@@ -51,7 +51,7 @@ std::optional<Crossing> crossing(const Segment &motion, const Segment &wall);
 
 //> Do they meet?
 /// Whether two segments have a point in common. Ends belong to them, so touching is meeting.
-/// On a grid (whole numbers up to 1000, all of them times one power of two) the answer is exact.
+/// On a grid (whole numbers up to 1000, all times one power of two, 1e-60 or more) the answer is exact.
 /// Off it, where a gap or an overlap is no wider than a rounding, either answer is right.
 /// @throws std::invalid_argument if a component is not a number within ±1e5.
 bool meet(const Segment &first, const Segment &second);

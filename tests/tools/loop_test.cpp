@@ -281,6 +281,7 @@ TEST_CASE("a program that does not heed Ctrl-C is ended a second later") {
 TEST_CASE("whoever comes second waits, says for whom, and goes on when the first is done") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
+    course.instead_of("gdb", "exit 0");
     const fs::path lock = course.tree.build / ".lock";
     course.write(lock, "./course (process 12345)\n");
     const int held = ::open(lock.c_str(), O_RDWR | O_CLOEXEC);
@@ -302,6 +303,7 @@ TEST_CASE("whoever comes second waits, says for whom, and goes on when the first
 TEST_CASE("what the holder of the lock starts does not wait for it, and waiting ends with Ctrl-C") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
+    course.instead_of("gdb", "exit 0");
     course.write(course.tree.build / ".lock", "");
     const int held = ::open((course.tree.build / ".lock").c_str(), O_RDWR | O_CLOEXEC);
     REQUIRE(::flock(held, LOCK_EX) == 0);
@@ -336,6 +338,7 @@ TEST_CASE("a lock is let go when it is destroyed, and names its holder meanwhile
 TEST_CASE("a build folder that cannot be written is said in one sentence") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
+    course.instead_of("gdb", "exit 0");
     course.write("a file", "");
     const Finished said = course({"debug", "7"}, {path, "COURSE_BUILD=" + (course.tree.root / "a file").string()});
     CHECK(said.code == 2);

@@ -257,6 +257,18 @@ TEST_CASE("of all that a compiler says, the first error is shown, with how many 
     CHECK(verdict.printed_more == 1);
 }
 
+TEST_CASE("for the slips that are made most, a compiler's words are explained") {
+    const auto said = [](const std::string &error) {
+        return diagnose_compiler("/x/07.cpp:3:5: error: " + error + "\n", "/x/07.cpp", "07.cpp").sentence;
+    };
+    CHECK(said("control reaches end of non-void function [-Werror=return-type]")
+          == "control reaches end of non-void function. There is a way through this function without a `return`.");
+    CHECK(said("could not convert ‘a * b’ from ‘Eigen::Product<Eigen::Matrix<double, 2, 1>, Eigen::Matrix<double, 2, "
+               "1>, 0>’")
+              .ends_with("write a.dot(b)."));
+    CHECK(said("expected ‘;’ before ‘}’ token") == "expected ';' before '}' token");
+}
+
 TEST_CASE("linkers of two families are understood") {
     const std::string linker =
         GENERATE("s.o: in function `f':\n07.cpp:(.text+0x5): undefined reference to `ns::helper(double)'\n",

@@ -639,6 +639,16 @@ TEST_CASE("a solution is the exercise's own chunks and the helpers, in the order
                                       "double length(const Wall &wall) { return (wall.end - wall.start).norm(); }"});
 }
 
+TEST_CASE("a helper that stands below a solution is not shown with it") {
+    const Book book;
+    book.edit("solutions/07_wall.cpp", "//> Solution: a helper", "//> Solution 7.1: helped");
+    book.edit("solutions/07_wall.cpp", "//> Solution 7.1: a length", "//> Solution: a length");
+    const std::vector<Chunk> chunks = solution(book.tree, book.section, "7.1");
+
+    REQUIRE(chunks.size() == 1);
+    CHECK(chunks[0].title == "Solution 7.1: helped");
+}
+
 TEST_CASE("formulas are plain in a terminal") {
     const auto [tex, plain] = GENERATE(
         std::pair{R"(\mathbf{v}' = \mathbf{v} - 2\,(\mathbf{v}\cdot\mathbf{n})\,\mathbf{n})", "v' = v - 2 (v · n) n"},

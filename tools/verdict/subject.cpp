@@ -126,7 +126,7 @@ void reap() {
 void prepare_for_subjects() {
     std::signal(SIGPIPE, SIG_IGN);
 #ifdef __linux__
-    ::prctl(PR_SET_DUMPABLE, 0);
+    if (!sanitized) ::prctl(PR_SET_DUMPABLE, 0); // the leak checker looks into us
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     if (const int here = ::sched_getcpu(); here >= 0) {
         cpu_set_t one;
