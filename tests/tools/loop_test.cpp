@@ -421,7 +421,7 @@ Next: 6.1, `first_bounce`, in exercises/06_reflection.cpp; then ./course check 6
     CHECK_THAT(listed, ContainsSubstring("6 Reflection: 2 of 2 passed")
                            && ContainsSubstring("7 Walls that meet: 1 of 2 passed")
                            && ContainsSubstring("second  too long\n")
-                           && ContainsSubstring("Next: ./course check 7 (7.2 is too long; ./course hint 7.2 helps)"));
+                           && ContainsSubstring("Next: ./course check 7 (7.2: too long; ./course hint 7.2 helps)"));
     CHECK(listed.find("changed") == std::string::npos);
 
     remember(course.tree, course.seven(), {{"7.2", "passed"}});
