@@ -165,7 +165,8 @@ Verdict ask(const std::string &mode) {
     session() = &own;
     own.begin("1.1", "half of five");
     try {
-        wire::Reader reader{own.call(half, bytes_of(5.0))};
+        const std::string answer = own.call(half, bytes_of(5.0));
+        wire::Reader reader{answer};
         reader.take<double>();
         if (!reader.finished()) own.answered_nonsense();
     } catch (const CaseOver &) {}
