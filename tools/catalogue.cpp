@@ -60,10 +60,14 @@ std::vector<Exercise> catalogue(const Tree &tree, const Section &section) {
     return result;
 }
 
+bool is_number_of_exercise(const std::string &words) {
+    static const std::regex number{R"(\d+\.\d+)"};
+    return std::regex_match(words, number);
+}
+
 FoundExercise find_exercise(const Tree &tree, std::string_view words) {
-    static const std::regex number{R"(0*(\d+\.\d+))"};
     const std::string typed{words};
-    if (std::smatch found; std::regex_match(typed, found, number)) return by_number(tree, found[1]);
+    if (is_number_of_exercise(typed)) return by_number(tree, typed.substr(typed.find_first_not_of('0')));
 
     static const std::regex whole{R"(0*(\d+))"};
     if (std::regex_match(typed, whole)) {

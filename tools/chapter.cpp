@@ -196,18 +196,18 @@ template <class Read> void each_match(std::string_view text, const std::regex &p
 
 } // namespace
 
-std::vector<ExerciseLine> exercise_table(std::string_view chapter) {
+std::vector<ListedExercise> exercise_table(std::string_view chapter) {
     static const std::regex row{R"(\|[ \t]*(\d+\.\d+)[ \t]*\|[ \t]*`(\w+)`[^|\n]*\|[ \t]*(\w+)[ \t]*\|)"};
-    std::vector<ExerciseLine> rows;
+    std::vector<ListedExercise> rows;
     each_match(chapter, row, [&](const std::cmatch &found, int line) {
         rows.push_back({found[1], found[2], found[3], line});
     });
     return rows;
 }
 
-std::vector<ExerciseLine> declared_exercises(std::string_view header) {
+std::vector<ListedExercise> declared_exercises(std::string_view header) {
     static const std::regex declaration{R"re(COURSE_EXERCISE\(\s*"([^"]*)",\s*(\w+),\s*\w+,\s*(\w+))re"};
-    std::vector<ExerciseLine> exercises;
+    std::vector<ListedExercise> exercises;
     each_match(header, declaration, [&](const std::cmatch &found, int line) {
         exercises.push_back({found[1], found[3], found[2], line});
     });

@@ -49,11 +49,11 @@ std::vector<Hint> hints(const Tree &tree, const Section &section);
 std::vector<Chunk> solution(const Tree &tree, const Section &section, std::string_view number);
 
 /// One row of a chapter's exercise table, or one COURSE_EXERCISE line of a header.
-struct ExerciseLine {
+struct ListedExercise {
     std::string number, function, tier;
     int line = 0; ///< where it stands
 };
-std::vector<ExerciseLine> exercise_table(std::string_view chapter);
-std::vector<ExerciseLine> declared_exercises(std::string_view header);
+std::vector<ListedExercise> exercise_table(std::string_view chapter);
+std::vector<ListedExercise> declared_exercises(std::string_view header);
 
 } // namespace course

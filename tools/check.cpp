@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-    std::string what;  ///< section; empty: the first that is not finished
+    std::string what;  ///< section, or one of its exercises; empty: the first section that is not finished
     std::string file;  ///< judge this one instead of the student's
     std::string junit; ///< where to write the same for machines
     unsigned seed = 2026;
@@ -147,15 +147,19 @@ Verdict nameless(Verdict verdict, const std::string &heading) {
 
 class Check {
   public:
-    Check(const Tree &tree_, Options options_) : tree{tree_}, options{std::move(options_)} {}
+    Check(const Tree &tree_, Options options_) : tree{tree_}, options{std::move(options_)} {
+        if (is_number_of_exercise(options.what)) only = find_exercise(tree, options.what).exercise;
+    }
 
     int once() {
         std::vector<std::pair<Section, std::vector<Verdict>>> judged;
         int code = all_well;
         for (const Section &section : chosen()) {
             if (!judged.empty()) std::cout << '\n';
-            const Judgement judgement = course::judge(tree, section, file_of(section), options.seed);
+            Judgement judgement = course::judge(tree, section, file_of(section), options.seed);
             report(section, judgement);
+            if (only && judgement.judged())
+                std::erase_if(judgement.verdicts, [&](const Verdict &v) { return v.exercise != only->number; });
             code = std::max(code, judgement.our_fault()    ? +our_fault
                                   : judgement.all_passed() ? +all_well
                                                            : +something_to);
@@ -168,7 +172,7 @@ class Check {
     /// Again whenever the file changes; Enter for those whose disk tells no dates, q to leave.
     void watch() {
         const Section section = chosen().front();
-        options.what = section.name;
+        if (!only) options.what = section.name; // and not the next one, when this is finished
         for (;;) {
             const std::string seen = look(section);
             if (is_terminal(Stream::out)) std::cout << "\x1b[2J\x1b[H";
@@ -203,12 +207,15 @@ class Check {
             if (options.file.empty()) keep_in_mind(section, {}, judgement.verdicts.front().kind);
             return;
         }
-        const auto outcomes = by_exercise(tree, section, judgement);
+        auto outcomes = by_exercise(tree, section, judgement);
+        if (options.file.empty()) keep_in_mind(section, outcomes, Kind::passed);
+        if (only) std::erase_if(outcomes, [&](const Outcome &o) { return o.exercise.number != only->number; });
         if (never_started(judgement)) print_failure(nameless(judgement.verdicts.front(), "no test could start:"));
         else
             for (const auto &outcome : outcomes) print(outcome, options.verbose);
-        print_next(outcomes, section);
-        if (options.file.empty()) keep_in_mind(section, outcomes, Kind::passed);
+        if (only && outcomes.front().first_failure() == nullptr)
+            std::cout << "The whole section: ./course check " << section.short_number() << '\n';
+        else print_next(outcomes, section);
     }
 
     void keep_in_mind(const Section &section, const std::vector<Outcome> &outcomes, Kind of_all) const {
@@ -244,6 +251,7 @@ class Check {
 
     const Tree &tree;
     Options options;
+    std::optional<Exercise> only; ///< the one that was asked for, if not a whole section
 };
 
 } // namespace
@@ -252,8 +260,10 @@ void add_check(CLI::App &app, const Tree &tree) {
     auto options = std::make_shared<Options>();
     CLI::App *command =
         app.add_subcommand("check", "Say what is right, what is wrong and why in what you have written");
-    command->add_option("section", options->what,
-                        "a section, by number, name or file; \"all\"; nothing: the first that is not finished");
+    command->add_option(
+        "section", options->what,
+        "a section, by number, name or file, or one exercise: 7.2; \"all\"; nothing: the first section that is not "
+        "finished");
     command->add_flag("-w,--watch", options->watch, "check again whenever you save");
     command->add_flag("-v,--verbose", options->verbose, "show every test and every failure whole");
     command->add_option("--file", options->file, "judge this file instead of the one in exercises/");

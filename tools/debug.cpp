@@ -72,7 +72,7 @@ void build(const Tree &tree, const Section &section) {
 void debug(const Tree &tree, const std::string &words, bool print) {
     std::string function, tag;
     Section section = tree.section(words);
-    if (static const std::regex number{R"(\d+\.\d+)"}; std::regex_match(words, number)) {
+    if (is_number_of_exercise(words)) {
         const Exercise exercise = find_exercise(tree, words).exercise;
         function = section.slug() + "::" + exercise.function;
         tag = "[" + exercise.number + "]";

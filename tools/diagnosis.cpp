@@ -1,21 +1,13 @@
 #include "diagnosis.hpp"
 
+#include "lines.hpp"
+
 #include <algorithm>
 #include <regex>
 #include <set>
 
 namespace course {
 namespace {
-
-std::vector<std::string> lines_of(std::string_view text) {
-    std::vector<std::string> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        lines.emplace_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
 
 void replace_all(std::string &text, std::string_view old, std::string_view with) {
     for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size())
@@ -29,7 +21,8 @@ struct Remark {
     std::string what;
 };
 
-std::optional<Remark> parse(const std::string &line, const std::string &severity) {
+std::optional<Remark> parse(const Line &whole, const std::string &severity) {
+    const std::string line{whole.text};
     const std::size_t mark = line.find(": " + severity + ": ");
     if (mark == line.npos) return {};
     static const std::regex place{R"(^(.*?):(\d+)(?::\d+)?$)"};
@@ -110,10 +103,12 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
         verdict.file = shown(remark->file, file, name);
         verdict.line = remark->line;
         for (std::size_t code = i + 1;
-             code < lines.size() && code <= i + 2 && lines[code].find('|') != std::string::npos; ++code)
-            verdict.printed.push_back(lines[code]);
+             code < lines.size() && code <= i + 2 && lines[code].text.find('|') != std::string::npos; ++code)
+            verdict.printed.emplace_back(lines[code].text);
     }
-    if (errors == 0) verdict.sentence = "The compiler stopped: " + (lines.empty() ? "it said nothing." : lines.front());
+    if (errors == 0)
+        verdict.sentence =
+            "The compiler stopped: " + std::string{lines.empty() ? "it said nothing." : lines.front().text};
     verdict.printed_more = static_cast<std::size_t>(std::max(0, errors - 1));
     return verdict;
 }
@@ -156,10 +151,10 @@ std::vector<std::string> find_namesakes(std::string_view symbols, std::string_vi
     std::vector<std::string> found;
     const std::string call = std::string{function} + '(';
     for (const auto &line : lines_of(symbols)) {
-        if (line.size() < 20) continue;
-        const char kind = line[17];
+        if (line.text.size() < 20) continue;
+        const char kind = line.text[17];
         if (kind != 'T' && kind != 't' && kind != 'W') continue;
-        const std::string name = with_short_names(line.substr(19));
+        const std::string name = with_short_names(std::string{line.text.substr(19)});
         const std::size_t at = name.find(call);
         if (at == 0 || (at != name.npos && at >= 2 && name.compare(at - 2, 2, "::") == 0 && name.find('<') > at))
             found.push_back(name);

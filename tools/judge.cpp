@@ -147,17 +147,21 @@ std::vector<Verdict> read_verdicts(const fs::path &file) {
     return verdicts;
 }
 
-} // namespace
-
-std::vector<std::string> compile_command(const Tree &tree, const Section &section, const fs::path &file,
-                                         const fs::path &object, bool bare) {
-    const Workshop w = workshop(tree, section);
+std::vector<std::string> compile_command(const Workshop &w, const Tree &tree, const Section &section,
+                                         const fs::path &file, const fs::path &object, bool bare) {
     std::vector<std::string> command{w.compiler};
     command.insert(command.end(), w.flags.begin(), w.flags.end());
     if (!bare) command.insert(command.end(), w.precompiled.begin(), w.precompiled.end());
     command.insert(command.end(), {"-I" + tree.header(section).parent_path().string(), "-fdiagnostics-color=never",
                                    "-fmax-errors=20", "-c", file.string(), "-o", object.string()});
     return command;
+}
+
+} // namespace
+
+std::vector<std::string> compile_command(const Tree &tree, const Section &section, const fs::path &file,
+                                         const fs::path &object, bool bare) {
+    return compile_command(workshop(tree, section), tree, section, file, object, bare);
 }
 
 Judgement judge(const Tree &tree, const Section &section, const fs::path &given, unsigned seed) {
@@ -170,7 +174,8 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     const Scratch scratch{tree.build};
     const std::string object = scratch / "student.o", subject = scratch / "subject";
 
-    const auto compiled = run(compile_command(tree, section, file, object), {.deadline = longest_compilation});
+    const auto compiled =
+        run(compile_command(w, tree, section, file, object, false), {.deadline = longest_compilation});
     if (compiled.timed_out) {
         Verdict slow;
         slow.kind = Kind::does_not_compile;

@@ -1,6 +1,7 @@
 #include "programs.hpp"
 
 #include "complaint.hpp"
+#include "diagnosis.hpp"
 
 #include <array>
 #include <cmath>
@@ -47,21 +48,6 @@ std::string first_error(const std::string &printed) {
 
 namespace {
 
-/// What a signal means to somebody who has never met one.
-std::string meaning(int signal) {
-    switch (signal) {
-    case SIGSEGV:
-    case SIGBUS:
-        return "it used memory that is not its own: an index past the end, a null pointer, a recursion without end";
-    case SIGABRT: return "it gave up: an uncaught exception, or a library's check that failed";
-    case SIGXFSZ: return "it wrote a file of more than 100 MB";
-    case SIGFPE: return "it divided an integer by zero";
-    case SIGILL: return "it ran into an instruction that cannot be: a function without a return, perhaps";
-    case SIGKILL: return "it was killed, perhaps for using too much memory";
-    default: return "signal " + std::to_string(signal);
-    }
-}
-
 std::string last_line(const std::string &text) {
     const auto end = text.find_last_not_of(" \r\n");
     if (end == std::string::npos) return "";
@@ -76,7 +62,7 @@ std::string student_trouble(const Section &section, const Finished &finished, do
         return "your program was stopped after " + std::to_string(std::lround(deadline)) + " s, it would not end; "
                + check + " says which function it is in";
     if (finished.code > 128)
-        return "your program crashed: " + meaning(finished.code - 128) + "; " + check + " says in which function";
+        return "your program " + meaning_of_signal(finished.code - 128) + "; " + check + " says in which function";
     if (finished.code == 0) return "";
     const auto says = [&](const char *kind) { return finished.err.find(kind) != std::string::npos; };
     if (finished.code == 1 && says("error: "))
@@ -99,16 +85,17 @@ void empty_folder(const fs::path &folder) {
                         + "; make the build folder writable, or run this as its owner."};
 }
 
-/// Builds the program; what keeps it from being built, in one line.
-std::string build(const Tree &tree, const Section &section, Whose whose) {
-    const std::string target = section.name + (whose == Whose::student ? "_mine" : "");
-    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
-    if (built.code == 0) return "";
-    const std::string printed = built.out + '\n' + built.err, root = tree.root.string() + '/';
-    std::string error = first_error(printed);
-    if (error.empty()) error = last_line(printed);
-    for (std::size_t at; (at = error.find(root)) != std::string::npos;) error.erase(at, root.size());
-    return error;
+Finished build(const Tree &tree, const std::string &target) {
+    return run({"cmake", "--build", tree.build.string(), "--target", target});
+}
+
+/// What keeps a student's program from being built, in the words of `course check`.
+std::string student_error(const Tree &tree, const Section &section, const std::string &printed) {
+    const fs::path file = tree.exercise(section);
+    const std::string name = file.lexically_relative(tree.root).generic_string();
+    Verdict verdict = diagnose_compiler(printed, file, name);
+    if (verdict.line == 0) verdict = diagnose_linker(printed, name, section.short_number());
+    return (verdict.line == 0 ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ") + verdict.sentence;
 }
 
 /// Starts what follows with limits, so that a function gone wild cannot take the machine with it: no core file, files
@@ -121,8 +108,9 @@ constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; ulimit -v 400000
 
 Ran run_student(const Tree &tree, const Section &section, const fs::path &traces, double deadline) {
     tree.written_exercise(section);
-    if (const std::string error = build(tree, section, Whose::student); !error.empty())
-        return {false, {}, "your program cannot be built: " + error};
+    if (const Finished built = build(tree, section.name + "_mine"); built.code != 0)
+        return {
+            false, {}, "your program cannot be built: " + student_error(tree, section, built.out + '\n' + built.err)};
     empty_folder(traces);
     const std::string program = program_binary(tree, section, Whose::student).string();
     const Finished finished = run({"sh", "-c", limited, "sh", program, "--out", traces.string()},
@@ -131,8 +119,10 @@ Ran run_student(const Tree &tree, const Section &section, const fs::path &traces
 }
 
 Ran run_reference(const Tree &tree, const Section &section, const fs::path &traces) {
-    if (const std::string error = build(tree, section, Whose::reference); !error.empty())
-        return {false, {}, "the program of " + section.name + " cannot be built: " + error};
+    if (const Finished built = build(tree, section.name); built.code != 0)
+        return {false,
+                {},
+                "the program of " + section.name + " cannot be built: " + first_error(built.out + '\n' + built.err)};
     std::error_code ignored;
     fs::create_directories(traces, ignored); // the program says so if it cannot write
     const Finished finished = run({program_binary(tree, section, Whose::reference).string(), "--out", traces.string()});

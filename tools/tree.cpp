@@ -1,6 +1,7 @@
 #include "tree.hpp"
 
 #include "complaint.hpp"
+#include "contents.hpp"
 #include "files.hpp"
 #include "nearest.hpp"
 
@@ -92,6 +93,13 @@ Section Tree::section(std::string_view words) const {
     if (meant.size() == 1) return meant.front();
     if (meant.size() > 1)
         throw Complaint{"`" + typed + "` may be " + listed(meant) + ": type its number, or more of its name"};
+    if (std::smatch found; std::regex_match(typed, found, number)) {
+        const fs::path book = root / "book.md";
+        const std::string title = fs::exists(book) ? title_to_come(read_file(book), std::stoi(found[1])) : "";
+        if (!title.empty())
+            throw Complaint{"section " + found[1].str() + ", " + title
+                            + ", is still to come; `./course list` shows those that are here"};
+    }
     throw Complaint{"there is no section `" + typed + "`." + did_you_mean_section(part, all)
                     + " `./course list` shows them all"};
 }

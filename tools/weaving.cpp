@@ -240,17 +240,17 @@ Woven weave(const Tree &tree, const Page &page, std::string_view text, const Out
 std::vector<Finding> missing_parts(const Tree &tree, const Section &section) {
     const fs::path chapter = tree.chapter(section), header = tree.header(section);
     const std::string text = read_file(chapter);
-    const std::vector<ExerciseLine> rows = exercise_table(text), declared = declared_exercises(read_file(header));
+    const std::vector<ListedExercise> rows = exercise_table(text), declared = declared_exercises(read_file(header));
     const std::vector<Hint> all_hints = hints(tree, section);
     const std::vector<Chunk> solutions = cut(tree.solution(section));
     std::vector<Finding> missing;
 
-    const auto same = [](const ExerciseLine &a) {
-        return [&a](const ExerciseLine &b) {
+    const auto same = [](const ListedExercise &a) {
+        return [&a](const ListedExercise &b) {
             return a.number == b.number && a.function == b.function && a.tier == b.tier;
         };
     };
-    for (const ExerciseLine &one : declared) {
+    for (const ListedExercise &one : declared) {
         const std::string row = "| " + one.number + " | `" + one.function + "`: ... | " + one.tier + " |";
         if (std::none_of(rows.begin(), rows.end(), same(one)))
             missing.push_back(
@@ -267,7 +267,7 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section) {
                 {tree.solution(section), 1,
                  "no chunk is the solution of " + one.number + "; write `//> " + title + ": ...` above it."});
     }
-    for (const ExerciseLine &row : rows)
+    for (const ListedExercise &row : rows)
         if (std::none_of(declared.begin(), declared.end(), same(row)))
             missing.push_back(
                 {chapter, row.line,

@@ -156,11 +156,19 @@ std::vector<std::string> describe_one(const ExerciseLine &, std::string_view byt
     wire::Reader reader{bytes};
     return {"x = " + describe(reader.take<double>())};
 }
-const ExerciseLine half{"1.1", "core", "half", "x [m]", "m", describe_one, 0};
+std::string describe_half(const ExerciseLine &, std::string_view bytes) {
+    wire::Reader reader{bytes};
+    return describe(reader.take<double>(), "m");
+}
+const ExerciseLine half{"1.1", "core", "half", "x [m]", "m", describe_one, describe_half, 0};
 
-Verdict ask(const std::string &mode) {
+void know_half() {
     static const bool once = (exercise_lines().push_back(&half), prepare_for_subjects(), true);
     static_cast<void>(once);
+}
+
+Verdict ask(const std::string &mode) {
+    know_half();
     Session own{std::string{HOSTILE} + mode, Patience{1, 5}};
     session() = &own;
     own.begin("1.1", "half of five");
@@ -198,6 +206,25 @@ TEST_CASE("a process that lies on the wire fails the call, quickly, and nothing 
     CHECK(Clock::now() - start < std::chrono::seconds{4});
 }
 
+TEST_CASE("an exercise that has hung once gets little time for its other cases, and another exercise gets all") {
+    know_half();
+    Session own{HOSTILE "drips", Patience{1, 5}};
+    session() = &own;
+    const auto time_of_a_hang = [&](const char *exercise) {
+        const auto start = Clock::now();
+        own.begin(exercise, "a claim");
+        try {
+            own.call(half, bytes_of(5.0));
+        } catch (const CaseOver &) {}
+        CHECK(own.end(true).kind == Kind::too_long);
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    CHECK(time_of_a_hang("1.1") > 0.9);
+    CHECK(time_of_a_hang("1.1") < 0.7);
+    CHECK(time_of_a_hang("1.2") > 0.7);
+    session() = nullptr;
+}
+
 TEST_CASE("a session notes the first failure of a case, and a case without assertions is one") {
     Session own{"/nowhere", Patience{}};
     own.begin("1.1", "two failures");
@@ -217,7 +244,7 @@ TEST_CASE("a verdict survives its way through JSON") {
                     "a \"claim\"",
                     Kind::left_process,
                     "what happened",
-                    Call{"meet", {"first = 1"}, 3},
+                    Call{"meet", {"first = 1"}, 3, "{g, h}"},
                     "g",
                     "w",
                     "1e-9",
@@ -228,7 +255,10 @@ TEST_CASE("a verdict survives its way through JSON") {
     const auto back = nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>();
     CHECK(explain(back, 2) == explain(verdict, 2));
     CHECK(back.kind == verdict.kind);
-    CHECK(explain(verdict, 2).find("meet() with   (and 3 calls before it)") != std::string::npos);
+    CHECK(explain(verdict, 2).find("meet() with   (call 4 of this test)") != std::string::npos);
+    CHECK(explain(verdict, 2).find("gave  {g, h}\n") != std::string::npos);
+    verdict.got = verdict.call->answer; // then it need not be said twice
+    CHECK(explain(verdict, 2).find("gave") == std::string::npos);
 }
 
 TEST_CASE("JUnit files are XML whatever a student prints, and count what failed") {

@@ -16,6 +16,7 @@ struct ExerciseLine {
     std::string_view arguments; ///< names and units: "motion [m], wall [m]"
     std::string_view unit;      ///< of the result
     std::vector<std::string> (*describe_arguments)(const ExerciseLine &, std::string_view bytes);
+    std::string (*describe_result)(const ExerciseLine &, std::string_view bytes);
     std::uint32_t index = 0; ///< its place in the section's header
 };
 

@@ -13,13 +13,14 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
   public:
     Remote(std::string_view number, std::string_view tier, std::string_view function, std::string_view arguments,
            std::string_view unit)
-        : exercise{number,
-                   tier,
-                   function,
-                   arguments,
-                   unit,
-                   &describe_all,
-                   static_cast<std::uint32_t>(exercise_lines().size())} {
+        : exercise{.number = number,
+                   .tier = tier,
+                   .function = function,
+                   .arguments = arguments,
+                   .unit = unit,
+                   .describe_arguments = &describe_all,
+                   .describe_result = &describe_one,
+                   .index = static_cast<std::uint32_t>(exercise_lines().size())} {
         exercise_lines().push_back(&exercise);
     }
     Remote(const Remote &) = delete;
@@ -49,6 +50,12 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
         const std::tuple<std::decay_t<Arguments>...> values{reader.take<std::decay_t<Arguments>>()...};
         std::apply([&](const auto &...value) { (add(value), ...); }, values);
         return lines;
+    }
+
+    static std::string describe_one(const ExerciseLine &exercise, std::string_view bytes) {
+        constexpr int digits = 9;
+        wire::Reader reader{bytes};
+        return describe(reader.take<Result>(), exercise.unit, digits);
     }
 
     ExerciseLine exercise;

@@ -18,18 +18,6 @@ std::string leave_sentence(int code, bool before_main) {
            + "). An exercise gives its answer back with `return`; it never calls exit().";
 }
 
-std::string crash_sentence(int signal) {
-    switch (signal) {
-    case SIGABRT: return "Your code was stopped by a failed assertion or a call of abort().";
-    case SIGFPE: return "Your code crashed: it divided a whole number by zero.";
-    case SIGILL:
-        return "Your code crashed: it came to the end of a function without `return`, or to an instruction that this "
-               "machine lacks.";
-    case SIGKILL: return "Your code was killed from outside: it used up its memory or its time.";
-    default: return "Your code crashed (signal " + std::to_string(signal) + ", " + ::strsignal(signal) + ").";
-    }
-}
-
 std::string fault_sentence(std::uint64_t address, bool stack_ran_out) {
     if (stack_ran_out)
         return "Your code crashed: a function called itself, again and again, until the stack was full. When does it "
@@ -51,8 +39,8 @@ Session::Session(std::filesystem::path subject_, Patience patience_)
 
 void Session::begin(std::string exercise, std::string test) {
     const double spent = std::chrono::duration<double>(Clock::now() - started).count();
-    allowed = std::clamp((patience.all - spent) / 5, 0.2,
-                         patience.a_case); // hangs get less and less, working code no less than 0.2 s
+    constexpr double least = 0.2; // [s] a hundred times what working code takes
+    allowed = exercise == hung ? least : std::clamp((patience.all - spent) / 5, least, patience.a_case);
     deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(allowed));
     verdict = {};
     verdict.exercise = std::move(exercise);
@@ -69,7 +57,8 @@ void Session::note_verdict(Kind kind, std::string sentence) {
     verdict.sentence = std::move(sentence);
     if (last_exercise == nullptr || !greeted) return;
     verdict.call = Call{std::string{last_exercise->function},
-                        last_exercise->describe_arguments(*last_exercise, last_arguments), static_cast<int>(calls) - 1};
+                        last_exercise->describe_arguments(*last_exercise, last_arguments), static_cast<int>(calls) - 1,
+                        last_result.empty() ? "" : last_exercise->describe_result(*last_exercise, last_result)};
 }
 
 void Session::over(Kind kind, std::string sentence) {
@@ -85,7 +74,8 @@ void Session::judge_end(int status, bool before_main) {
                                                  + " MB and was stopped: does it print in a loop that does not end?");
     else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
         note_verdict(Kind::too_long, where + "Your code used two minutes of computing time.");
-    else if (WIFSIGNALED(status)) note_verdict(Kind::crashed, where + crash_sentence(WTERMSIG(status)));
+    else if (WIFSIGNALED(status))
+        note_verdict(Kind::crashed, where + "Your code " + meaning_of_signal(WTERMSIG(status)) + '.');
     else if (WIFEXITED(status) && WEXITSTATUS(status) == 127 && before_main)
         note_verdict(Kind::no_verdict, "The program with your code cannot be started: " + program.string());
     else if (WIFEXITED(status) && WEXITSTATUS(status) == wire::pipe_is_gone)
@@ -97,11 +87,13 @@ void Session::judge_end(int status, bool before_main) {
 /// No answer: because of time, because the process is gone, or because it said something that is none.
 void Session::over_in_silence() {
     const bool before_main = !greeted;
-    if (subject->silence == Subject::Silence::late)
+    if (subject->silence == Subject::Silence::late) {
+        hung = verdict.exercise;
         over(Kind::too_long, before_main ? "Your code starts before the first test, in the constructor of a global "
                                            "variable, and does not come to an end."
                                          : "Your code gave no answer within " + seconds(allowed)
                                                + ": look for a loop that does not end.");
+    }
     if (subject->silence == Subject::Silence::nonsense) answered_nonsense();
     const auto status = subject->finish(Clock::now() + std::chrono::milliseconds{500});
     if (!status) over(Kind::out_of_turn, "Your code closed a file that it had not opened, and its answer was lost.");
@@ -110,6 +102,7 @@ void Session::over_in_silence() {
 }
 
 void Session::answered_nonsense() {
+    last_result.clear();
     over(Kind::out_of_turn,
          "Something else than your function's result came back. Does your code start another process, or write to a "
          "file descriptor that it has not opened?");
@@ -152,6 +145,7 @@ std::string Session::call(const ExerciseLine &exercise, const std::string &argum
 
     last_exercise = &exercise;
     last_arguments = arguments;
+    last_result.clear();
     ++calls;
     wire::Writer request;
     request.put(exercise.index);

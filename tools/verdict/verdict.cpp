@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
+#include <cstring>
 #include <utility>
 
 namespace course {
@@ -37,7 +39,10 @@ void to_json(nlohmann::json &json, const Verdict &v) {
             {"got", v.got},           {"want", v.want},       {"tolerance", v.tolerance},      {"file", v.file},
             {"line", v.line},         {"printed", v.printed}, {"printed_more", v.printed_more}};
     if (v.call)
-        json["call"] = {{"function", v.call->function}, {"arguments", v.call->arguments}, {"before", v.call->before}};
+        json["call"] = {{"function", v.call->function},
+                        {"arguments", v.call->arguments},
+                        {"before", v.call->before},
+                        {"answer", v.call->answer}};
 }
 
 void from_json(const nlohmann::json &json, Verdict &v) {
@@ -55,7 +60,7 @@ void from_json(const nlohmann::json &json, Verdict &v) {
     json.at("printed").get_to(v.printed);
     json.at("printed_more").get_to(v.printed_more);
     if (const auto call = json.find("call"); call != json.end())
-        v.call = Call{call->at("function"), call->at("arguments"), call->at("before")};
+        v.call = Call{call->at("function"), call->at("arguments"), call->at("before"), call->at("answer")};
 }
 
 std::string explain(const Verdict &v, int indent) {
@@ -66,12 +71,10 @@ std::string explain(const Verdict &v, int indent) {
     if (!v.sentence.empty()) say(v.sentence);
     const bool nothing_to_see = v.kind == Kind::not_started || v.kind == Kind::missing; // no input is to blame
     if (v.call && !nothing_to_see) {
-        const int before = v.call->before;
         say("call  " + v.call->function + "()" + (v.call->arguments.empty() ? "" : " with")
-            + (before == 0   ? ""
-               : before == 1 ? "   (and 1 call before it)"
-                             : "   (and " + std::to_string(before) + " calls before it)"));
+            + (v.call->before == 0 ? "" : "   (call " + std::to_string(v.call->before + 1) + " of this test)"));
         for (const auto &argument : v.call->arguments) say("        " + argument);
+        if (!v.call->answer.empty() && v.call->answer != v.got) say("gave  " + v.call->answer);
     }
     if (!v.got.empty()) say("got   " + v.got);
     if (!v.want.empty()) say("want  " + v.want + (v.tolerance.empty() ? "" : " ± " + v.tolerance));
@@ -129,6 +132,23 @@ std::string short_assertion(std::string_view line) {
 }
 
 } // namespace
+
+std::string meaning_of_signal(int signal) {
+    switch (signal) {
+    case SIGSEGV:
+    case SIGBUS:
+        return "crashed: it used memory that is not its own; an index beyond the end, a null pointer, or a function "
+               "that calls itself for ever";
+    case SIGABRT: return "was stopped by an uncaught exception, a failed assertion or a call of abort()";
+    case SIGFPE: return "crashed: it divided a whole number by zero";
+    case SIGILL:
+        return "crashed: it came to the end of a function without `return`, or to an instruction that this machine "
+               "lacks";
+    case SIGXFSZ: return "wrote too much, and was stopped; does it write in a loop that does not end?";
+    case SIGKILL: return "was killed from outside: it used up its memory or its time";
+    default: return "crashed (signal " + std::to_string(signal) + ", " + ::strsignal(signal) + ')';
+    }
+}
 
 std::string meaning_of_assertion(std::string_view printed) {
     const std::size_t at = printed.find(" Assertion ");

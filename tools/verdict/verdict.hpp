@@ -37,6 +37,7 @@ struct Call {
     std::string function;
     std::vector<std::string> arguments; ///< "motion = {from (4, 7) m, to (16, 3) m}"
     int before = 0;                     ///< calls of the same case that came before it
+    std::string answer;                 ///< all of what came back; empty if nothing did
 };
 
 struct Verdict {
@@ -63,6 +64,9 @@ std::string explain(const Verdict &verdict, int indent);
 /// The first `lines` lines of what somebody printed, each at most 160 characters, without control characters
 /// or broken UTF-8; and how many lines there were beyond.
 std::pair<std::vector<std::string>, std::size_t> tidy(std::string_view printed, std::size_t lines = 20);
+
+/// How a student's process ended, by the signal that ended it: "crashed: it divided a whole number by zero".
+std::string meaning_of_signal(int signal);
 
 /// What a failed check of the standard library or of Eigen means, by what it printed; empty if none did.
 std::string meaning_of_assertion(std::string_view printed);

@@ -1,4 +1,5 @@
-// `course check --watch`: again whenever the file changes, again at Enter, and gone at q.
+// `course check` as a command: one exercise alone; with --watch again whenever the file changes, again at Enter, and
+// gone at q. What it says of a file is in tests/verdicts.
 
 #include "files.hpp"
 #include "process.hpp"
@@ -18,7 +19,28 @@ std::size_t count(const std::string &text, const std::string &what) {
     return found;
 }
 
+course::Finished check(const std::string &what, const std::string &file) {
+    return course::run({"env", "NO_COLOR=1", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
+                        "check", what, "--file", COURSE_ROOT "/" + file});
+}
+
 } // namespace
+
+TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its verdict") {
+    const auto done = check("7.2", "solutions/07_segment_intersection.cpp");
+    CHECK(done.out.starts_with("✓ 7.2 meet, core: "));
+    CHECK(done.out.ends_with(" tests passed\nThe whole section: ./course check 7\n"));
+    CHECK(count(done.out, "\n") == 2);
+    CHECK(done.code == 0);
+
+    const auto not_begun = check("7.2", "tests/stubs/07_segment_intersection.cpp");
+    CHECK(not_begun.out == "· 7.2 meet, core: not started\nNext: 7.2 meet. Where to begin: ./course hint 7.2\n");
+    CHECK(not_begun.code == 1);
+
+    const auto other = check("7.2", "tests/verdicts/wrong_answer.cpp"); // of 7.1
+    CHECK(count(other.out, "7.1") == 0);
+    CHECK(check("7.9", "solutions/07_segment_intersection.cpp").code == 2);
+}
 
 TEST_CASE("watching judges at once, at each save and at Enter, and q leaves") {
     std::string name = (fs::temp_directory_path() / "watched XXXXXX").string();
