@@ -81,7 +81,6 @@ std::string advice(const std::string &error) {
         {"unresolved overloaded function type", " A call needs parentheses: a.x(), not a.x."},
         {"invalid use of member function", " A call needs parentheses: a.x(), not a.x."},
         {"Eigen::Product<", " For the dot product of two vectors write a.dot(b)."},
-        {"is not a member of 'std'", " Is its #include there, as <iostream> for std::cout?"},
     };
     for (const auto &[words, what] : slips)
         if (error.find(words) != error.npos) return what;
@@ -94,9 +93,13 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
     const auto lines = lines_of(printed);
     Verdict verdict = broken(Kind::does_not_compile, "");
     int errors = 0;
+    static const std::regex forgotten{R"(did you forget to .*(#include <\w+>))"};
     for (std::size_t i = 0; i < lines.size(); ++i) {
         auto remark = parse(lines[i], "error");
         if (!remark) remark = parse(lines[i], "fatal error");
+        std::match_results<std::string_view::const_iterator> header;
+        if (errors == 1 && std::regex_search(lines[i].text.begin(), lines[i].text.end(), header, forgotten))
+            verdict.sentence += ". Write " + header[1].str() + " at the top of your file.";
         if (!remark || ++errors > 1) continue;
         verdict.sentence = plain(remark->what);
         if (const std::string more = advice(verdict.sentence); !more.empty()) verdict.sentence += "." + more;

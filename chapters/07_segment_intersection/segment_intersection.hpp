@@ -44,8 +44,8 @@ struct Crossing {
 /// Two lines count as parallel if the sine of the angle between them is at most this.
 inline constexpr double parallel = 1e-12;
 
-/// Where the lines cross that `motion` and `wall` lie on, be it within the segments or beyond their ends.
-/// Nothing if they are parallel, or if one of the two is a point.
+/// Where the line through `motion` crosses the line through `wall`; lines go on beyond the ends of their segments.
+/// Nothing if the lines are `parallel`, or if one of the two segments is a point.
 /// @throws std::invalid_argument if a component is not a number within ±1e5.
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall);
 

@@ -288,6 +288,19 @@ TEST_CASE("of all that a compiler says, the first error is shown, with how many 
     CHECK(verdict.printed_more == 1);
 }
 
+TEST_CASE("a forgotten header is named, if the first error is about it") {
+    const std::string first = "/x/07.cpp:3:5: error: ‘cout’ is not a member of ‘std’\n    3 |  std::cout\n      |  ^\n",
+                      second = "/x/07.cpp:9:1: error: expected ‘;’\n",
+                      note = "/x/07.cpp:1:1: note: ‘std::cout’ is defined in header ‘<iostream>’; did you forget to "
+                             "‘#include <iostream>’?\n";
+    const auto said = [](const std::string &printed) {
+        return diagnose_compiler(printed, "/x/07.cpp", "exercises/07.cpp").sentence;
+    };
+    CHECK(said(first + note + second)
+          == "'cout' is not a member of 'std'. Write #include <iostream> at the top of your file.");
+    CHECK(said(second + first + note) == "expected ';'");
+}
+
 TEST_CASE("for the slips that are made most, a compiler's words are explained") {
     const auto said = [](const std::string &error) {
         return diagnose_compiler("/x/07.cpp:3:5: error: " + error + "\n", "/x/07.cpp", "07.cpp").sentence;
