@@ -68,6 +68,15 @@ TEST_CASE("without its exercise the course still configures, and says the way ba
     CHECK_THAT(on_one_line(said), ContainsSubstring("`./course reset 7` brings the empty one back"));
 }
 
+TEST_CASE("a section without a figure is a configure error", "[configure]") {
+    const Copy copy;
+    for (const auto &entry : fs::directory_iterator{copy.root / "plots"})
+        if (entry.path().extension() == ".gp" && entry.path().stem() != "style") fs::remove(entry.path());
+    const auto said = copy.configure();
+    CHECK(said.code != 0);
+    CHECK_THAT(on_one_line(said), ContainsSubstring("has no figure: write plots/"));
+}
+
 TEST_CASE("an answer in tests/wrong that does not say what is wrong with it is a configure error", "[configure]") {
     const Copy copy;
     course::write_file(copy.root / "tests/wrong/07_segment_intersection/meet_x.cpp", "bool meet();\n");
