@@ -40,7 +40,8 @@ Session::Session(std::filesystem::path subject_, Patience patience_)
 void Session::begin(std::string exercise, std::string test) {
     const double spent = std::chrono::duration<double>(Clock::now() - started).count();
     constexpr double least = 0.2; // [s] a hundred times what working code takes
-    allowed = exercise == hung ? least : std::clamp((patience.all - spent) / 5, least, patience.a_case);
+    const bool hurry = exercise == hung || spent > 2 * patience.all;
+    allowed = hurry ? least : std::clamp((patience.all - lost) / 5, least, patience.a_case);
     deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(allowed));
     verdict = {};
     verdict.exercise = std::move(exercise);
@@ -89,6 +90,7 @@ void Session::over_in_silence() {
     const bool before_main = !greeted;
     if (subject->silence == Subject::Silence::late) {
         hung = verdict.exercise;
+        lost += allowed;
         over(Kind::too_long, before_main ? "Your code starts before the first test, in the constructor of a global "
                                            "variable, and does not come to an end."
                                          : "Your code gave no answer within " + seconds(allowed)

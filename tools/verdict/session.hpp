@@ -46,6 +46,7 @@ class Session {
     Clock::time_point started = Clock::now();
     Clock::time_point deadline;
     double allowed = 0; ///< [s] for the running case
+    double lost = 0;    ///< [s] in hangs; a machine that is busy with other things takes no patience away
     std::string hung;   ///< the exercise that has used up a case's time: its other cases get less
 
     std::unique_ptr<Subject> subject;
