@@ -5,6 +5,7 @@
 #   tests/NN_slug      the tests, which ask for a subject     subjects/NN_slug/…       solution, stub, wrong and right ones
 #   traces/NN_slug/…   what the program has traced            plots/NN_slug_….svg      its figures
 
+option(COURSE_WRONG_ANSWERS "Judge tests/wrong: what the tests reject depends on no compiler, so once is enough" ON)
 set(COURSE_SECTIONS "" CACHE INTERNAL "")
 add_custom_target(programs)
 add_custom_target(section-tests)
@@ -104,7 +105,11 @@ macro(section_tests)
   add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
   set(all_cases)
   add_subject(stub none $<TARGET_OBJECTS:${section}_stub>)
-  foreach(kind wrong right)
+  set(kinds right)
+  if(COURSE_WRONG_ANSWERS)
+    list(APPEND kinds wrong)
+  endif()
+  foreach(kind ${kinds})
     file(GLOB attempts CONFIGURE_DEPENDS tests/${kind}/${section}/*.cpp)
     foreach(attempt ${attempts})
       file(STRINGS ${attempt} first LIMIT_COUNT 1)
