@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -26,5 +27,18 @@ inline void require(bool holds, const char *claim, double value) {
     message << claim << ", but is " << value;
     throw std::invalid_argument{message.str()};
 }
+
+/// What goes into a function, in whatever unit, is a number within ± this.
+inline constexpr double largest = 1e5;
+
+inline void require_number(double x) { require(std::abs(x) <= largest, "each number must lie within ±1e5", x); }
+inline void require_number(const Vec2 &v) {
+    require_number(v.x());
+    require_number(v.y());
+}
+
+/// Refuses numbers and vectors that break this rule: `course::require_range(start, velocity, t)`.
+/// @throws std::invalid_argument naming the first number outside; "not a number" is none.
+template <class... Values> void require_range(const Values &...values) { (require_number(values), ...); }
 
 } // namespace course
