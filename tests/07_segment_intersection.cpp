@@ -2,23 +2,18 @@
 
 #include "segment_intersection.hpp"
 
-#include <catch2/catch_get_random_seed.hpp>
 #include <gmpxx.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numbers>
 #include <optional>
-#include <random>
 
 using segment_intersection::Crossing, segment_intersection::Mover, segment_intersection::Segment;
 using segment_intersection::Touch, segment_intersection::most_bounces;
 using namespace segment_intersection::subject; // crossing, meet, shared, bounce, first_touch, turn: the student's
 
 constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
-constexpr double infinity = std::numeric_limits<double>::infinity();
-const double not_a_number = std::nan("");
 
 const Segment motion{.start = {4, 7}, .end = {16, 3}}; // the worked example
 const Segment wall{.start = {1, 1}, .end = {17, 10}};
@@ -31,23 +26,6 @@ const std::optional<Touch> never;
 double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
 Segment reversed(const Segment &s) { return {s.end, s.start}; }
 Segment moved(const Segment &s, double scale, const Vec2 &by) { return {scale * s.start + by, scale * s.end + by}; }
-
-/// The same numbers each time for one seed, which the tests print.
-class Dice {
-  public:
-    double real(double low, double high) { return low + (high - low) * double(engine() >> 5) / double(1 << 27); }
-    int whole(int low, int high) { return low + int(engine() % unsigned(high - low + 1)); }
-    double sign() { return whole(0, 1) == 0 ? -1 : 1; }
-    Vec2 point(double low, double high) { return {real(low, high), real(low, high)}; }
-    Vec2 grid(int low, int high) { return {double(whole(low, high)), double(whole(low, high))}; }
-    Vec2 direction() { // of length 1
-        const double angle = real(-std::numbers::pi, std::numbers::pi);
-        return {std::cos(angle), std::sin(angle)};
-    }
-
-  private:
-    std::mt19937 engine{Catch::getSeed()};
-};
 
 /// Two good segments with their `which`-th number of eight replaced.
 std::array<Segment, 2> spoilt(int which, double by) {

@@ -1,6 +1,7 @@
 #pragma once
 // What every test file of the course needs. Kept small: it is compiled with each section's tests.
 
+#include <catch2/catch_get_random_seed.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators_adapters.hpp>
 #include <catch2/generators/catch_generators_random.hpp>
@@ -13,9 +14,14 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <random>
 #include <vector>
 
 using course::Vec2;
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline const double not_a_number = std::nan("");
 
 // The first failure of a case is its verdict, so nothing after it runs.
 #undef CHECK
@@ -56,3 +62,20 @@ inline auto vectors(double low, double high) {
         },
         Catch::Generators::chunk(2, Catch::Generators::random(low, high)));
 }
+
+/// The same numbers each time for one seed, which the tests print.
+class Dice {
+  public:
+    double real(double low, double high) { return low + (high - low) * double(engine() >> 5) / double(1 << 27); }
+    int whole(int low, int high) { return low + int(engine() % unsigned(high - low + 1)); }
+    double sign() { return whole(0, 1) == 0 ? -1 : 1; }
+    Vec2 point(double low, double high) { return {real(low, high), real(low, high)}; }
+    Vec2 grid(int low, int high) { return {double(whole(low, high)), double(whole(low, high))}; }
+    Vec2 direction() { // of length 1
+        const double angle = real(-std::numbers::pi, std::numbers::pi);
+        return {std::cos(angle), std::sin(angle)};
+    }
+
+  private:
+    std::mt19937 engine{Catch::getSeed()};
+};
