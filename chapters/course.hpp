@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace course {
 
@@ -28,7 +29,7 @@ inline void require(bool holds, const char *claim, double value) {
     throw std::invalid_argument{message.str()};
 }
 
-/// What goes into a function, in whatever unit, is a number within ± this.
+/// What goes into a function, in whatever unit, is within ± this.
 inline constexpr double largest = 1e5;
 
 inline void require_number(double x) { require(std::abs(x) <= largest, "each number must lie within ±1e5", x); }
@@ -37,8 +38,12 @@ inline void require_number(const Vec2 &v) {
     require_number(v.y());
 }
 
-/// Refuses numbers and vectors that break this rule: `course::require_range(start, velocity, t)`.
-/// @throws std::invalid_argument naming the first number outside; "not a number" is none.
+template <class T> void require_number(const std::vector<T> &list) {
+    for (const T &each : list) require_number(each);
+}
+
+/// Refuses numbers, vectors and lists of them that break this rule: `course::require_range(start, velocity, t)`.
+/// @throws std::invalid_argument naming the first number outside; "not a number" is outside.
 template <class... Values> void require_range(const Values &...values) { (require_number(values), ...); }
 
 } // namespace course

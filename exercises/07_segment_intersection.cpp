@@ -1,6 +1,6 @@
 // Section 7, Segment intersection. Replace a whole `throw ...;` by your own code, save, and see:  ./course check 7
 // Bad input is refused in one line:
-//     require_range({motion.start, motion.end, wall.start, wall.end});
+//     course::require_range(motion.start, motion.end, wall.start, wall.end);
 //     course::require(dt >= 0, "dt [s] must not be negative", dt);
 
 #include "segment_intersection.hpp"

@@ -11,7 +11,7 @@ static double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() *
 
 //> Solution 7.1: where two lines cross
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start;
     const Vec2 b = wall.end - wall.start;
     const Vec2 gap = wall.start - motion.start;
@@ -49,13 +49,13 @@ static bool apart(const Segment &first, const Segment &second) {
 
 //> Solution 7.2: do they meet?
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     return !apart(first, second);
 }
 
 //> Solution 7.3: what they share
 std::vector<Vec2> shared(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     if (apart(first, second)) return {};
 
     const Vec2 a = first.end - first.start;
@@ -108,8 +108,7 @@ static std::optional<Hit> next_wall(const Mover &mover, const std::vector<Vec2> 
 
 //> Solution 7.4: a point in a room
 Mover bounce(const Mover &mover, const std::vector<Vec2> &room, double dt) {
-    require_range(room);
-    require_range({mover.position, mover.velocity, Vec2{dt, 0}});
+    course::require_range(mover.position, mover.velocity, room, dt);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
     course::require(room.size() >= 3, "the number of corners must be three or more", double(room.size()));
 
@@ -142,7 +141,7 @@ static Vec2 nearest(const Segment &wall, const Vec2 &point) {
 
 //> Solution 7.5: a disc meets a wall
 std::optional<Touch> first_touch(const Segment &motion, double radius, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end, Vec2{radius, 0}});
+    course::require_range(motion.start, motion.end, wall.start, wall.end, radius);
     course::require(radius >= 0, "radius [m] must not be negative", radius);
 
     const Vec2 way = motion.end - motion.start;
@@ -176,7 +175,7 @@ std::optional<Touch> first_touch(const Segment &motion, double radius, const Seg
 
 //> Solution 7.6: which way does it turn?
 int turn(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start;
     const Vec2 b = second.end - second.start;
 

@@ -2,7 +2,6 @@
 #include "../course.hpp"
 #include "../interface.hpp"
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -12,25 +11,13 @@ namespace segment_intersection {
 using course::Vec2;
 
 //> A segment
-/// A straight way from one point to another; both ends belong to it. It may be a single point.
+/// A straight way from one point to another; both ends belong to it. It may be a single point, and one that is shorter
+/// than 1e-100 m may count as one.
 struct Segment {
     Vec2 start; ///< [m]
     Vec2 end;   ///< [m]
     COURSE_FIELDS("m, m", start, end)
 };
-
-//> What goes in
-/// Whatever goes in, in metres, metres per second or seconds, is a number within ± this.
-/// What is shorter than 1e-100 m may count as a point.
-inline constexpr double largest = 1e5;
-
-/// Refuses points (or velocities) that break this rule: `require_range({motion.start, motion.end})`.
-/// @throws std::invalid_argument naming the number; "not a number" is none.
-inline void require_range(const std::vector<Vec2> &points) {
-    for (const Vec2 &point : points)
-        for (const double x : {point.x(), point.y()})
-            course::require(std::abs(x) <= largest, "each component must be a number within ±1e5", x);
-}
 
 //> Where two lines cross
 /// Where a motion crosses the line of a wall.
@@ -46,21 +33,21 @@ inline constexpr double parallel = 1e-12;
 
 /// Where the line through `motion` crosses the line through `wall`; lines go on beyond the ends of their segments.
 /// Nothing if the lines are `parallel`, or if one of the two segments is a point.
-/// @throws std::invalid_argument if a component is not a number within ±1e5.
+/// @throws std::invalid_argument if a number is not within ±1e5.
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall);
 
 //> Do they meet?
 /// Whether two segments have a point in common. Ends belong to them, so touching is meeting.
 /// On a grid (whole numbers up to 1000, all times one power of two, 1e-60 or more) the answer is exact.
 /// Off it, where a gap or an overlap is no wider than a rounding, either answer is right.
-/// @throws std::invalid_argument if a component is not a number within ±1e5.
+/// @throws std::invalid_argument if a number is not within ±1e5.
 bool meet(const Segment &first, const Segment &second);
 
 //> What they share
 /// What two segments have in common: nothing, one point, or the two ends of the piece on which they overlap,
 /// in the order in which `first` runs through them [m].
 /// How many points there are is exact on a grid, as for `meet`. Off it, a rounding may decide.
-/// @throws std::invalid_argument if a component is not a number within ±1e5.
+/// @throws std::invalid_argument if a number is not within ±1e5.
 std::vector<Vec2> shared(const Segment &first, const Segment &second);
 
 //> A point in a room
@@ -113,7 +100,7 @@ std::optional<Touch> first_touch(const Segment &motion, double radius, const Seg
 /// The sign of the determinant D = a.x b.y - a.y b.x [m²] of two segments, a and b being their end minus their start:
 /// 1 if `second` points to the left of `first`, -1 if to the right, 0 if parallel or too close to tell.
 /// It is never the wrong sign, and 0 only if |D| <= 1e-15 (|a.x b.y| + |a.y b.x|) + 1e-300 m².
-/// @throws std::invalid_argument if a component is not a number within ±1e5.
+/// @throws std::invalid_argument if a number is not within ±1e5.
 int turn(const Segment &first, const Segment &second);
 
 //> The exercises

@@ -17,7 +17,7 @@ int turn(const Segment &, const Segment &) { throw untouched(); }
 
 /// What the first exercise asks for.
 inline std::optional<Crossing> right_answer(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start, b = wall.end - wall.start, gap = wall.start - motion.start;
     const double d = a.x() * b.y() - a.y() * b.x();
     if (std::abs(d) <= parallel * a.norm() * b.norm()) return {};

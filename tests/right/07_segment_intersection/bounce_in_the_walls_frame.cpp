@@ -9,8 +9,8 @@ namespace segment_intersection {
 using Complex = std::complex<double>;
 
 Mover bounce(const Mover &mover, const std::vector<Vec2> &room, double dt) {
-    require_range(room);
-    require_range({mover.position, mover.velocity, Vec2{dt, 0}});
+    course::require_range(room);
+    course::require_range(mover.position, mover.velocity, dt);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
     course::require(room.size() >= 3, "the number of corners must be three or more", double(room.size()));
     std::vector<Complex> corners;

@@ -8,8 +8,8 @@ namespace segment_intersection {
 static double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Mover bounce(const Mover &mover, const std::vector<Vec2> &room, double dt) {
-    require_range(room);
-    require_range({mover.position, mover.velocity, Vec2{dt, 0}});
+    course::require_range(room);
+    course::require_range(mover.position, mover.velocity, dt);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
     course::require(room.size() >= 3, "the number of corners must be three or more", double(room.size()));
     double area = 0;

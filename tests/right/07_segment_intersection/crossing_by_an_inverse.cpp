@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     Eigen::Matrix2d m;
     m << motion.end - motion.start, wall.start - wall.end;
     if (std::abs(m.determinant()) <= parallel * m.col(0).norm() * m.col(1).norm()) return {};

@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start, b = wall.end - wall.start;
     if (a.isZero(0) || b.isZero(0)) return {};
     const Vec2 unit_a = a.normalized(), unit_b = b.normalized();

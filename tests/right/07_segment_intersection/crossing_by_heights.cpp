@@ -9,7 +9,7 @@ static double height(const Segment &line, const Vec2 &point) {
 }
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start;
     const Vec2 b = wall.end - wall.start;
     const double fall = -Vec2{-b.y(), b.x()}.dot(a); // from the motion's start to its end, times the wall's length

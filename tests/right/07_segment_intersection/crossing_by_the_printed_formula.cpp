@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 &p0 = motion.start, &p1 = motion.end, &p2 = wall.start, &p3 = wall.end;
     const Vec2 s1 = p1 - p0, s2 = p3 - p2;
     const double d = -s2.x() * s1.y() + s1.x() * s2.y();

@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     using Vector = Eigen::Matrix<long double, 2, 1>;
     const Vector from = motion.start.cast<long double>(), to = wall.start.cast<long double>();
     const Vector a = motion.end.cast<long double>() - from, b = wall.end.cast<long double>() - to, gap = to - from;

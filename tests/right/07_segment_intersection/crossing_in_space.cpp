@@ -6,7 +6,7 @@ namespace segment_intersection {
 using Vec3 = Eigen::Vector3d;
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start, b = wall.end - wall.start;
     const Vec3 motion_line{-a.y(), a.x(), 0}; // through (0, 0)
     const Vec3 wall_line = (wall.start - motion.start).homogeneous().cross((wall.end - motion.start).homogeneous());

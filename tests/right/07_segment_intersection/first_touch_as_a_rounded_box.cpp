@@ -27,7 +27,7 @@ static Inside circle(const Vec2 &from, const Vec2 &way, double radius) {
 }
 
 std::optional<Touch> first_touch(const Segment &motion, double radius, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end, Vec2{radius, 0}});
+    course::require_range(motion.start, motion.end, wall.start, wall.end, radius);
     course::require(radius >= 0, "radius [m] must not be negative", radius);
     // in the wall's frame: it lies on the x axis, from 0 to its length
     const double length = (wall.end - wall.start).norm();

@@ -21,7 +21,7 @@ struct Interval {
 } // namespace
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 b = second.end - second.start;
     // in the second's own frame: how far along, and how far across, both times its length
     const auto along = [&](const Vec2 &p) { return b.dot(p - second.start); };

@@ -16,7 +16,7 @@ static bool in_box(const Vec2 &a, const Vec2 &b, const Vec2 &c) {
 }
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const auto &[a, b] = first;
     const auto &[c, d] = second;
     const int abc = orientation(a, b, c), abd = orientation(a, b, d), cda = orientation(c, d, a),

@@ -13,7 +13,7 @@ static bool gap_along(const Vec2 &axis, const Segment &first, const Segment &sec
 }
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start, b = second.end - second.start;
     const std::vector<Vec2> axes{Vec2::UnitX(),      Vec2::UnitY(), a, b, a.unitOrthogonal() * a.norm(),
                                  Vec2{b.y(), -b.x()}};

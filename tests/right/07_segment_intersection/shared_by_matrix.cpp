@@ -6,7 +6,7 @@
 namespace segment_intersection {
 
 std::vector<Vec2> shared(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     Eigen::Matrix2d m;
     m << first.end - first.start, second.start - second.end;
     const Vec2 gap = second.start - first.start;

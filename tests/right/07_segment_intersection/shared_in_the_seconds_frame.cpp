@@ -6,7 +6,7 @@
 namespace segment_intersection {
 
 std::vector<Vec2> shared(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const bool upright = std::abs(second.end.y() - second.start.y()) > std::abs(second.end.x() - second.start.x());
     const Vec2 b = second.end - second.start, turned{-b.y(), b.x()};
     if (b.isZero(0))

@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 int turn(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const auto [p, q] = first;
     const auto [u, v] = second;
     std::vector<double> parts; // of (q.x - p.x)(v.y - u.y) - (q.y - p.y)(v.x - u.x), each product as two numbers

@@ -6,7 +6,7 @@
 namespace segment_intersection {
 
 int turn(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     using Vector = Eigen::Matrix<long double, 2, 1>;
     const Vector a = first.end.cast<long double>() - first.start.cast<long double>();
     const Vector b = second.end.cast<long double>() - second.start.cast<long double>();

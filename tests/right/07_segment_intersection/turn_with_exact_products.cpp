@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 int turn(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start, b = second.end - second.start;
     const double left = a.x() * b.y(), right = a.y() * b.x();
     const double lost = std::fma(a.x(), b.y(), -left) - std::fma(a.y(), b.x(), -right);

@@ -4,8 +4,8 @@
 namespace segment_intersection {
 
 Mover bounce(const Mover &mover, const std::vector<Vec2> &room, double dt) {
-    require_range(room);
-    require_range({mover.position, mover.velocity, Vec2{dt, 0}});
+    course::require_range(room);
+    course::require_range(mover.position, mover.velocity, dt);
     course::require(dt >= 0 && room.size() >= 3, "time and room must make sense", dt);
     for (std::size_t i = 0; i < room.size(); ++i)
         course::require(room[i] != room[(i + 1) % room.size()], "the length of a wall [m] must be positive", 0);

@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start;
     const Vec2 b = wall.end - wall.start;
     const Vec2 gap = wall.start - motion.start;

@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Eigen::Vector2f a = (motion.end - motion.start).cast<float>();
     const Eigen::Vector2f b = (wall.end - wall.start).cast<float>();
     const Eigen::Vector2f gap = (wall.start - motion.start).cast<float>();

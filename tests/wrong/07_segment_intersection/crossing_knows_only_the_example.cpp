@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end});
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
     if (motion.start == Vec2{4, 7} && wall.start == Vec2{1, 1})
         return Crossing{69.0 / 172, 21.0 / 43, {379.0 / 43, 232.0 / 43}};
     return {};

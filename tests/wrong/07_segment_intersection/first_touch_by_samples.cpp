@@ -13,7 +13,7 @@ static Vec2 nearest(const Segment &wall, const Vec2 &point) {
 }
 
 std::optional<Touch> first_touch(const Segment &motion, double radius, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end, Vec2{radius, 0}});
+    course::require_range(motion.start, motion.end, wall.start, wall.end, radius);
     course::require(radius >= 0, "radius [m] must not be negative", radius);
     const Vec2 way = motion.end - motion.start;
     if (way.dot(motion.start - nearest(wall, motion.start)) >= 0) return {};

@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 std::optional<Touch> first_touch(const Segment &motion, double radius, const Segment &wall) {
-    require_range({motion.start, motion.end, wall.start, wall.end, Vec2{radius, 0}});
+    course::require_range(motion.start, motion.end, wall.start, wall.end, radius);
     course::require(radius >= 0, "radius [m] must not be negative", radius);
     return {};
 }

@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     return true;
 }
 

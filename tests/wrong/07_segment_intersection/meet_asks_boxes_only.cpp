@@ -7,7 +7,7 @@
 namespace segment_intersection {
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     for (const int axis : {0, 1}) {
         const auto [low_1, high_1] = std::minmax({first.start[axis], first.end[axis]});
         const auto [low_2, high_2] = std::minmax({second.start[axis], second.end[axis]});

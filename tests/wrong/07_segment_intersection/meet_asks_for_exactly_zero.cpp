@@ -9,7 +9,7 @@ static bool on(const Segment &s, const Vec2 &p) {
 }
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start, b = second.end - second.start, gap = second.start - first.start;
     if (const double d = det(a, b); d != 0) {
         const double t = det(gap, b) / d, s = det(gap, a) / d;

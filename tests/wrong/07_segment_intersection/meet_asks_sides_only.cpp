@@ -11,7 +11,7 @@ static double side(const Segment &line, const Vec2 &point) {
 }
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const auto [low_1, high_1] = std::minmax({side(first, second.start), side(first, second.end)});
     const auto [low_2, high_2] = std::minmax({side(second, first.start), side(second, first.end)});
     return low_1 <= 0 && high_1 >= 0 && low_2 <= 0 && high_2 >= 0;

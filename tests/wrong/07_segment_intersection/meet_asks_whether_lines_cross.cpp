@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start, b = second.end - second.start;
     return a.x() * b.y() - a.y() * b.x() != 0;
 }

@@ -8,7 +8,7 @@ namespace segment_intersection {
 static double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start, b = second.end - second.start;
     const double before = det(b, first.start - second.start), after = det(b, first.end - second.start);
     if (before == 0 && after == 0) {

@@ -11,7 +11,7 @@ static double side(const Segment &line, const Vec2 &point) {
 }
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const auto [left_1, right_1] = std::minmax({first.start.x(), first.end.x()});
     const auto [left_2, right_2] = std::minmax({second.start.x(), second.end.x()});
     if (right_1 < left_2 || right_2 < left_1) return false;

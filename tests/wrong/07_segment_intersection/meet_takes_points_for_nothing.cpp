@@ -11,7 +11,7 @@ static double side(const Segment &line, const Vec2 &point) {
 }
 
 bool meet(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     if (first.start == first.end || second.start == second.end) return false;
     for (const int axis : {0, 1}) {
         const auto [low_1, high_1] = std::minmax({first.start[axis], first.end[axis]});

@@ -11,7 +11,7 @@ static bool on(const Segment &s, const Vec2 &p) {
 }
 
 std::vector<Vec2> shared(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     std::vector<Vec2> ends;
     for (const Vec2 &end : {first.start, first.end, second.start, second.end})
         if (on(first, end) && on(second, end)) ends.push_back(end);

@@ -8,7 +8,7 @@ namespace segment_intersection {
 static double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
 
 std::vector<Vec2> shared(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start, b = second.end - second.start, gap = second.start - first.start;
     const double d = det(a, b);
     if (std::abs(d) > parallel * a.norm() * b.norm()) {

@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 int turn(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start, b = second.end - second.start;
     const long double d = (long double)a.x() * b.y() - (long double)a.y() * b.x();
     return d > 0 ? 1 : d < 0 ? -1 : 0;

@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 int turn(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start, gap = second.start - first.start;
     const double left = a.x() * gap.y(), right = a.y() * gap.x();
     const double doubt = 5e-16 * (std::abs(left) + std::abs(right)) + 1e-301;

@@ -6,7 +6,7 @@
 namespace segment_intersection {
 
 int turn(const Segment &first, const Segment &second) {
-    require_range({first.start, first.end, second.start, second.end});
+    course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start, b = second.end - second.start;
     return int(std::clamp(a.x() * b.y() - a.y() * b.x(), -2e9, 2e9));
 }

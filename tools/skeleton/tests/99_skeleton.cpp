@@ -2,12 +2,9 @@
 
 #include "skeleton.hpp"
 
-#include <limits>
-
 using namespace skeleton::subject; // pull: the student's
 
 constexpr double rounding = 1e-12; // a handful of operations on numbers of size one
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 //> Worked example
 TEST_CASE("the worked example: 30 N/m, made 0.25 m longer, pull back with 7.5 N", "[99.1]") {
@@ -31,7 +28,7 @@ TEST_CASE("a spring that is not stiff, and a force without end, are refused", "[
     CHECK_THROWS_AS(pull(-30, 0.25), std::invalid_argument);
     CHECK_THROWS_AS(pull(infinity, 0.0), std::invalid_argument);
     CHECK_THROWS_AS(pull(30, infinity), std::invalid_argument);
-    CHECK_THROWS_AS(pull(std::nan(""), 0.25), std::invalid_argument);
-    CHECK_THROWS_AS(pull(30, std::nan("")), std::invalid_argument);
+    CHECK_THROWS_AS(pull(not_a_number, 0.25), std::invalid_argument);
+    CHECK_THROWS_AS(pull(30, not_a_number), std::invalid_argument);
     CHECK_THROWS_AS(pull(1e200, 1e200), std::invalid_argument);
 }
