@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct CheckOptions {
     std::string what;  ///< section, or one of its exercises; empty: the first section that is not finished
     std::string file;  ///< judge this one instead of the student's
     std::string junit; ///< where to write the same for machines
@@ -147,7 +147,7 @@ Verdict nameless(Verdict verdict, const std::string &heading) {
 
 class Check {
   public:
-    Check(const Tree &tree_, Options options_) : tree{tree_}, options{std::move(options_)} {
+    Check(const Tree &tree_, CheckOptions options_) : tree{tree_}, options{std::move(options_)} {
         if (is_number_of_exercise(options.what)) only = find_exercise(tree, options.what).exercise;
     }
 
@@ -250,14 +250,14 @@ class Check {
     }
 
     const Tree &tree;
-    Options options;
+    CheckOptions options;
     std::optional<Exercise> only; ///< the one that was asked for, if not a whole section
 };
 
 } // namespace
 
 void add_check(CLI::App &app, const Tree &tree) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CheckOptions>();
     CLI::App *command =
         app.add_subcommand("check", "Say what is right, what is wrong and why in what you have written");
     command->add_option(

@@ -7,7 +7,7 @@
 namespace course {
 namespace {
 
-constexpr const char *about = R"(
+constexpr const char *about_draw = R"(
 For the build: it draws each figure of the course with this.
 The trace is checked first. A curve without a point inside the axes, a column that isn't there,
 and any word of gnuplot's are errors. The SVG follows its reader's colour scheme, and is the same
@@ -24,7 +24,7 @@ void add_draw(CLI::App &app, const Tree &) {
         std::filesystem::path out;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App *command = app.add_subcommand("draw", "Draw one figure from its trace")->group("")->footer(about);
+    CLI::App *command = app.add_subcommand("draw", "Draw one figure from its trace")->group("")->footer(about_draw);
     command->add_option("--script", options->figure.script, "gnuplot script in plots/")->required();
     command->add_option("--trace", options->figure.trace, "the reference's trace")->required();
     command->add_option("--mine", options->figure.student, "the student's trace, drawn over it");

@@ -16,7 +16,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double deadline =
+constexpr double longest_drawing =
     60; // [s] a figure takes a tenth; a script that pauses or loops would stop the build for ever
 
 /// A folder for gnuplot's own output, gone in the end.
@@ -132,7 +132,8 @@ void gnuplot(const Figure &figure, const std::string &before, const fs::path &sv
 
     Finished done;
     try {
-        done = run(command, {.quiet = true, .deadline = deadline, .folder = fs::absolute(figure.script).parent_path()});
+        done = run(command,
+                   {.quiet = true, .deadline = longest_drawing, .folder = fs::absolute(figure.script).parent_path()});
     } catch (const Complaint &) {
         throw Complaint{"gnuplot, which draws the figures, is not here; ./course doctor says how to get it"};
     }

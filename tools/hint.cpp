@@ -13,7 +13,7 @@
 namespace course {
 namespace {
 
-struct Options {
+struct HintOptions {
     std::string exercise;
     bool all = false, again = false;
 };
@@ -31,7 +31,7 @@ void print(const Hint &hint, int rung, int rungs) {
     std::cout << painted(Colour::bold, heading) << "\n\n" << hint.text << (hint.text.ends_with('\n') ? "\n" : "\n\n");
 }
 
-void show_hint(const Tree &tree, const Options &options) {
+void show_hint(const Tree &tree, const HintOptions &options) {
     const FoundExercise found = find_exercise(tree, options.exercise);
     const std::string &number = found.exercise.number, solution = "`./course solution " + number + "` shows ours.";
     const std::vector<Hint> rungs = rungs_of(tree, found);
@@ -55,7 +55,7 @@ void show_hint(const Tree &tree, const Options &options) {
 } // namespace
 
 void add_hint(CLI::App &app, const Tree &tree) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<HintOptions>();
     CLI::App *command = app.add_subcommand("hint", "Show the next hint for an exercise: each time a little more");
     command->add_option("exercise", options->exercise, "its number or its function")->required();
     command->add_flag("--all", options->all, "all of them at once");

@@ -30,25 +30,25 @@ namespace {
 constexpr double longest_compilation = 8; // [s]; a finished solution takes under one
 
 /// How CMake compiles and links: what it left in course.json.
-struct Workshop {
+struct Toolbox {
     std::string compiler, cmake, link, nm;
     std::vector<std::string> flags, precompiled; ///< the second: what puts the precompiled header before the file
     fs::path server, missing;
 };
 
-Workshop workshop(const Tree &tree, const Section &section) {
+Toolbox toolbox(const Tree &tree, const Section &section) {
     const fs::path file = tree.build / "course.json";
     if (!fs::exists(file)) throw Complaint{"the course is not built yet: type ./course, which builds all of it."};
     try {
         const auto json = nlohmann::json::parse(read_file(file));
-        Workshop w{json.at("compiler"),
-                   json.at("cmake"),
-                   json.at("link"),
-                   json.at("nm"),
-                   json.at("flags"),
-                   json.at("precompiled"),
-                   {},
-                   {}};
+        Toolbox w{json.at("compiler"),
+                  json.at("cmake"),
+                  json.at("link"),
+                  json.at("nm"),
+                  json.at("flags"),
+                  json.at("precompiled"),
+                  {},
+                  {}};
         for (const auto &each : json.at("sections"))
             if (each.at("name") == section.name) {
                 w.server = each.at("server").get<std::string>();
@@ -78,7 +78,7 @@ fs::file_time_type newest(const Tree &tree, const Section &section) {
 }
 
 /// Builds what is older than the course's files: ninja is asked only then, for it takes longer to say "no work".
-void bring_up_to_date(const Tree &tree, const Section &section, const Workshop &w) {
+void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &w) {
     const fs::path stamp = tree.build / "loop" / (section.name + ".checked");
     std::error_code never;
     const auto checked = fs::last_write_time(stamp, never);
@@ -127,12 +127,12 @@ Judgement single(Verdict verdict, std::vector<std::string> warnings = {}) {
 }
 
 /// For a function that is missing: does one of its name stand there, with other parameters or outside of the namespace?
-void name_namesakes(std::vector<Verdict> &verdicts, const Workshop &w, const fs::path &object) {
-    std::string symbols;
+void name_namesakes(std::vector<Verdict> &verdicts, const Toolbox &w, const fs::path &object) {
+    std::string listed;
     for (auto &verdict : verdicts) {
         if (verdict.kind != Kind::missing || !verdict.call) continue;
-        if (symbols.empty()) symbols = run({w.nm, "-C", "--defined-only", object.string()}).out;
-        const auto namesakes = find_namesakes(symbols, verdict.call->function);
+        if (listed.empty()) listed = run({w.nm, "-C", "--defined-only", object.string()}).out;
+        const auto namesakes = find_namesakes(listed, verdict.call->function);
         if (!namesakes.empty())
             verdict.sentence +=
                 " It has `" + namesakes.front()
@@ -147,7 +147,7 @@ std::vector<Verdict> read_verdicts(const fs::path &file) {
     return verdicts;
 }
 
-std::vector<std::string> compile_command(const Workshop &w, const Tree &tree, const Section &section,
+std::vector<std::string> compile_command(const Toolbox &w, const Tree &tree, const Section &section,
                                          const fs::path &file, const fs::path &object, bool bare) {
     std::vector<std::string> command{w.compiler};
     command.insert(command.end(), w.flags.begin(), w.flags.end());
@@ -161,7 +161,7 @@ std::vector<std::string> compile_command(const Workshop &w, const Tree &tree, co
 
 std::vector<std::string> compile_command(const Tree &tree, const Section &section, const fs::path &file,
                                          const fs::path &object, bool bare) {
-    return compile_command(workshop(tree, section), tree, section, file, object, bare);
+    return compile_command(toolbox(tree, section), tree, section, file, object, bare);
 }
 
 Judgement judge(const Tree &tree, const Section &section, const fs::path &given, unsigned seed) {
@@ -169,7 +169,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     const std::string name = shown_name(tree, file);
     if (auto trouble = diagnose_text(read_file(file), name, section.short_number())) return single(*trouble);
 
-    const Workshop w = workshop(tree, section);
+    const Toolbox w = toolbox(tree, section);
     bring_up_to_date(tree, section, w);
     const Scratch scratch{tree.build};
     const std::string object = scratch / "student.o", subject = scratch / "subject";

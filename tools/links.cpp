@@ -19,7 +19,7 @@ struct Link {
 };
 
 /// What a file links to, and what in it can be linked to.
-struct Page {
+struct Endpoints {
     std::vector<Link> links;
     std::set<std::string> anchors;
 };
@@ -35,7 +35,7 @@ std::string words_of(cmark_node *heading) {
 }
 
 /// `id="e7-3"`, `href="book.md"`, `src="figure.svg"` of a piece of HTML.
-void read_html(const std::string &html, int line, Page &page) {
+void read_html(const std::string &html, int line, Endpoints &page) {
     static const std::regex attribute{R"re(\b(id|name|href|src)\s*=\s*"([^"]*)")re"};
     for (std::sregex_iterator found{html.begin(), html.end(), attribute}; found != std::sregex_iterator{}; ++found) {
         const auto above = std::count(html.begin(), html.begin() + found->position(), '\n');
@@ -44,11 +44,11 @@ void read_html(const std::string &html, int line, Page &page) {
     }
 }
 
-Page read_page(const fs::path &file) {
+Endpoints read_page(const fs::path &file) {
     const std::string text = read_file(file);
     const WithoutFormulas taken = take_out_formulas(std::string_view{text}.substr(byte_order_mark(text).size()));
     const Document document = parse_markdown(taken.text);
-    Page page;
+    Endpoints page;
     std::map<std::string, int> seen;
     each_node(document.get(), [&](cmark_node *node) {
         const int line = cmark_node_get_start_line(node);
@@ -88,26 +88,26 @@ std::string decoded(std::string_view url) {
 }
 
 /// Why a link leads nowhere; empty if it doesn't.
-std::string trouble_with(const std::string &url, const fs::path &file, const fs::path &root, const Page &here) {
+std::string trouble_with(const std::string &url, const fs::path &file, const fs::path &root, const Endpoints &here) {
     if (is_on_the_web(url)) return "";
     const auto hash = url.find('#');
     const std::string path = decoded(url.substr(0, hash));
     const std::string anchor = hash == url.npos ? "" : decoded(url.substr(hash + 1));
-    const std::string link = "`" + url + "`";
+    const std::string named = "`" + url + "`";
 
     if (path.starts_with('/'))
-        return "the link " + link + " begins with a slash; write it as seen from this file's folder.";
+        return "the link " + named + " begins with a slash; write it as seen from this file's folder.";
     fs::path target = path.empty() ? file : (file.parent_path() / path).lexically_normal();
     if (target.lexically_relative(root).string().starts_with(".."))
-        return "the link " + link + " leads out of the course; name a file in it.";
-    if (!fs::exists(target)) return "the link " + link + " leads to no file; correct it, or add the file.";
+        return "the link " + named + " leads out of the course; name a file in it.";
+    if (!fs::exists(target)) return "the link " + named + " leads to no file; correct it, or add the file.";
     if (anchor.empty()) return "";
     if (fs::is_directory(target)) target /= "README.md"; // which a forge shows there
     if (target.extension() != ".md" || !fs::exists(target)) return "";
-    const Page there = path.empty() ? Page{} : read_page(target);
+    const Endpoints there = path.empty() ? Endpoints{} : read_page(target);
     return (path.empty() ? here : there).anchors.contains(anchor)
                ? ""
-               : "the link " + link + " leads to no heading of " + target.lexically_relative(root).generic_string()
+               : "the link " + named + " leads to no heading of " + target.lexically_relative(root).generic_string()
                      + "; correct what stands behind #.";
 }
 
@@ -129,7 +129,7 @@ std::string anchor_of(std::string_view heading) {
 }
 
 std::vector<Finding> dead_links(const fs::path &file, const fs::path &root) {
-    const Page page = read_page(file);
+    const Endpoints page = read_page(file);
     std::vector<Finding> dead;
     for (const Link &link : page.links)
         if (const std::string trouble = trouble_with(link.url, file, root, page); !trouble.empty())

@@ -15,7 +15,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char *about = R"(
+constexpr const char *about_plot = R"(
 The figures lie in the build folder as SVG; any browser shows them. With --mine your program is
 built and run, for at most 10 s, and its curves are drawn over ours. Without a section all figures
 are drawn.
@@ -87,7 +87,8 @@ void add_plot(CLI::App &app, const Tree &tree) {
         bool mine = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App *command = app.add_subcommand("plot", "Draw a section's figures, and say where they are")->footer(about);
+    CLI::App *command =
+        app.add_subcommand("plot", "Draw a section's figures, and say where they are")->footer(about_plot);
     command->add_option("section", options->section, "its number, name or file");
     command->add_flag("--mine", options->mine, "with your curve over ours");
     command->callback([&tree, options] {

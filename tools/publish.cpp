@@ -10,7 +10,7 @@
 namespace course {
 namespace {
 
-constexpr const char *about = R"(
+constexpr const char *about_publish = R"(
 Copies each drawn figure to plots/*.svg, where the chapters show it, and the trace that it was drawn
 from to plots/*.tsv, with six significant digits. Look at the figures first: ./course plot
 
@@ -54,7 +54,7 @@ void add_publish(CLI::App &app, const Tree &tree) {
     };
     const auto options = std::make_shared<Options>();
     CLI::App *command = app.add_subcommand("publish", "Keep the drawn figures in plots/, where the chapters show them");
-    command->footer(about);
+    command->footer(about_publish);
     command->add_option("section", options->section, "its number, name or file; all without it");
     command->add_flag("--check", options->check, "only say what differs");
     command->callback([&tree, options] {

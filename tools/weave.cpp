@@ -16,9 +16,9 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double deadline = 20; // [s] programs take a tenth of a second; a hang should not cost a minute
+constexpr double longest_program = 20; // [s] programs take a tenth of a second; a hang should not cost a minute
 
-struct Options {
+struct WeaveOptions {
     std::vector<std::string> sections;
     bool check = false;
 };
@@ -38,7 +38,7 @@ std::string output_of(const Tree &tree, const Section &section) {
     const fs::path traces = tree.build / "weave" / section.name;
     fs::create_directories(traces);
     const Finished finished =
-        run({program.string(), "--out", traces.string()}, {.deadline = deadline, .folder = traces});
+        run({program.string(), "--out", traces.string()}, {.deadline = longest_program, .folder = traces});
     if (finished.timed_out)
         throw Complaint{name + " was stopped after 20 s; ./course run " + section.short_number()
                         + " runs it without weaving."};
@@ -114,7 +114,7 @@ class Command {
 } // namespace
 
 void add_weave(CLI::App &app, const Tree &tree) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<WeaveOptions>();
     CLI::App *command = app.add_subcommand("weave", "Bring the book's listings and outputs up to date from the code");
     command->add_option("section", options->sections, "Their chapters only; without any, the whole book");
     command->add_flag("--check", options->check,
