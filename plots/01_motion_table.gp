@@ -1,0 +1,15 @@
+#> Figure: Table 13.2, and what it gains from row to row
+# gnuplot -c 01_motion_table.gp TRACE SVG [THE STUDENT'S TRACE]
+load 'style.gp'
+set output ARG2
+set key top left
+set xrange [-0.2:5.6]; set yrange [45:100]
+set xlabel 't [s]'; set ylabel 'x [m]'
+yours = ARGC > 2 ? "ARG3 using 1:2 every 5 with points lt 2 pt 6 ps 1.2 lw 2 title 'yours'" : "NaN notitle"
+before = NaN
+gain(x) = (change = x - before, before = x, change) # from one row of the table to the next
+plot ARG1 using 1:2 with lines lt 1 notitle, \
+     ARG1 using 1:2 every 10 with points lt 1 pt 7 ps 0.7 title 'x = 50 + 4 t + t²', \
+     ARG1 using 1:2 every 10 with steps lc rgb DIM lw 1 dt (5,4) title 'a second on, and what it gains', \
+     ARG1 using ($1 + 0.08):($2 - gain($2) / 2):(sprintf('%+g', change)) every 10 with labels left textcolor lt 3 notitle, \
+     @yours

@@ -1,0 +1,96 @@
+#include "motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace motion {
+
+//> Solution 1.1: pixels a second
+double px_per_second(double px_per_frame, double frames_per_second) {
+    course::require_range(px_per_frame, frames_per_second);
+    course::require(frames_per_second > 0, "frames_per_second must be positive", frames_per_second);
+    return px_per_frame * frames_per_second;
+}
+
+//> Solution 1.2: uniform motion
+Vec2 uniform_motion(const Vec2 &start, const Vec2 &velocity, double t) {
+    course::require_range(start, velocity, t);
+    return start + t * velocity;
+}
+
+//> Solution 1.3: accelerated motion
+State accelerated_motion(const State &start, const Vec2 &acceleration, double t) {
+    course::require_range(start.position, start.velocity, acceleration, t);
+    const Vec2 gained = t * acceleration; // velocity, on top of the one it started with
+    return {start.position + t * (start.velocity + gained / 2), start.velocity + gained};
+}
+
+//> Solution 1.4: centre of mass
+std::optional<Vec2> centre_of_mass(const std::vector<PointMass> &bodies) {
+    double total = 0;       // [kg]
+    Vec2 weighted = {0, 0}; // [m kg]
+    for (const PointMass &body : bodies) {
+        course::require_range(body.position, body.mass);
+        course::require(body.mass >= 0, "mass [kg] must not be negative", body.mass);
+        total += body.mass;
+        weighted += body.mass * body.position;
+    }
+    if (total == 0) return {};
+    return weighted / total;
+}
+
+//> Solution 1.5: three steps
+Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
+    for (const State &state : {before.explicit_euler, before.semi_implicit, before.exact})
+        course::require_range(state.position, state.velocity);
+    course::require_range(acceleration, dt);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+
+    const Vec2 gained = dt * acceleration;
+    Schemes after = before;
+    after.explicit_euler.position += dt * before.explicit_euler.velocity; // as fast as it was
+    after.explicit_euler.velocity += gained;
+    after.semi_implicit.velocity += gained;
+    after.semi_implicit.position += dt * after.semi_implicit.velocity; // as fast as it is now
+    after.exact.position += dt * (before.exact.velocity + gained / 2); // as fast as half way
+    after.exact.velocity += gained;
+    return after;
+}
+
+//> Solution 1.6: the middle of a plate
+Vec2 centroid(const std::vector<Vec2> &corners) {
+    course::require(corners.size() >= 3, "the number of corners must be three or more", double(corners.size()));
+    double size = 0; // the square of the longest distance between two corners [m²]
+    for (const Vec2 &p : corners) {
+        course::require_range(p);
+        for (const Vec2 &q : corners) size = std::max(size, (p - q).squaredNorm());
+    }
+
+    const Vec2 origin = corners[0]; // near, so that a plate far away loses no digits
+    double area = 0;                // with its sign [m²]
+    Vec2 weighted = {0, 0};         // [m³]
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const Vec2 p = corners[i] - origin, q = corners[i + 1] - origin;
+        const double triangle = (p.x() * q.y() - p.y() * q.x()) / 2; // negative where the outline runs backwards
+        area += triangle;
+        weighted += triangle * (p + q) / 3; // its middle: the third corner is at 0
+    }
+    course::require(std::abs(area) > 1e-12 * size, "the area [m²] must not be zero", area);
+    return origin + weighted / area;
+}
+
+//> Solution 1.7: three looks at a motion
+Law law_of_motion(const Sample &first, const Sample &second, const Sample &third) {
+    course::require_range(first.t, first.x, second.t, second.x, third.t, third.x);
+    for (const auto &[t, other] : {std::pair{first.t, second.t}, {second.t, third.t}, {third.t, first.t}})
+        course::require(t != other, "the times [s] must differ from each other", t);
+
+    const double v_12 = (second.x - first.x) / (second.t - first.t); // its velocity half way between the first two
+    const double v_23 = (third.x - second.x) / (third.t - second.t); // and half way between the last two
+    const double a = 2 * (v_23 - v_12) / (third.t - first.t);        // half ways that lie half of t_3 - t_1 apart
+    const double v_0 = v_12 - a * (first.t + second.t) / 2;
+    return {first.x - first.t * (v_0 + a * first.t / 2), v_0, a};
+}
+//>
+} // namespace motion

@@ -1,0 +1,19 @@
+// 1.5: one helper, told at which velocity to move
+#include "motion.hpp"
+
+namespace motion {
+
+Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
+    for (const State &state : {before.explicit_euler, before.semi_implicit, before.exact})
+        course::require_range(state.position, state.velocity);
+    course::require_range(acceleration, dt);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    Schemes after = before;
+    const auto moved = [&](const State &state, double share) -> State { // of the gained velocity that it moves with
+        return {state.position + dt * (state.velocity + share * dt * acceleration), state.velocity + dt * acceleration};
+    };
+    after = {moved(before.explicit_euler, 0), moved(before.semi_implicit, 1), moved(before.exact, 0.5)};
+    return after;
+}
+
+} // namespace motion

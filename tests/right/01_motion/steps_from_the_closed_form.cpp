@@ -1,0 +1,21 @@
+// 1.5: what each does in one step, written out
+#include "motion.hpp"
+
+namespace motion {
+
+Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
+    for (const State &state : {before.explicit_euler, before.semi_implicit, before.exact})
+        course::require_range(state.position, state.velocity);
+    course::require_range(acceleration, dt);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    Schemes after = before;
+    after.explicit_euler = {before.explicit_euler.position + before.explicit_euler.velocity * dt,
+                            before.explicit_euler.velocity + acceleration * dt};
+    after.semi_implicit = {before.semi_implicit.position + before.semi_implicit.velocity * dt + acceleration * dt * dt,
+                           before.semi_implicit.velocity + acceleration * dt};
+    after.exact = {before.exact.position + before.exact.velocity * dt + 0.5 * acceleration * dt * dt,
+                   before.exact.velocity + acceleration * dt};
+    return after;
+}
+
+} // namespace motion

@@ -1,0 +1,22 @@
+// 1.5: in place: the order of two lines is all that differs
+#include "motion.hpp"
+
+namespace motion {
+
+Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
+    for (const State &state : {before.explicit_euler, before.semi_implicit, before.exact})
+        course::require_range(state.position, state.velocity);
+    course::require_range(acceleration, dt);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    Schemes after = before;
+    after.explicit_euler.position += dt * before.explicit_euler.velocity;
+    after.explicit_euler.velocity += dt * acceleration;
+    after.semi_implicit.velocity += dt * acceleration;
+    after.semi_implicit.position += dt * after.semi_implicit.velocity;
+    after.exact.velocity += dt * acceleration / 2; // half of it before the move, half behind
+    after.exact.position += dt * after.exact.velocity;
+    after.exact.velocity += dt * acceleration / 2;
+    return after;
+}
+
+} // namespace motion

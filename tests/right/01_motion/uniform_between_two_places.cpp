@@ -1,0 +1,12 @@
+// 1.2: between where it is now and where it is after a second
+#include "motion.hpp"
+
+namespace motion {
+
+Vec2 uniform_motion(const Vec2 &start, const Vec2 &velocity, double t) {
+    course::require_range(start, velocity, t);
+    const Vec2 next = start + velocity;
+    return (1 - t) * start + t * next;
+}
+
+} // namespace motion

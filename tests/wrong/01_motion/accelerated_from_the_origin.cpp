@@ -1,0 +1,11 @@
+// 1.3: its start is forgotten
+#include "motion.hpp"
+
+namespace motion {
+
+State accelerated_motion(const State &start, const Vec2 &acceleration, double t) {
+    course::require_range(start.position, start.velocity, acceleration, t);
+    return {t * start.velocity + t * t / 2 * acceleration, start.velocity + t * acceleration};
+}
+
+} // namespace motion

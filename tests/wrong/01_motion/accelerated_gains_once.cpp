@@ -1,0 +1,11 @@
+// 1.3: the velocity gains a, however long
+#include "motion.hpp"
+
+namespace motion {
+
+State accelerated_motion(const State &start, const Vec2 &acceleration, double t) {
+    course::require_range(start.position, start.velocity, acceleration, t);
+    return {start.position + t * start.velocity + t * t / 2 * acceleration, start.velocity + acceleration};
+}
+
+} // namespace motion

