@@ -61,11 +61,10 @@ Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
 //> Solution 1.6: the middle of a plate
 Vec2 centroid(const std::vector<Vec2> &corners) {
     course::require(corners.size() >= 3, "the number of corners must be three or more", double(corners.size()));
+    course::require_range(corners);
     double size = 0; // the square of the longest distance between two corners [m²]
-    for (const Vec2 &p : corners) {
-        course::require_range(p);
+    for (const Vec2 &p : corners)
         for (const Vec2 &q : corners) size = std::max(size, (p - q).squaredNorm());
-    }
 
     const Vec2 origin = corners[0]; // near, so that a plate far away loses no digits
     double area = 0;                // with its sign [m²]

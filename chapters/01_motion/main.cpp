@@ -6,10 +6,13 @@ using namespace motion;
 using course::row, course::text;
 
 //> Pixels
-void print_uniform(std::ostream &out) {
+void print_pixels(std::ostream &out) {
     out << "4 px/frame at 30 frames a second: " << text(px_per_second(4, 30)) << " px/s\n";
-    out << "from (200, 80) px at (4, 0) px/frame, after 30 frames: " << text(uniform_motion({200, 80}, {4, 0}, 30))
-        << " px\n";
+}
+
+void print_uniform(std::ostream &out) {
+    const Vec2 place = uniform_motion({200, 80}, {4, 0}, 30);
+    out << "from (200, 80) px at (4, 0) px/frame, after 30 frames: " << text(place) << " px\n";
 }
 
 //> Tables 13.1 and 13.2
@@ -127,7 +130,8 @@ void trace_l(std::ostream &out) {
 //> Main
 int main(int argc, char **argv) {
     return course::run(argc, argv,
-                       {{"uniform motion", print_uniform},
+                       {{"pixels a second", print_pixels},
+                        {"uniform motion", print_uniform},
                         {"Table 13.1", print_table_13_1},
                         {"Table 13.2", print_table_13_2},
                         {"centres of mass", print_centres},

@@ -1,14 +1,54 @@
 #include "files.hpp"
+#include "process.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 
 #include <regex>
 
+namespace {
+
+const std::filesystem::path root = COURSE_ROOT;
+
+/// Where a check stands in its file may change: the verdict has not.
+std::string without_lines(const std::string &text) {
+    return std::regex_replace(text, std::regex{R"((see   tests/\w+\.cpp):\d+)"}, "$1:…");
+}
+
+/// What `./course check 1` says of a student's file.
+std::string verdict_on(const std::string &attempt) {
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "first attempt.cpp";
+    course::write_file(file, attempt);
+    const auto said = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, "NO_COLOR=1",
+                                   COURSE_TOOL, "check", "1", "--file", file.string()});
+    std::filesystem::remove(file);
+    return without_lines(said.out);
+}
+
+} // namespace
+
 TEST_CASE("the verdict that the README shows is a real one") {
-    const std::filesystem::path root = COURSE_ROOT;
     std::string verdict = course::read_file(root / "tests/verdicts/wrong_answer.txt");
     verdict.erase(verdict.find("exit code"));
-    const std::string readme =
-        std::regex_replace(course::read_file(root / "README.md"), std::regex{R"((see   tests/\w+\.cpp):\d+)"}, "$1:…");
+    const std::string readme = without_lines(course::read_file(root / "README.md"));
     CHECK(readme.find("$ ./course check 7\n" + verdict + "```") != std::string::npos);
+}
+
+TEST_CASE("the first verdicts that chapter 1 shows are real ones, of the lines that it shows") {
+    const std::string chapter = without_lines(course::read_file(root / "chapters/01_motion/README.md"));
+    const std::string stub = course::read_file(root / "tests/stubs/01_motion.cpp");
+    const std::size_t from = stub.find("throw course::NotYet"), to = stub.find(';', from) + 1;
+    const auto with = [&](const std::string &line) { return std::string{stub}.replace(from, to - from, line); };
+    const auto shows = [&](const std::string &text) {
+        INFO(text);
+        CHECK(chapter.find(text) != std::string::npos);
+    };
+    const std::string hurried = "return px_per_frame / frames_per_second;";
+    const std::string right = "return px_per_frame * frames_per_second;";
+
+    shows("$ ./course check 1\n" + verdict_on(stub) + "```");
+    shows("```cpp\n    " + hurried + "\n```");
+    shows("$ ./course check 1\n" + verdict_on(with(hurried)) + "```");
+    shows("`" + right + "`");
+    const std::string passed = verdict_on(with(right));
+    shows("```console\n" + passed.substr(0, passed.find('\n') + 1) + "```");
 }
