@@ -24,16 +24,6 @@ struct Endpoints {
     std::set<std::string> anchors;
 };
 
-std::string words_of(cmark_node *heading) {
-    std::string words;
-    each_node(heading, [&](cmark_node *node) {
-        const cmark_node_type type = cmark_node_get_type(node);
-        if (type == CMARK_NODE_TEXT || type == CMARK_NODE_CODE) words += literal(node);
-        if (type == CMARK_NODE_SOFTBREAK) words += ' ';
-    });
-    return words;
-}
-
 /// `id="e7-3"`, `href="book.md"`, `src="figure.svg"` of a piece of HTML.
 void read_html(const std::string &html, int line, Endpoints &page) {
     static const std::regex attribute{R"re(\b(id|name|href|src)\s*=\s*"([^"]*)")re"};
@@ -69,30 +59,12 @@ Endpoints read_page(const fs::path &file) {
     return page;
 }
 
-bool is_on_the_web(std::string_view url) {
-    static const std::regex scheme{R"(([A-Za-z][A-Za-z0-9+.-]*:|//)[\s\S]*)"};
-    return std::regex_match(url.begin(), url.end(), scheme);
-}
-
-/// "%20" is a blank.
-std::string decoded(std::string_view url) {
-    std::string text;
-    for (std::size_t i = 0; i < url.size(); ++i) {
-        const std::string hex{url.substr(i + 1, 2)};
-        const bool escaped =
-            url[i] == '%' && hex.size() == 2 && hex.find_first_not_of("0123456789abcdefABCDEF") == hex.npos;
-        text += escaped ? static_cast<char>(std::stoi(hex, nullptr, 16)) : url[i];
-        if (escaped) i += 2;
-    }
-    return text;
-}
-
 /// Why a link leads nowhere; empty if it doesn't.
 std::string trouble_with(const std::string &url, const fs::path &file, const fs::path &root, const Endpoints &here) {
     if (is_on_the_web(url)) return "";
     const auto hash = url.find('#');
-    const std::string path = decoded(url.substr(0, hash));
-    const std::string anchor = hash == url.npos ? "" : decoded(url.substr(hash + 1));
+    const std::string path = unescaped(url.substr(0, hash));
+    const std::string anchor = hash == url.npos ? "" : unescaped(url.substr(hash + 1));
     const std::string named = "`" + url + "`";
 
     if (path.starts_with('/'))
@@ -112,6 +84,23 @@ std::string trouble_with(const std::string &url, const fs::path &file, const fs:
 }
 
 } // namespace
+
+bool is_on_the_web(std::string_view url) {
+    static const std::regex scheme{R"(([A-Za-z][A-Za-z0-9+.-]*:|//)[\s\S]*)"};
+    return std::regex_match(url.begin(), url.end(), scheme);
+}
+
+std::string unescaped(std::string_view url) {
+    std::string text;
+    for (std::size_t i = 0; i < url.size(); ++i) {
+        const std::string hex{url.substr(i + 1, 2)};
+        const bool escaped =
+            url[i] == '%' && hex.size() == 2 && hex.find_first_not_of("0123456789abcdefABCDEF") == hex.npos;
+        text += escaped ? static_cast<char>(std::stoi(hex, nullptr, 16)) : url[i];
+        if (escaped) i += 2;
+    }
+    return text;
+}
 
 std::string anchor_of(std::string_view heading) {
     // As forges do it: small letters, digits, `-` and `_` stay, a blank becomes `-`, other signs go. Letters beyond

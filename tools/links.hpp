@@ -16,4 +16,10 @@ std::vector<Finding> dead_links(const std::filesystem::path &file, const std::fi
 /// What a forge calls a heading in a link: "Which way does a wall face?" is `#which-way-does-a-wall-face`.
 std::string anchor_of(std::string_view heading);
 
+/// Whether a link has a scheme, as "https:" or "mailto:".
+bool is_on_the_web(std::string_view url);
+
+/// A link's path as a file system has it: "%20" is a blank.
+std::string unescaped(std::string_view url);
+
 } // namespace course

@@ -31,7 +31,7 @@ void take_out(std::string_view paragraph, WithoutFormulas &result) {
             length = end == paragraph.npos ? fence : end - at;
             if (c == '$' && end != paragraph.npos && fence <= 2) {
                 const std::string_view formula = paragraph.substr(at + fence, length - 2 * fence);
-                result.formulas.emplace_back(formula);
+                result.formulas.push_back({std::string{formula}, fence == 2});
                 result.text += WithoutFormulas::stand_in;
                 result.text.append(static_cast<std::size_t>(std::count(formula.begin(), formula.end(), '\n')), '\n');
                 at += length;
@@ -70,12 +70,12 @@ namespace {
 
 /// Writes a document's text into `out`; formulas come back in the order in which they were taken out.
 struct PlainWriter {
-    const std::vector<std::string> &formulas;
+    const std::vector<Formula> &formulas;
     std::size_t next_formula = 0;
 
     std::string text(std::string literal) {
         for (std::size_t at = 0; (at = literal.find(WithoutFormulas::stand_in, at)) != literal.npos;) {
-            const std::string formula = plain_formula(formulas.at(next_formula++));
+            const std::string formula = plain_formula(formulas.at(next_formula++).tex);
             literal.replace(at, WithoutFormulas::stand_in.size(), formula);
             at += formula.size();
         }
@@ -140,6 +140,16 @@ struct PlainWriter {
 };
 
 } // namespace
+
+std::string words_of(cmark_node *heading) {
+    std::string words;
+    each_node(heading, [&](cmark_node *node) {
+        const cmark_node_type type = cmark_node_get_type(node);
+        if (type == CMARK_NODE_TEXT || type == CMARK_NODE_CODE) words += literal(node);
+        if (type == CMARK_NODE_SOFTBREAK) words += ' ';
+    });
+    return words;
+}
 
 std::string plain_text(std::string_view markdown) {
     const WithoutFormulas taken = take_out_formulas(markdown);

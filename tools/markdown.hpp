@@ -16,8 +16,8 @@ struct FreeNode {
 using Document = std::unique_ptr<cmark_node, FreeNode>;
 
 /// Lines are counted from 1. A byte-order mark is not expected.
-inline Document parse_markdown(std::string_view text) {
-    return Document{cmark_parse_document(text.data(), text.size(), CMARK_OPT_DEFAULT)};
+inline Document parse_markdown(std::string_view text, int options = CMARK_OPT_DEFAULT) {
+    return Document{cmark_parse_document(text.data(), text.size(), options)};
 }
 
 /// Visits every node, in the order of the text.
@@ -32,11 +32,20 @@ inline std::string literal(cmark_node *node) {
     return text ? text : "";
 }
 
+/// What a heading, or a link, says: its words and code, without stars or backticks.
+std::string words_of(cmark_node *heading);
+
+/// What stood between `$` and `$`, or `$$` and `$$`.
+struct Formula {
+    std::string tex;
+    bool display = false; ///< on a line of its own
+};
+
 /// A text whose formulas were taken out, since Markdown knows none and would eat their backslashes.
 struct WithoutFormulas {
     static constexpr std::string_view stand_in = "\xEE\x80\x80"; ///< a private character, U+E000, for each formula
     std::string text;                                            ///< with as many lines as before
-    std::vector<std::string> formulas; ///< what stood between `$` and `$`, or `$$` and `$$`, in order
+    std::vector<Formula> formulas;                               ///< in order
 };
 WithoutFormulas take_out_formulas(std::string_view text);
 
