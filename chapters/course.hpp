@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+/// What all sections share.
 namespace course {
 
 using Vec2 = Eigen::Vector2d; ///< x to the right, y up; metres unless said otherwise

@@ -27,5 +27,6 @@ void add_new(CLI::App &app, const Tree &tree);
 void add_draw(CLI::App &app, const Tree &tree);
 void add_publish(CLI::App &app, const Tree &tree);
 void add_bench(CLI::App &app, const Tree &tree);
+void add_site(CLI::App &app, const Tree &tree);
 
 } // namespace course

@@ -6,7 +6,7 @@ help() {
 Usage: ./course [command]
 
   ./course            installs what is missing (it asks first), builds, runs all programs, draws all figures,
-                      checks the book; --yes: without asking
+                      checks the book, makes its site; --yes: without asking
   ./course setup      only the installing; --yes: without asking
   ./course doctor     one line for each tool: what was found, what is needed, what to type
   ./course test       builds everything and runs all tests; what follows goes to ctest: ./course test -R verdict
@@ -35,15 +35,16 @@ everything() {
     target 3 'tests of the sections' section-tests
     target 3 'figures' figures
     target 1 'book' book
+    target 1 'site' site
     leave_build_folder
     short=${build#"$root"/}
     cat <<END
 
 All is built, drawn and checked.
-  the book        book.md, and from there the chapters
+  the book        $short/site/index.html, in your browser: ./course open
   the figures     $short/plots
   the exercises   exercises/, one file a section: they are yours to change
-Next: read book.md, open the first exercise in your editor, and type ./course check
+Next: type ./course open, open the first exercise in your editor, and type ./course check
 END
 }
 

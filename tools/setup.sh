@@ -15,6 +15,11 @@ cmark|cmark|0.30|libcmark-dev|reads the chapters, to prove that text and code ag
 pugixml|pugixml|1.12|libpugixml-dev|writes test reports, checks figures
 gmp|GMP with gmpxx|6.2|libgmp-dev|exact fractions, against which some tests judge
 gnuplot|gnuplot|5.4|gnuplot-nox|draws the figures
+doxygen|Doxygen|1.9.4|doxygen|makes pages of chapters and headers, for the book's site
+gumbo|Gumbo|0.10|libgumbo-dev|reads the site's pages, to finish them and to check their links
+node|Node.js|18|nodejs|runs KaTeX and lunr, while the site is built
+katex|KaTeX|0.16|libjs-katex|typesets the site's formulas
+lunr|lunr|2.3|libjs-lunr|the site's search
 END
 }
 
@@ -36,6 +41,14 @@ found() {
     pugixml) defined PUGIXML_VERSION in pugixml.hpp | sed 's/^\([0-9]\)\([0-9][0-9]\).*/\1.\2/' ;; # 1130 is 1.13
     gmp) [ -z "$(header gmpxx.h)" ] ||
         defined __GNU_MP_VERSION __GNU_MP_VERSION_MINOR __GNU_MP_VERSION_PATCHLEVEL in gmp.h ;;
+    doxygen) doxygen --version 2>/dev/null | sed 's/ .*//' ;;
+    gumbo)
+        file=$(beside lib/pkgconfig/gumbo.pc 'lib/*-linux-gnu*/pkgconfig/gumbo.pc')
+        [ -z "$file" ] || sed -n 's/^Version: //p' "$file"
+        ;;
+    node) { node --version || nodejs --version; } 2>/dev/null | sed 's/^v//' ;;
+    katex) script katex.js katex | grep -o '{version:"[0-9.]*"' | sed 's/[^0-9.]//g' ;;
+    lunr) script lunr.js lunr | sed -n 's/^ \* lunr - .* - \([0-9.]*\)$/\1/p' ;;
     esac
 }
 
@@ -57,10 +70,19 @@ compiler() {
 
 # header NAME...: the first of these headers where compilers and CMake look.
 header() {
+    for name; do
+        set -- "$@" "include/$name" "include/*-linux-gnu*/$name"
+        shift
+    done
+    beside "$@"
+}
+
+# beside FILE...: the first of these files below one of the places where things are installed.
+beside() {
     IFS=:
     for prefix in ${CMAKE_PREFIX_PATH-} ${COURSE_PREFIXES:-/usr/local:/opt/homebrew:/usr}; do
         for name; do
-            for file in "$prefix/include/$name" "$prefix/include/"*-linux-gnu*/"$name"; do
+            for file in "$prefix/"$name; do # a pattern, perhaps
                 if [ -f "$file" ]; then
                     printf '%s\n' "$file"
                     break 3
@@ -69,6 +91,12 @@ header() {
         done
     done
     unset IFS
+}
+
+# script FILE PACKAGE: the text of a library of JavaScript, as Debian or npm installs it.
+script() {
+    file=$(beside "share/javascript/$2/$1" "lib/node_modules/$2/dist/$1" "lib/node_modules/$2/$1")
+    [ -z "$file" ] || cat "$file"
 }
 
 # defined MACRO... in HEADER...: the macros' values, with dots between them, in the first of the headers there is.

@@ -32,6 +32,8 @@ machine() { # machine CLAIM: a new one, with everything installed, nothing built
     fake ctest 'echo "ctest: $*"; exit "${FAKE_CTEST:-0}"'
     fake ninja 'echo 1.11.1'
     fake gnuplot 'echo gnuplot 5.4 patchlevel 4'
+    fake doxygen 'echo 1.9.4'
+    fake node 'echo v18.20.4'
     fake c++ 'cat >/dev/null; echo "__clang_major__ __clang_minor__ 12 2 0"'
     fake cmake '
         case "$*" in
@@ -67,6 +69,11 @@ machine() { # machine CLAIM: a new one, with everything installed, nothing built
     header x86_64-linux-gnu/gmp.h '#define __GNU_MP_VERSION            6
 #define __GNU_MP_VERSION_MINOR      2
 #define __GNU_MP_VERSION_PATCHLEVEL 1'
+    header gumbo.h ''
+    mkdir -p "$lab/usr/lib/x86_64-linux-gnu/pkgconfig" "$lab/usr/share/javascript/katex" "$lab/usr/share/javascript/lunr"
+    echo 'Version: 0.10.1' >"$lab/usr/lib/x86_64-linux-gnu/pkgconfig/gumbo.pc"
+    echo 'x={version:"0.16.4",render:y}' >"$lab/usr/share/javascript/katex/katex.js"
+    echo ' * lunr - A bit like Solr - 2.3.9' >"$lab/usr/share/javascript/lunr/lunr.js"
 }
 
 fake() {
@@ -102,6 +109,11 @@ libcmark-dev 0.30.2-6
 libpugixml-dev 1.13-0.2
 libgmp-dev 2:6.2.1
 gnuplot-nox 5.4.4
+doxygen 1.9.4-4
+libgumbo-dev 0.10.1+dfsg-5
+nodejs 18.20.4+dfsg-1
+libjs-katex 0.16.4+~cs6.1.0-1
+libjs-lunr 2.3.9~dfsg-2
 END
     targets "$lab/sources/debian.sources:1"
     cat >"$lab/sources/debian.sources" <<'END'
@@ -178,8 +190,9 @@ build course-tool
 build programs
 build section-tests
 build figures
-build book"
-has "$out" 'book.md'
+build book
+build site"
+has "$out" 'site/index.html'
 has "$out" './course check'
 course
 has_not "$did" preset
@@ -282,10 +295,14 @@ done
 machine 'doctor: all is there'
 course doctor
 leaves_with 0
-is "$(grep -c found "$lab/out")" 11
+is "$(grep -c found "$lab/out")" 16
 has "$out" 'found GCC 12.2.0, need GCC 12 or Clang 14'
 has "$out" 'pugixml         found 1.13, need 1.12'
 has "$out" 'gnuplot         found 5.4.4, need 5.4'
+has "$out" 'Gumbo           found 0.10.1, need 0.10'
+has "$out" 'Node.js         found 18.20.4, need 18'
+has "$out" 'KaTeX           found 0.16.4, need 0.16'
+has "$out" 'lunr            found 2.3.9, need 2.3'
 
 claim='doctor: too old, missing, and what to type'
 with_apt

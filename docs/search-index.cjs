@@ -1,0 +1,18 @@
+// Makes the search's index with lunr: node search-index.cjs LUNR.JS DOCUMENTS.JSON writes a script that sets
+// `searchIndex`. A script, since a page that was opened as a file may not fetch anything else.
+'use strict';
+const fs = require('node:fs');
+const [library, input] = process.argv.slice(2);
+const lunr = require(library);
+const documents = JSON.parse(fs.readFileSync(input, 'utf8'));
+
+// Words end where letters and digits do: `first_touch(motion` is three.
+lunr.tokenizer.separator = /[^\p{L}\p{N}]+/u;
+const index = lunr(function () {
+  this.ref('number');
+  this.field('part', { boost: 8 });
+  this.field('page', { boost: 2 });
+  this.field('text');
+  documents.forEach((document, number) => this.add({ number, ...document }));
+});
+process.stdout.write(`window.searchIndex = ${JSON.stringify({ documents, index })};\n`);

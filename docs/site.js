@@ -1,0 +1,194 @@
+// What the pages do: colours, contents on a phone, copying, folds, search. Everything can be read without it.
+(function () {
+  'use strict';
+  const root = document.documentElement;
+  const one = (selector) => document.querySelector(selector);
+  const all = (selector) => [...document.querySelectorAll(selector)];
+
+  // Light or dark
+  const theme = one('#site-theme');
+  function colour(name) {
+    root.dataset.theme = name;
+    theme.setAttribute('aria-pressed', String(name === 'dark'));
+  }
+  colour(root.dataset.theme);
+  theme.addEventListener('click', () => {
+    colour(root.dataset.theme === 'dark' ? 'light' : 'dark');
+    try {
+      localStorage.setItem('theme', root.dataset.theme);
+    } catch { /* then it lasts for this page */ }
+  });
+
+  // Contents, where there is no room for them beside the text
+  const menu = one('#site-menu');
+  function showContents(shown) {
+    root.classList.toggle('contents-shown', shown);
+    menu.setAttribute('aria-expanded', String(shown));
+  }
+  menu.addEventListener('click', () => showContents(!root.classList.contains('contents-shown')));
+  one('#site-contents').addEventListener('click', (event) => {
+    if (event.target.closest('a')) showContents(false);
+  });
+  document.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || !root.classList.contains('contents-shown')) return;
+    showContents(false);
+    menu.focus();
+  });
+  const here = one('#site-contents [aria-current]');
+  if (here) here.closest('nav').scrollTop = here.offsetTop - 100;
+
+  // Listings can be copied. Whatever scrolls sideways can be scrolled with the keyboard.
+  for (const listing of all('pre')) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'copy';
+    button.textContent = 'Copy';
+    button.addEventListener('click', async () => {
+      button.textContent = (await copy(listing.textContent)) ? 'Copied' : 'Not copied';
+      setTimeout(() => (button.textContent = 'Copy'), 2000);
+    });
+    const caption = listing.parentElement.querySelector(':scope > figcaption');
+    if (caption) caption.append(button);
+    else listing.before(button);
+  }
+  async function copy(text) {
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch { /* not allowed for files in some browsers: the old way */ }
+    const area = document.createElement('textarea');
+    area.value = text;
+    document.body.append(area);
+    area.select();
+    const done = document.execCommand('copy');
+    area.remove();
+    return done;
+  }
+  function reachByKeys() {
+    for (const box of all('pre, .table, .katex-display')) {
+      if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+      else box.removeAttribute('tabindex');
+    }
+  }
+  reachByKeys();
+  addEventListener('resize', reachByKeys);
+  document.addEventListener('toggle', reachByKeys, true);
+
+  // A fold opens for a link into it, and on paper.
+  function openFor(id) {
+    const target = id && document.getElementById(id);
+    if (!target) return;
+    for (let fold = target.closest('details'); fold; fold = fold.parentElement.closest('details')) fold.open = true;
+    target.scrollIntoView();
+  }
+  const linked = () => openFor(decodeURIComponent(location.hash.slice(1)));
+  addEventListener('hashchange', linked);
+  if (location.hash) linked();
+  let closed = [];
+  addEventListener('beforeprint', () => {
+    closed = all('details:not([open])');
+    for (const fold of closed) fold.open = true;
+  });
+  addEventListener('afterprint', () => {
+    for (const fold of closed) fold.open = false;
+  });
+
+  // Search. Its library and index are read when they are first wanted.
+  const dialog = one('#site-search'), words = one('#site-words'), found = one('#site-found'), results = one('#site-results');
+  function script(address) {
+    return new Promise((done, failed) => {
+      const element = document.createElement('script');
+      element.src = address;
+      element.onload = done;
+      element.onerror = () => failed(new Error(`${address} is missing`));
+      document.head.append(element);
+    });
+  }
+  let index = null;
+  async function load() {
+    await script('lunr.js');
+    await script('search-index.js');
+    lunr.tokenizer.separator = /[^\p{L}\p{N}]+/u;
+    index = lunr.Index.load(searchIndex.index);
+  }
+  let loading = null;
+  function openSearch() {
+    loading ??= load().catch(() => (found.textContent = 'The index cannot be read.')).then(search);
+    dialog.showModal();
+    words.select();
+  }
+  one('#site-find').addEventListener('click', openSearch);
+  document.addEventListener('keydown', (event) => {
+    const writing = event.target.closest('input, textarea, select');
+    if (event.key === '/' && !writing && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      event.preventDefault();
+      openSearch();
+    }
+  });
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog || event.target.closest('a')) dialog.close();
+  });
+
+  const split = (text) => text.toLowerCase().match(/[\p{L}\p{N}]+/gu) ?? [];
+
+  // Parts that have every word, as a stem or as the beginning of a word; the best first.
+  function matches(terms) {
+    let scores = null;
+    for (const term of terms) {
+      const hits = new Map();
+      const query = (q) => {
+        q.term(term, { boost: 10 });
+        q.term(term, { wildcard: lunr.Query.wildcard.TRAILING, usePipeline: false });
+        if (term.length > 5) q.term(term, { editDistance: 1, boost: 0.1 });
+      };
+      for (const hit of index.query(query)) hits.set(hit.ref, hit.score + (scores?.get(hit.ref) ?? 0));
+      scores = scores === null ? hits : new Map([...hits].filter(([ref]) => scores.has(ref)));
+    }
+    return [...scores].sort((a, b) => b[1] - a[1]).map(([ref]) => searchIndex.documents[ref]);
+  }
+
+  // A piece of the text round the first of the words, with the words marked.
+  function excerpt(text, terms) {
+    const pattern = new RegExp(`(?<![\\p{L}\\p{N}])(?:${terms.map((term) => term.slice(0, Math.max(4, term.length - 3))).join('|')})[\\p{L}\\p{N}]*`, 'giu');
+    const first = Math.max(text.search(pattern), 0);
+    const from = Math.max(0, text.lastIndexOf(' ', Math.max(first - 60, 0)));
+    const piece = text.slice(from, from + 180);
+    const paragraph = document.createElement('p');
+    let at = 0;
+    if (from > 0) paragraph.append('… ');
+    for (const hit of piece.matchAll(pattern)) {
+      const mark = document.createElement('mark');
+      mark.textContent = hit[0];
+      paragraph.append(piece.slice(at, hit.index), mark);
+      at = hit.index + hit[0].length;
+    }
+    paragraph.append(piece.slice(at) + (from + 180 < text.length ? ' …' : ''));
+    return paragraph;
+  }
+
+  function search() {
+    const terms = split(words.value);
+    results.replaceChildren();
+    found.textContent = '';
+    if (!index || terms.length === 0) return;
+    const hits = matches(terms);
+    found.textContent = hits.length === 0 ? 'Nothing has all these words.' : hits.length === 1 ? 'One place' : `${hits.length} places`;
+    for (const hit of hits.slice(0, 30)) {
+      const link = document.createElement('a');
+      link.href = hit.address;
+      link.textContent = hit.part || hit.page;
+      const where = document.createElement('small');
+      where.textContent = hit.part ? hit.page : '';
+      const item = document.createElement('li');
+      item.append(link, ' ', where);
+      if (hit.text) item.append(excerpt(hit.text, terms));
+      results.append(item);
+    }
+  }
+  words.addEventListener('input', search);
+  words.addEventListener('keydown', (event) => {
+    if (event.key !== 'Enter') return;
+    event.preventDefault();
+    results.querySelector('a')?.click();
+  });
+})();

@@ -1,0 +1,106 @@
+// `course site` and `course open`; and, for the build alone, `course filter` and `course make-site`.
+
+#include "commands.hpp"
+#include "files.hpp"
+#include "lock.hpp"
+#include "process.hpp"
+#include "site/addresses.hpp"
+#include "site/build.hpp"
+#include "site/doxygen_page.hpp"
+
+#include <iostream>
+#include <memory>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+/// A path as somebody would type it who stands in the checkout.
+std::string shown(const Tree &tree, const fs::path &file) {
+    const fs::path near = file.lexically_relative(tree.root);
+    return near.empty() || near.string().starts_with("..") ? file.string() : near.string();
+}
+
+/// Brings the site up to date by the build.
+void bring_up(const Tree &tree) {
+    const Lock lock{tree};
+    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", "site"});
+    if (built.code == 0) return;
+    const std::string printed = built.out + built.err;
+    const auto said = printed.find("course: ");
+    throw Complaint{said == printed.npos
+                        ? "the site cannot be built; see cmake --build " + tree.build.string() + " --target site"
+                        : printed.substr(said + 8, printed.find("\nninja: ", said) - said - 8)};
+}
+
+fs::path page(const Tree &tree, const std::string &section) {
+    const fs::path file = section.empty() ? tree.root / "book.md" : tree.chapter(tree.section(section));
+    return site_folder(tree) / (page_name(tree, file) + ".html");
+}
+
+/// Shows a file with whatever program is meant for it, without waiting for that program.
+bool show(const fs::path &file) {
+    for (const char *opener : {"xdg-open", "open"})
+        if (run({"sh", "-c", "command -v \"$1\" && { \"$1\" \"$2\" >/dev/null 2>&1 & }", "sh", opener, file.string()})
+                .code
+            == 0)
+            return true;
+    return false;
+}
+
+void open(const Tree &tree, const std::string &section) {
+    const fs::path file = page(tree, section);
+    bring_up(tree);
+    const bool shown_now = show(file);
+    std::cout << (shown_now ? "Opened " : "Open this file in your browser: ") << file.string() << '\n';
+}
+
+void add_site_command(CLI::App &app, const Tree &tree) {
+    CLI::App *command =
+        app.add_subcommand("site", "Build the book as a site, to be read in a browser without a network");
+    command->footer("Example: ./course site");
+    command->callback([&tree] {
+        bring_up(tree);
+        std::cout << "The book is " << shown(tree, page(tree, ""))
+                  << "\nType ./course open, or ./course open 7 for a section\n";
+    });
+}
+
+void add_open_command(CLI::App &app, const Tree &tree) {
+    const auto section = std::make_shared<std::string>();
+    CLI::App *command = app.add_subcommand("open", "Open the book, or a chapter, in your browser");
+    command->add_option("section", *section, "its number, name or file; the front page without it");
+    command->footer("Example: ./course open 7");
+    command->callback([&tree, section] { open(tree, *section); });
+}
+
+void add_filter_command(CLI::App &app, const Tree &tree) {
+    const auto file = std::make_shared<std::string>();
+    CLI::App *command = app.add_subcommand("filter", "Print a page of the book as Doxygen wants it")->group("");
+    command->add_option("file", *file, "a Markdown file")->required();
+    command->callback([&tree, file] {
+        const fs::path path = fs::absolute(*file).lexically_normal();
+        std::cout << doxygen_page(tree, path, read_file(path));
+    });
+}
+
+void add_make_command(CLI::App &app, const Tree &tree) {
+    const auto tools = std::make_shared<SiteTools>();
+    CLI::App *command = app.add_subcommand("make-site", "Make the site; the build knows with which tools")->group("");
+    command->add_option("--doxygen", tools->doxygen)->required();
+    command->add_option("--node", tools->node)->required();
+    command->add_option("--katex", tools->katex)->required();
+    command->add_option("--lunr", tools->lunr)->required();
+    command->callback([&tree, tools] { build_site(tree, *tools); });
+}
+
+} // namespace
+
+void add_site(CLI::App &app, const Tree &tree) {
+    add_site_command(app, tree);
+    add_open_command(app, tree);
+    add_filter_command(app, tree);
+    add_make_command(app, tree);
+}
+
+} // namespace course

@@ -1,0 +1,63 @@
+#include "site/addresses.hpp"
+
+#include "links.hpp"
+#include "weaving.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace course {
+namespace fs = std::filesystem;
+
+std::string path_in(const Tree &tree, const fs::path &file) {
+    return file.lexically_relative(tree.root).generic_string();
+}
+
+std::vector<fs::path> markdown_pages(const Tree &tree) {
+    std::vector<fs::path> pages{tree.root / "book.md"};
+    for (const Section &section : tree.sections()) pages.push_back(tree.chapter(section));
+    std::set<fs::path> others;
+    for (const auto &entry : fs::directory_iterator{tree.root})
+        if (entry.path().extension() == ".md" && entry.path() != pages.front()) others.insert(entry.path());
+    pages.insert(pages.end(), others.begin(), others.end());
+    return pages;
+}
+
+std::vector<fs::path> source_pages(const Tree &tree) {
+    std::vector<fs::path> pages = page_of_book(tree).code;
+    for (const fs::path file : {"tests/section_test.hpp", "plots/style.gp"})
+        if (fs::exists(tree.root / file)) pages.push_back(tree.root / file);
+    for (const Section &section : tree.sections()) {
+        const std::vector<fs::path> own = page_of(tree, section).code;
+        pages.insert(pages.end(), own.begin(), own.end());
+    }
+    return pages;
+}
+
+std::string page_name(const Tree &tree, const fs::path &file) {
+    if (file.filename() == "README.md" && file.parent_path() != tree.root)
+        return "chapter_" + file.parent_path().filename().string();
+    if (file == tree.root / "book.md") return "index";
+    const bool is_code = file.extension() != ".md";
+    std::string name = is_code ? "source_" + path_in(tree, file) : file.stem().string();
+    for (char &c : name)
+        c = std::isalnum(static_cast<unsigned char>(c)) ? is_code ? c : static_cast<char>(std::tolower(c)) : '_';
+    return name;
+}
+
+std::optional<std::string> address(const Tree &tree, const fs::path &file, const std::string &url) {
+    if (is_on_the_web(url) || url.starts_with('#')) return url;
+    const auto hash = std::min(url.find('#'), url.size());
+    fs::path target = (file.parent_path() / unescaped(url.substr(0, hash))).lexically_normal();
+    if (!target.has_filename()) target = target.parent_path();
+    if (fs::is_directory(target)) target /= "README.md"; // which a forge shows there
+    const auto among = [&](const std::vector<fs::path> &pages) {
+        return std::find(pages.begin(), pages.end(), target) != pages.end();
+    };
+    if (among(markdown_pages(tree)) || among(source_pages(tree)))
+        return page_name(tree, target) + ".html" + url.substr(hash);
+    if (target.extension() == ".svg" || target.extension() == ".png") return path_in(tree, target);
+    return {};
+}
+
+} // namespace course

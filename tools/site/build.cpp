@@ -1,0 +1,188 @@
+#include "site/build.hpp"
+
+#include "complaint.hpp"
+#include "files.hpp"
+#include "process.hpp"
+#include "site/addresses.hpp"
+#include "site/doxygen_page.hpp"
+#include "site/draft.hpp"
+#include "site/entries.hpp"
+#include "site/frame.hpp"
+#include "site/reachable.hpp"
+#include "site/search.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <regex>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+class Builder {
+  public:
+    Builder(const Tree &tree_, const SiteTools &tools_) : tree{tree_}, tools{tools_} {}
+
+    void build() {
+        fs::remove_all(work);
+        fs::create_directories(work / "sources");
+        run_doxygen();
+        known = interfaces(work / "names.tag");
+        read_drafts();
+        const std::vector<std::string> typeset = typeset_formulas();
+        SiteFiles files;
+        files["search-index.js"] = search_index();
+        add_pages(files, typeset);
+        add_assets(files);
+        keep_reachable(files);
+        write(files);
+    }
+
+  private:
+    std::string quoted(const fs::path &path) const { return '"' + path.string() + '"'; }
+
+    /// Runs one of our tools; its words are for whoever can mend what it complains of.
+    std::string run_tool(const std::vector<std::string> &command, const std::string &what) const {
+        const Finished finished = run(command, {.deadline = 300, .folder = tree.root});
+        if (finished.timed_out) throw Complaint{what + " did not end within five minutes"};
+        if (finished.code != 0)
+            throw Complaint{what + " failed:\n" + without_root(finished.err.empty() ? finished.out : finished.err)};
+        return finished.out;
+    }
+
+    std::string without_root(std::string text) const {
+        const std::string root = tree.root.string() + '/';
+        for (std::size_t at; (at = text.find(root)) != text.npos;) text.erase(at, root.size());
+        return text;
+    }
+
+    // Doxygen
+
+    void run_doxygen() {
+        std::string input;
+        for (const fs::path &file : markdown_pages(tree)) input += ' ' + quoted(file);
+        for (const fs::path &file : source_pages(tree)) {
+            const fs::path page = work / "sources" / (page_name(tree, file) + ".markdown");
+            write_file(page, doxygen_source(tree, file, read_file(file)));
+            input += ' ' + quoted(page);
+            if (file.extension() == ".hpp" && path_in(tree, file).starts_with("chapters/")) input += ' ' + quoted(file);
+        }
+        const fs::path settings = work / "Doxyfile";
+        write_file(settings, "@INCLUDE = " + quoted(tree.root / "docs" / "Doxyfile") + "\nINPUT =" + input
+                                 + "\nSTRIP_FROM_PATH = " + quoted(tree.root) + "\nOUTPUT_DIRECTORY = " + quoted(work)
+                                 + "\nGENERATE_TAGFILE = " + quoted(work / "names.tag")
+                                 + "\nFILTER_PATTERNS = \"*.md=\\\"" + (tree.build / "course-tool").string()
+                                 + "\\\" filter\"\n");
+        run_tool({tools.doxygen, settings.string()}, "Doxygen");
+    }
+
+    /// What Doxygen has written, but for the lists that nobody reads.
+    void read_drafts() {
+        static const std::regex wanted{R"(index|(chapter|source)_.*|(namespace|struct|class|union).*)"};
+        std::vector<std::string> names;
+        for (const fs::path &file : markdown_pages(tree)) names.push_back(page_name(tree, file));
+        std::vector<fs::path> files;
+        for (const auto &entry : fs::directory_iterator{work / "html"}) files.push_back(entry.path());
+        std::sort(files.begin(), files.end());
+        for (const fs::path &file : files) {
+            const std::string name = file.stem().string();
+            const bool is_list = name == "namespaces" || name.starts_with("namespacemembers") || name == "classes"
+                                 || name.ends_with("-members");
+            const bool own = std::find(names.begin(), names.end(), name) != names.end();
+            if (file.extension() == ".html" && !is_list && (own || std::regex_match(name, wanted)))
+                drafts.emplace_back(name, read_file(file));
+        }
+    }
+
+    // Node
+
+    std::string run_node(const char *script, const nlohmann::json &input, const fs::path &library) const {
+        const fs::path file = work / (std::string{script} + ".json");
+        write_file(file, input.dump());
+        return run_tool({tools.node, (tree.root / "docs" / script).string(), library.string(), file.string()}, script);
+    }
+
+    /// All formulas of all drafts, in order, as HTML.
+    std::vector<std::string> typeset_formulas() const {
+        nlohmann::json input = nlohmann::json::array();
+        for (const Draft &draft : drafts)
+            for (const FormulaAt &formula : draft.formulas())
+                input.push_back({{"tex", formula.tex}, {"display", formula.display}, {"from", formula.from}});
+        return nlohmann::json::parse(run_node("formulas.cjs", input, tools.katex / "katex.js"));
+    }
+
+    std::string search_index() const {
+        nlohmann::json documents = nlohmann::json::array();
+        for (const Draft &draft : drafts)
+            if (!draft.is_interface() && !draft.name().starts_with("source_"))
+                for (const nlohmann::json &document : search_documents(draft)) documents.push_back(document);
+        for (const auto &[space, interface] : known)
+            for (const auto &[name, where] : interface.names)
+                documents.push_back({{"page", space},
+                                     {"part", name + (where.is_function ? "()" : "")},
+                                     {"address", where.address},
+                                     {"text", ""}});
+        return run_node("search-index.cjs", documents, tools.lunr);
+    }
+
+    // Pages
+
+    /// The namespace whose names a page's listings may link to: that of its section.
+    const Interface *names_for(const Draft &draft) const {
+        for (const Section &section : tree.sections())
+            if (draft.name().find(section.name) != std::string::npos)
+                if (const auto found = known.find(section.slug()); found != known.end()) return &found->second;
+        return nullptr;
+    }
+
+    void add_pages(SiteFiles &files, const std::vector<std::string> &typeset) {
+        const Frame frame{tree, known, entries(tree, read_file(tree.root / "book.md")),
+                          read_file(tree.root / "docs" / "page.html")};
+        auto from = typeset.begin();
+        for (Draft &draft : drafts) {
+            const auto to = from + static_cast<std::ptrdiff_t>(draft.formulas().size());
+            files[draft.name() + ".html"] = frame.around(draft, draft.finished({from, to}, names_for(draft)));
+            from = to;
+        }
+    }
+
+    void add_assets(SiteFiles &files) {
+        for (const auto &entry : fs::directory_iterator{tree.root / "docs"})
+            if (const std::string kind = entry.path().extension().string(); kind == ".css" || kind == ".js")
+                files[entry.path().filename().string()] = read_file(entry.path());
+        for (const auto &entry : fs::directory_iterator{tree.root / "plots"})
+            if (entry.path().extension() == ".svg") files[path_in(tree, entry.path())] = read_file(entry.path());
+        files["lunr.js"] = read_file(fs::path{tools.lunr}.replace_extension(".min.js"));
+        // Of its three formats every browser of the last ten years takes the first.
+        static const std::regex older{R"(,url\([^)]*\.(woff|ttf)\) format\([^)]*\))"};
+        files["katex.css"] = std::regex_replace(read_file(tools.katex / "katex.min.css"), older, "");
+        for (const fs::path &folder : {tools.katex / "fonts", tree.root / "docs" / "fonts"})
+            for (const auto &entry : fs::directory_iterator{folder})
+                if (const std::string kind = entry.path().extension().string(); kind == ".woff2" || kind == ".txt")
+                    files["fonts/" + entry.path().filename().string()] = read_file(entry.path());
+    }
+
+    /// Writes what has changed, and removes what is no longer a part of the site.
+    void write(const SiteFiles &files) const {
+        const fs::path folder = site_folder(tree);
+        for (const auto &[name, text] : files) write_file(folder / name, text);
+        std::vector<fs::path> old;
+        for (const auto &entry : fs::recursive_directory_iterator{folder})
+            if (entry.is_regular_file() && !files.contains(entry.path().lexically_relative(folder).generic_string()))
+                old.push_back(entry.path());
+        for (const fs::path &file : old) fs::remove(file);
+    }
+
+    const Tree &tree;
+    const SiteTools &tools;
+    const fs::path work = tree.build / "site.work";
+    std::map<std::string, Interface> known;
+    std::vector<Draft> drafts;
+};
+
+} // namespace
+
+void build_site(const Tree &tree, const SiteTools &tools) { Builder{tree, tools}.build(); }
+
+} // namespace course

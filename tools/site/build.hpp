@@ -1,0 +1,23 @@
+#pragma once
+#include "tree.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace course {
+
+/// What the site is made with, besides this program.
+struct SiteTools {
+    std::string doxygen, node;   ///< programs
+    std::filesystem::path katex; ///< the folder of katex.js, katex.min.css and fonts/
+    std::filesystem::path lunr;  ///< the file lunr.js
+};
+
+/// Where the site is.
+inline std::filesystem::path site_folder(const Tree &tree) { return tree.build / "site"; }
+
+/// Makes the whole site anew; files that stay the same keep their date.
+/// @throws Complaint naming what is wrong and where: a formula that cannot be read, a warning of Doxygen's, a dead link.
+void build_site(const Tree &tree, const SiteTools &tools);
+
+} // namespace course

@@ -1,0 +1,406 @@
+#include "site/doxygen_page.hpp"
+
+#include "chunks.hpp"
+#include "complaint.hpp"
+#include "files.hpp"
+#include "lines.hpp"
+#include "links.hpp"
+#include "markdown.hpp"
+#include "site/addresses.hpp"
+#include "site/html.hpp"
+#include "site/table.hpp"
+#include "weaving.hpp"
+
+#include <cstdlib>
+#include <map>
+#include <regex>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view html_begins = "\n\\htmlonly[block]\n", html_ends = "\n\\endhtmlonly\n";
+
+/// What Doxygen calls the language that a fence names, if it can colour it. (Comments and strings of gnuplot are those
+/// of Python.)
+std::string_view colours_of(std::string_view language) {
+    if (language == "cpp" || language == "c++") return "{.cpp}";
+    if (language == "gnuplot") return "{.py}";
+    return "";
+}
+
+/// Code between two pieces of HTML.
+std::string coloured(std::string_view colours, std::string_view code) {
+    return std::string{html_ends} + "\\code" + std::string{colours} + '\n' + std::string{code} + "\\endcode"
+           + std::string{html_begins};
+}
+
+std::string joined(std::vector<std::string>::const_iterator line, std::vector<std::string>::const_iterator end) {
+    std::string text;
+    for (; line != end; ++line) (text += *line) += '\n';
+    return text;
+}
+
+/// The chunks that a page may show, by title.
+std::map<std::string, Chunk> chunks_for(const Tree &tree, const fs::path &file) {
+    std::vector<fs::path> code;
+    if (file == tree.root / "book.md") code = page_of_book(tree).code;
+    for (const Section &section : tree.sections())
+        if (file == tree.chapter(section)) code = page_of(tree, section).code;
+    std::map<std::string, Chunk> chunks;
+    for (const fs::path &each : code)
+        for (Chunk &chunk : cut(each)) chunks.try_emplace(chunk.title, chunk);
+    return chunks;
+}
+
+cmark_node *raw(cmark_node_type type, const std::string &enter, const std::string &leave = "") {
+    cmark_node *node = cmark_node_new(type);
+    cmark_node_set_on_enter(node, enter.c_str());
+    cmark_node_set_on_exit(node, leave.c_str());
+    return node;
+}
+
+void move_children(cmark_node *from, cmark_node *to) {
+    while (cmark_node *child = cmark_node_first_child(from)) cmark_node_append_child(to, child);
+}
+
+void replace(cmark_node *old, cmark_node *with) {
+    cmark_node_replace(old, with);
+    cmark_node_free(old);
+}
+
+std::string rendered(cmark_node *node) {
+    const std::unique_ptr<char, decltype(&std::free)> html{cmark_render_html(node, CMARK_OPT_UNSAFE), &std::free};
+    return html.get();
+}
+
+/// Changes a chapter's tree of nodes into one that cmark writes as the site's HTML.
+class PageWriter {
+  public:
+    PageWriter(const Tree &tree_, const fs::path &file_, std::string_view text, std::map<std::string, Chunk> chunks_)
+        : tree{tree_},
+          file{file_},
+          chunks{std::move(chunks_)},
+          taken{take_out_formulas(text)},
+          lines{lines_of(taken.text)} {}
+
+    std::string write() {
+        const Document document = parse_markdown(taken.text, CMARK_OPT_SMART);
+        blocks(document.get());
+        // Doxygen reads on until this word, wherever it stands.
+        static const std::regex end{R"(\\endhtmlonly)"};
+        std::string html = std::regex_replace(rendered(document.get()), end, "&#92;endhtmlonly");
+        for (std::size_t at = 0; at < listings.size(); ++at) {
+            const std::string mark = listing_mark(at);
+            html.replace(html.find(mark), mark.size(), listings[at]);
+        }
+        const std::string name = page_name(tree, file);
+        return "# " + plain_title + " {#" + (name == "index" ? "mainpage" : name) + "}\n" + std::string{html_begins}
+               + html + std::string{html_ends};
+    }
+
+  private:
+    std::string place(int line) const { return path_in(tree, file) + ':' + std::to_string(line); }
+
+    static std::string listing_mark(std::size_t number) { return "<!-- listing " + std::to_string(number) + " -->"; }
+
+    std::string formula(const std::string &tex, bool display, int line) const {
+        return "<span class=\"math" + std::string{display ? " display" : ""} + "\" data-from=\"" + place(line) + "\">"
+               + escaped(tex) + "</span>";
+    }
+
+    void blocks(cmark_node *parent) {
+        for (cmark_node *node = cmark_node_first_child(parent), *next; node; node = next) {
+            next = cmark_node_next(node);
+            block(node);
+        }
+    }
+
+    void block(cmark_node *node) {
+        switch (cmark_node_get_type(node)) {
+        case CMARK_NODE_HEADING: heading(node); break;
+        case CMARK_NODE_PARAGRAPH: paragraph(node); break;
+        case CMARK_NODE_CODE_BLOCK: listing(node); break;
+        case CMARK_NODE_HTML_BLOCK: html(node); break;
+        default: blocks(node);
+        }
+    }
+
+    void heading(cmark_node *node) {
+        const std::string words = words_of(node), level = std::to_string(cmark_node_get_heading_level(node));
+        std::string anchor = anchor_of(words);
+        if (const int before = seen[anchor]++; before > 0) anchor += '-' + std::to_string(before);
+        const bool title = plain_title.empty();
+        if (title) plain_title = words;
+        inlines(node, cmark_node_get_start_line(node));
+        cmark_node *block = title ? raw(CMARK_NODE_CUSTOM_BLOCK, "<h1>", "</h1>")
+                                  : raw(CMARK_NODE_CUSTOM_BLOCK, "<h" + level + " id=\"" + escaped(anchor) + "\">",
+                                        "<a class=\"anchor\" href=\"#" + escaped(anchor) + "\" aria-label=\"Link to "
+                                            + escaped(words) + "\">#</a></h" + level + ">");
+        move_children(node, block);
+        replace(node, block);
+        lead_may_follow = title;
+    }
+
+    void paragraph(cmark_node *node) {
+        const int first = cmark_node_get_start_line(node);
+        cmark_node *only = cmark_node_first_child(node);
+        if (only && cmark_node_next(only)) only = nullptr;
+        if (const auto table = table_in(node)) {
+            replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, written(*table, first)));
+        } else if (only && cmark_node_get_type(only) == CMARK_NODE_IMAGE) {
+            replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, figure(only)));
+        } else if (only && cmark_node_get_type(only) == CMARK_NODE_EMPH && lead_may_follow) {
+            inlines(only, first);
+            cmark_node *lead = raw(CMARK_NODE_CUSTOM_BLOCK, "<p class=\"lead\">", "</p>");
+            move_children(only, lead);
+            replace(node, lead);
+        } else {
+            inlines(node, first);
+        }
+        lead_may_follow = false;
+    }
+
+    // Words
+
+    void inlines(cmark_node *parent, int line) {
+        for (cmark_node *node = cmark_node_first_child(parent), *next; node; node = next) {
+            next = cmark_node_next(node);
+            switch (cmark_node_get_type(node)) {
+            case CMARK_NODE_TEXT: words(node, line); break;
+            case CMARK_NODE_SOFTBREAK:
+            case CMARK_NODE_LINEBREAK: ++line; break;
+            case CMARK_NODE_LINK:
+                inlines(node, line);
+                link(node);
+                break;
+            case CMARK_NODE_IMAGE: {
+                cmark_node *picture = raw(CMARK_NODE_CUSTOM_INLINE, image(node));
+                replace(node, picture);
+                break;
+            }
+            default: inlines(node, line);
+            }
+        }
+    }
+
+    /// Puts the formulas back, in the order in which they were taken out.
+    void words(cmark_node *node, int line) {
+        const std::string text = literal(node);
+        std::size_t from = 0;
+        for (std::size_t at; (at = text.find(WithoutFormulas::stand_in, from)) != text.npos;
+             from = at + WithoutFormulas::stand_in.size()) {
+            add_text(node, text.substr(from, at - from));
+            const auto &[tex, display] = next_formula();
+            cmark_node_insert_before(node, raw(CMARK_NODE_CUSTOM_INLINE, formula(tex, display, line)));
+        }
+        if (from == 0) return;
+        add_text(node, text.substr(from));
+        cmark_node_free(node);
+    }
+
+    static void add_text(cmark_node *before, const std::string &text) {
+        cmark_node *node = cmark_node_new(CMARK_NODE_TEXT);
+        cmark_node_set_literal(node, text.c_str());
+        cmark_node_insert_before(before, node);
+    }
+
+    const Formula &next_formula() { return taken.formulas.at(formulas_back++); }
+
+    /// A link to what the site does not have becomes its words.
+    void link(cmark_node *node) {
+        const auto to = address(tree, file, cmark_node_get_url(node));
+        if (to) {
+            cmark_node_set_url(node, to->c_str());
+            return;
+        }
+        cmark_node *words = raw(CMARK_NODE_CUSTOM_INLINE, "<span class=\"path\">", "</span>");
+        move_children(node, words);
+        replace(node, words);
+    }
+
+    // Pictures
+
+    std::string alternative(cmark_node *image) {
+        std::string words;
+        each_node(image, [&](cmark_node *node) {
+            std::string text = cmark_node_get_type(node) == CMARK_NODE_SOFTBREAK ? " " : literal(node);
+            for (std::size_t at; (at = text.find(WithoutFormulas::stand_in)) != text.npos;)
+                text.replace(at, WithoutFormulas::stand_in.size(), plain_formula(next_formula().tex));
+            words += text;
+        });
+        return words;
+    }
+
+    std::string image(cmark_node *node, const std::string &alt) const {
+        const std::string url = cmark_node_get_url(node);
+        const auto to = address(tree, file, url);
+        if (!to || is_on_the_web(url))
+            throw Complaint{place(cmark_node_get_start_line(cmark_node_parent(node)))
+                            + ": the site cannot show the picture " + url + "; give it as an SVG or PNG of the course"};
+        return "<img src=\"" + escaped(*to) + "\" alt=\"" + escaped(alt) + "\"" + size_of(tree.root / *to) + ">";
+    }
+    std::string image(cmark_node *node) {
+        const std::string alt = alternative(node);
+        return image(node, alt);
+    }
+
+    /// Width and height, so that the page knows them before the picture is there.
+    static std::string size_of(const fs::path &svg) {
+        static const std::regex size{R"re(<svg[^>]*?\swidth="(\d+)"[^>]*?\sheight="(\d+)")re"};
+        const std::string head = svg.extension() == ".svg" ? read_file(svg).substr(0, 1000) : "";
+        std::smatch found;
+        if (!std::regex_search(head, found, size)) return "";
+        return " width=\"" + found[1].str() + "\" height=\"" + found[2].str() + "\"";
+    }
+
+    /// A picture of its own, with what it shows below it, and the script that draws it. (Whoever cannot see it hears the
+    /// words once, from the picture.)
+    std::string figure(cmark_node *node) {
+        const std::string alt = alternative(node), url = cmark_node_get_url(node);
+        const auto script = address(tree, file, fs::path{url}.replace_extension(".gp").generic_string());
+        std::string caption = "<span aria-hidden=\"true\">" + escaped(alt) + "</span>";
+        if (script && script->starts_with("source_"))
+            caption += " <a class=\"from\" href=\"" + *script + "\">How it is drawn</a>";
+        return "<figure class=\"picture\">" + image(node, alt) + "<figcaption>" + caption + "</figcaption></figure>";
+    }
+
+    // Listings
+
+    void listing(cmark_node *node) {
+        const std::string language = cmark_node_get_fence_info(node), code = literal(node);
+        const std::vector<std::string> content = content_of(code);
+        const auto title = content.empty() ? std::nullopt : mark_title(content.front());
+        const auto chunk = title ? chunks.find(*title) : chunks.end();
+        std::string text;
+        if (chunk == chunks.end()) text = "<figure class=\"listing\">" + block_of(language, code) + "</figure>";
+        else
+            text = "<figure class=\"listing\">" + caption_of(chunk->second)
+                   + block_of(language, joined(content.begin() + 1, content.end())) + "</figure>";
+        replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, listing_mark(listings.size())));
+        listings.push_back(text);
+    }
+
+    static std::vector<std::string> content_of(const std::string &code) {
+        std::vector<std::string> content;
+        for (const Line &line : lines_of(code)) content.emplace_back(line.text);
+        return content;
+    }
+
+    /// Title, file and line: that of the first line that is shown, below the mark.
+    std::string caption_of(const Chunk &chunk) const {
+        const std::string line = std::to_string(chunk.line + 1);
+        return "<figcaption><span><span class=\"title\">" + escaped(chunk.title) + "</span> <a class=\"from\" href=\""
+               + page_name(tree, chunk.file) + ".html#L" + line + "\">" + breakable(path_in(tree, chunk.file)) + ":"
+               + line + "</a></span></figcaption>";
+    }
+
+    /// A path that may go on in the next line behind a slash.
+    static std::string breakable(const std::string &path) {
+        static const std::regex slash{"/"};
+        return std::regex_replace(path, slash, "/<wbr>");
+    }
+
+    static std::string block_of(const std::string &language, const std::string &code) {
+        const std::string_view colours = colours_of(language);
+        if (!colours.empty() && code.find("\\endcode") == code.npos) return coloured(colours, code);
+        return "<pre class=\"" + (language.empty() ? "plain" : escaped(language)) + "\"><code>" + escaped(code)
+               + "</code></pre>";
+    }
+
+    // Folds
+
+    void html(cmark_node *node) {
+        static const std::regex summary{R"(<summary>([\s\S]*?)</summary>)"};
+        const std::string text = literal(node);
+        std::string out;
+        auto from = text.begin();
+        for (std::sregex_iterator found{text.begin(), text.end(), summary}; found != std::sregex_iterator{}; ++found) {
+            out.append(from, text.begin() + found->position(1));
+            out += markdown((*found)[1], cmark_node_get_start_line(node));
+            from = text.begin() + found->position(1) + found->length(1);
+        }
+        out.append(from, text.end());
+        cmark_node_set_literal(node, out.c_str());
+    }
+
+    /// A few words of Markdown with formulas, within HTML.
+    std::string markdown(const std::string &text, int line) const {
+        PageWriter words{tree, file, text, {}};
+        const Document document = parse_markdown(words.taken.text, CMARK_OPT_SMART);
+        for (cmark_node *node = cmark_node_first_child(document.get()); node; node = cmark_node_next(node))
+            words.inlines(node, line);
+        return without_paragraph(rendered(document.get()));
+    }
+
+    static std::string without_paragraph(const std::string &html) {
+        static const std::regex paragraph{R"(^<p>([\s\S]*)</p>\s*$)"};
+        return std::regex_replace(html, paragraph, "$1");
+    }
+
+    // Tables
+
+    std::optional<Table> table_in(cmark_node *node) const {
+        std::vector<std::string_view> rows;
+        const int column = cmark_node_get_start_column(node) - 1;
+        for (int line = cmark_node_get_start_line(node); line <= cmark_node_get_end_line(node); ++line) {
+            const std::string_view whole = lines.at(static_cast<std::size_t>(line) - 1).text;
+            rows.push_back(whole.substr(std::min(static_cast<std::size_t>(column), whole.size())));
+        }
+        return read_table(rows);
+    }
+
+    std::string written(const Table &table, int line) {
+        std::string html = "<div class=\"table\"><table>";
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+            const std::vector<std::string> &cells = table.rows[i];
+            const bool to_come = std::find(cells.begin(), cells.end(), "*to come*") != cells.end();
+            if (i == 0) html += "<thead>";
+            if (i == 1) html += "<tbody>";
+            html += to_come ? "<tr class=\"to-come\">" : "<tr>";
+            for (std::size_t j = 0; j < cells.size(); ++j)
+                html += cell(cells[j], i == 0, table.alignments[j], line + static_cast<int>(i == 0 ? 0 : i + 1));
+            html += "</tr>\n";
+            if (i == 0) html += "</thead>\n";
+        }
+        return html + (table.rows.size() > 1 ? "</tbody>" : "") + "</table></div>";
+    }
+
+    std::string cell(const std::string &text, bool head, const std::string &alignment, int line) {
+        // A private character in front keeps "1." and "-" from being lists.
+        static constexpr std::string_view guard = "\xEE\x80\x81";
+        const Document document = parse_markdown(std::string{guard} + text, CMARK_OPT_SMART);
+        inlines(cmark_node_first_child(document.get()), line);
+        std::string words = without_paragraph(rendered(document.get()));
+        words.erase(words.find(guard), guard.size());
+        const std::string tag = head && !words.empty() ? "th" : "td";
+        return "<" + tag + (alignment.empty() ? "" : " class=\"" + alignment + "\"") + ">" + words + "</" + tag + ">";
+    }
+
+    const Tree &tree;
+    const fs::path &file;
+    const std::map<std::string, Chunk> chunks;
+    const WithoutFormulas taken;
+    const std::vector<Line> lines;
+    std::map<std::string, int> seen; ///< headings, by anchor
+    std::string plain_title;
+    bool lead_may_follow = false;
+    std::size_t formulas_back = 0;
+    std::vector<std::string> listings; ///< put in last: they leave the HTML, where nothing else may
+};
+
+} // namespace
+
+std::string doxygen_page(const Tree &tree, const fs::path &file, std::string_view text) {
+    text.remove_prefix(byte_order_mark(text).size());
+    return PageWriter{tree, file, text, chunks_for(tree, file)}.write();
+}
+
+std::string doxygen_source(const Tree &tree, const fs::path &file, std::string_view code) {
+    const std::string path = path_in(tree, file);
+    const std::string_view colours = file.extension() == ".gp" ? "{.py}" : "{.cpp}";
+    return "# " + path + " {#" + page_name(tree, file) + "}\n" + std::string{html_begins} + "<h1><code>" + path
+           + "</code></h1>" + coloured(colours, code.substr(byte_order_mark(code).size())) + std::string{html_ends};
+}
+
+} // namespace course

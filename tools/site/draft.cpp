@@ -1,0 +1,119 @@
+#include "site/draft.hpp"
+
+#include "complaint.hpp"
+
+#include <regex>
+
+namespace course {
+namespace {
+
+bool is_a(const Element &element, std::string_view name, std::string_view its_class) {
+    return element.name() == name && element.has_class(its_class);
+}
+
+std::string trimmed(const std::string &text) {
+    static const std::regex ends{R"(^\s+|\s+$)"}, within{R"(\s+)"};
+    return std::regex_replace(std::regex_replace(text, ends, ""), within, " ");
+}
+
+/// The piece of a page that is the page's own: of a chapter what we gave Doxygen, without its box and its anchor.
+std::string contents_of(const Html &page, const std::string &name, const char *box) {
+    static const std::regex anchor{R"re(^\s*<p\s*>\s*<a class="anchor" id="[^"]*"></a>\s*</p>)re"};
+    const Element contents = page.first([&](const Element &e) { return is_a(e, "div", box); });
+    if (!contents.node)
+        throw Complaint{"Doxygen wrote " + name + ".html without contents; is another version at work?"};
+    return std::regex_replace(std::string{contents.inner()}, anchor, "");
+}
+
+/// "wall::Touch Struct Reference" is a title of Doxygen's.
+std::string interface_title(const Html &page) {
+    static const std::regex reference{R"((.*) (Namespace|Struct|Class|Union|Concept)( Template)? Reference.*)"};
+    const Element title = page.first([](const Element &e) { return is_a(e, "div", "title"); });
+    const std::string words = title.node ? trimmed(title.text()) : "";
+    std::smatch found;
+    return std::regex_match(words, found, reference) ? found[1].str() : "";
+}
+
+/// A listing of Doxygen's, one `div` a line, as the `pre` that it is; with numbered lines if it is a whole file.
+std::string listing(const Element &fragment, const Interface *known, bool numbered) {
+    static const std::regex nothing{R"(<span class="comment"></span>)"};
+    std::map<std::string, int> seen;
+    std::string out = "<pre class=\"code" + std::string{numbered ? " numbered" : ""} + "\"><code>";
+    int number = 0;
+    for (const Element &line : fragment.children()) {
+        if (!is_a(line, "div", "line")) continue; // what Doxygen would show when the mouse rests
+        std::string words = std::regex_replace(std::string{line.inner()}, nothing, "");
+        if (words == " ") words.clear();
+        if (known) words = linked(words, *known, seen);
+        if (numbered) out += "<span class=\"line\" id=\"L" + std::to_string(++number) + "\">" + words + "</span>\n";
+        else (out += words) += '\n';
+    }
+    return out + "</code></pre>";
+}
+
+} // namespace
+
+Draft::Draft(std::string name, const std::string &doxygens_html) : own_name{std::move(name)}, body{""} {
+    const Html page{doxygens_html};
+    own_title = interface_title(page);
+    interface = !own_title.empty();
+    const std::string contents = contents_of(page, own_name, interface ? "contents" : "textblock");
+    static const std::regex more{R"re(\s*<a href="[^"]*">More\.\.\.</a>)re"}; // the name before it leads there as well
+    body =
+        Html{interface ? "<h1><code>" + escaped(own_title) + "</code></h1>\n" + std::regex_replace(contents, more, "")
+                       : contents};
+    if (const Element h1 = body.first([](const Element &e) { return e.name() == "h1"; }); h1.node)
+        own_title = trimmed(h1.text());
+}
+
+std::vector<Heading> Draft::headings() const {
+    std::vector<Heading> result;
+    body.each([&](const Element &e) {
+        const bool is_heading = e.name().size() == 2 && e.name()[0] == 'h' && e.name()[1] >= '2' && e.name()[1] <= '6';
+        if (!is_heading || !e.has("id")) return true;
+        std::string words = e.text();
+        if (const auto children = e.children(); !children.empty() && children.back().has_class("anchor"))
+            words.erase(words.rfind(children.back().text()));
+        result.push_back({e.name()[1] - '0', std::string{e.attribute("id")}, trimmed(words)});
+        return false;
+    });
+    return result;
+}
+
+std::vector<FormulaAt> Draft::formulas() const {
+    std::vector<FormulaAt> result;
+    body.each([&](const Element &e) {
+        if (e.name() == "span" && e.has_class("math"))
+            result.push_back({e.text(), std::string{e.attribute("data-from")}, e.has_class("display")});
+        return true;
+    });
+    return result;
+}
+
+std::string Draft::finished(const std::vector<std::string> &typeset, const Interface *known) {
+    const bool is_source = own_name.starts_with("source_");
+    std::size_t formula = 0;
+    std::map<std::string, int> seen;
+    body.each([&](const Element &e) {
+        if (e.name() == "span" && e.has_class("math")) {
+            body.replace(e.outer(), typeset.at(formula++));
+            return false;
+        }
+        if (is_a(e, "div", "fragment")) {
+            body.replace(e.outer(), listing(e, known, is_source));
+            return false;
+        }
+        if (e.name() == "h2") seen.clear(); // so that each part of a chapter has its links
+        if (e.name() == "code" && known) {
+            const auto found = known->names.find(e.text());
+            if (found != known->names.end() && seen[e.text()]++ == 0)
+                body.replace(e.outer(), "<a class=\"code\" href=\"" + found->second.address + "\">"
+                                            + std::string{e.outer()} + "</a>");
+        }
+        return e.name() != "a" && e.name() != "h1" && e.name() != "h2" && e.name() != "h3" && e.name() != "summary"
+               && e.name() != "pre";
+    });
+    return body.changed();
+}
+
+} // namespace course

@@ -1,0 +1,135 @@
+#include "site/frame.hpp"
+
+#include "complaint.hpp"
+#include "site/addresses.hpp"
+
+namespace course {
+namespace {
+
+std::string filled(std::string text, const std::map<std::string, std::string> &gaps) {
+    std::string out;
+    for (std::size_t at; (at = text.find("{{")) != text.npos;) {
+        const std::size_t end = text.find("}}", at);
+        const auto gap = gaps.find(text.substr(at + 2, end - at - 2));
+        if (end == text.npos || gap == gaps.end())
+            throw Complaint{"docs/page.html has a gap that nothing fills: " + text.substr(at, 20)};
+        out += text.substr(0, at) + gap->second;
+        text.erase(0, end + 2);
+    }
+    return out + text;
+}
+
+std::string capital(std::string word) {
+    word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+    return word;
+}
+
+std::string link(const std::string &address, const std::string &html) {
+    return "<a href=\"" + address + "\">" + html + "</a>";
+}
+
+} // namespace
+
+Frame::Frame(const Tree &tree, const std::map<std::string, Interface> &known_, std::vector<Entry> entries_,
+             std::string page)
+    : known{known_}, all_entries{std::move(entries_)}, page_template{std::move(page)}, sections{tree.sections()} {
+    for (const auto &file : markdown_pages(tree))
+        if (const std::string name = page_name(tree, file); name != "index" && !name.starts_with("chapter_"))
+            others.emplace_back(name, name == "readme" ? "How to build it" : capital(name));
+}
+
+std::string Frame::around(const Draft &draft, const std::string &body) const {
+    const bool first = draft.name() == "index";
+    return filled(page_template, {{"title", escaped(draft.title()) + (first ? "" : " · Frame by Frame")},
+                                  {"kind", first                                 ? "book"
+                                           : draft.is_interface()                ? "interface"
+                                           : draft.name().starts_with("source_") ? "source"
+                                                                                 : "chapter"},
+                                  {"contents", contents(draft)},
+                                  {"above", above(draft)},
+                                  {"body", body},
+                                  {"turning", turning(draft)}});
+}
+
+const Section *Frame::section_of(const std::string &name) const {
+    for (const Section &section : sections)
+        if (name.find(section.name) != std::string::npos) return &section;
+    return nullptr;
+}
+
+std::string Frame::item(const Draft &draft, const std::string &page, const std::string &words,
+                        const std::string &number) const {
+    const bool here = draft.name() + ".html" == page;
+    return "<li><a href=\"" + page + "\"" + (here ? " aria-current=\"page\"" : "") + ">"
+           + (number.empty() ? "" : "<span class=\"number\">" + number + "</span> ") + escaped(words) + "</a>"
+           + (here ? outline(draft) : "") + "</li>\n";
+}
+
+/// The parts of the page, below its entry.
+std::string Frame::outline(const Draft &draft) const {
+    std::string parts;
+    for (const Heading &heading : draft.headings())
+        if (heading.level == 2) parts += "<li>" + link("#" + escaped(heading.id), escaped(heading.words)) + "</li>\n";
+    return parts.empty() ? "" : "\n<ul class=\"parts\">\n" + parts + "</ul>";
+}
+
+std::string Frame::contents(const Draft &draft) const {
+    std::string html = "<ul>\n" + item(draft, "index.html", "Frame by Frame") + "</ul>\n<p>Sections</p>\n<ul>\n";
+    for (const Entry &entry : all_entries)
+        html += entry.page.empty() ? "<li class=\"to-come\"><span class=\"number\">" + entry.number + "</span> "
+                                         + escaped(entry.title) + " <span class=\"hidden\">(to come)</span></li>\n"
+                                   : item(draft, entry.page + ".html", entry.title, entry.number);
+    html += "</ul>\n<p>Interfaces</p>\n<ul>\n";
+    for (const Section &section : sections)
+        if (const auto found = known.find(section.slug()); found != known.end() && !found->second.page.empty())
+            html += item(draft, found->second.page, section.slug(), section.short_number());
+    if (const auto shared = known.find("course"); shared != known.end() && !shared->second.page.empty())
+        html += item(draft, shared->second.page, "course: what all share");
+    html += "</ul>\n<p>The course</p>\n<ul>\n";
+    for (const auto &[page, title] : others) html += item(draft, page + ".html", title);
+    return html + "</ul>";
+}
+
+/// Above the title: which section, and how long it takes.
+std::string Frame::above(const Draft &draft) const {
+    for (const Entry &entry : all_entries)
+        if (entry.page == draft.name())
+            return "Section " + escaped(entry.number)
+                   + (entry.minutes.empty() ? "" : " · " + escaped(entry.minutes) + " minutes");
+    if (draft.is_interface()) {
+        const std::string space = draft.title().substr(0, draft.title().find("::"));
+        for (const Section &section : sections)
+            if (section.slug() == space) {
+                const std::string folder = "chapter_" + section.name;
+                return "Interface of " + link(folder + ".html", "section " + section.short_number());
+            }
+        return "Interface";
+    }
+    if (draft.name().starts_with("source_")) {
+        const Section *section = section_of(draft.name());
+        return section ? "Code of " + link("chapter_" + section->name + ".html", "section " + section->short_number())
+                       : "Code";
+    }
+    return "";
+}
+
+/// The page before and the page after, in the order of the book.
+std::string Frame::turning(const Draft &draft) const {
+    std::vector<Entry> order{{"", "Frame by Frame", "", "index"}};
+    for (const Entry &entry : all_entries)
+        if (!entry.page.empty()) order.push_back(entry);
+    const auto turn = [](const Entry &to, const char *rel, const char *word) {
+        return "<a rel=\"" + std::string{rel} + "\" href=\"" + to.page + ".html\"><span>" + word + "</span> "
+               + (to.number.empty() ? "" : to.number + " ") + escaped(to.title)
+               + (to.minutes.empty() ? "" : " <small>" + escaped(to.minutes) + " minutes</small>") + "</a>\n";
+    };
+    std::string html;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (order[i].page != draft.name()) continue;
+        if (i > 0) html += turn(order[i - 1], "prev", "Previous");
+        if (i + 1 < order.size()) html += turn(order[i + 1], "next", "Next");
+    }
+    return html.empty() ? "" : "<nav class=\"turning\" aria-label=\"Previous and next\">\n" + html + "</nav>";
+}
+
+} // namespace course

@@ -1,0 +1,37 @@
+#pragma once
+#include "site/draft.hpp"
+#include "site/entries.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// What stands round each page: docs/page.html with its gaps filled in.
+class Frame {
+  public:
+    /// @param page  the template: {{title}}, {{contents}}, {{above}}, {{body}}, {{turning}}
+    Frame(const Tree &tree_, const std::map<std::string, Interface> &known_, std::vector<Entry> entries_,
+          std::string page);
+
+    /// The whole page.
+    std::string around(const Draft &draft, const std::string &body) const;
+
+  private:
+    std::string contents(const Draft &draft) const;
+    std::string above(const Draft &draft) const;
+    std::string turning(const Draft &draft) const;
+    std::string item(const Draft &draft, const std::string &page, const std::string &words,
+                     const std::string &number = "") const;
+    std::string outline(const Draft &draft) const;
+    const Section *section_of(const std::string &name) const;
+
+    const std::map<std::string, Interface> &known;
+    std::vector<Entry> all_entries;
+    std::string page_template;
+    std::vector<Section> sections;
+    std::vector<std::pair<std::string, std::string>> others; ///< page and title of what else there is: README, ...
+};
+
+} // namespace course
