@@ -113,12 +113,6 @@ class Scratch {
     fs::path folder;
 };
 
-/// How a student calls the file: by its path in the course, or as it was given.
-std::string shown_name(const Tree &tree, const fs::path &file) {
-    const auto relative = fs::absolute(file).lexically_normal().lexically_relative(tree.root.lexically_normal());
-    return relative.empty() || *relative.begin() == ".." ? file.string() : relative.generic_string();
-}
-
 Judgement single(Verdict verdict, std::vector<std::string> warnings = {}) {
     Judgement judgement;
     judgement.verdicts.push_back(std::move(verdict));
@@ -166,7 +160,7 @@ std::vector<std::string> compile_command(const Tree &tree, const Section &sectio
 
 Judgement judge(const Tree &tree, const Section &section, const fs::path &given, unsigned seed) {
     const fs::path file = fs::absolute(given).lexically_normal();
-    const std::string name = shown_name(tree, file);
+    const std::string name = tree.shown(file);
     if (auto trouble = diagnose_text(read_file(file), name, section.short_number())) return single(*trouble);
 
     const Toolbox w = toolbox(tree, section);

@@ -124,10 +124,9 @@ void make(const Tree &tree, const std::string &name, std::string title) {
                         + "\""};
 
     std::map<fs::path, std::string> files = files_of(tree, section, title);
-    const auto shown = [&](const fs::path &file) { return file.lexically_relative(tree.root).generic_string(); };
     for (const auto &[file, text] : files)
         if (fs::exists(fs::symlink_status(file)))
-            throw Complaint{shown(file)
+            throw Complaint{tree.shown(file)
                             + " is there already, and nothing is overwritten: move it away, or choose another name"};
     const std::string listed = with_section(read_file(list), section);
     const std::string contents = with_entry(old_contents, section, title);
@@ -136,7 +135,7 @@ void make(const Tree &tree, const std::string &name, std::string title) {
     for (const auto &[file, text] : files) write_file(file, text);
     write_file(book, contents);
     write_file(list, listed);
-    for (const auto &[file, text] : files) std::cout << "  " << shown(file) << '\n';
+    for (const auto &[file, text] : files) std::cout << "  " << tree.shown(file) << '\n';
     const std::string number = section.short_number();
     std::cout << "These files make a section that builds and is tested; write yours over them, test by test.\n"
               << "It has its line in CMakeLists.txt and its place in book.md.\n\n"

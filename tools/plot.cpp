@@ -22,14 +22,8 @@ are drawn.
 
 Example: ./course plot 7 --mine)";
 
-/// Short, where the reader stands in the checkout.
-std::string shown(const Tree &tree, const fs::path &path) {
-    const fs::path inside = path.lexically_relative(tree.root);
-    return inside.empty() || *inside.begin() == ".." ? path.string() : inside.string();
-}
-
 void say_drawn(const Tree &tree, const fs::path &svg, const Figure &figure) {
-    std::cout << shown(tree, svg) << "  " << figure_title(figure.script) << '\n';
+    std::cout << tree.shown(svg) << "  " << figure_title(figure.script) << '\n';
 }
 
 /// Why a student's trace cannot be drawn, for the student.
@@ -55,7 +49,7 @@ std::string draw_mine(const Tree &tree, const Figure &figure, const fs::path &sv
     } catch (const TraceFault &fault) {
         return in_student_words(fault, ran, figure);
     } catch (const FigureFault &) {
-        return "your values lie outside the axes, or cannot be drawn; they stand in " + shown(tree, figure.student);
+        return "your values lie outside the axes, or cannot be drawn; they stand in " + tree.shown(figure.student);
     }
 }
 

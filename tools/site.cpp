@@ -15,12 +15,6 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-/// A path as somebody would type it who stands in the checkout.
-std::string shown(const Tree &tree, const fs::path &file) {
-    const fs::path near = file.lexically_relative(tree.root);
-    return near.empty() || near.string().starts_with("..") ? file.string() : near.string();
-}
-
 /// Brings the site up to date by the build.
 void bring_up(const Tree &tree) {
     const Lock lock{tree};
@@ -61,7 +55,7 @@ void add_site_command(CLI::App &app, const Tree &tree) {
     command->footer("Example: ./course site");
     command->callback([&tree] {
         bring_up(tree);
-        std::cout << "The book is " << shown(tree, page(tree, ""))
+        std::cout << "The book is " << tree.shown(page(tree, ""))
                   << "\nType ./course open, or ./course open 7 for a section\n";
     });
 }

@@ -104,6 +104,11 @@ Section Tree::section(std::string_view words) const {
                     + " `./course list` shows them all"};
 }
 
+std::string Tree::shown(const fs::path &file) const {
+    const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(root.lexically_normal());
+    return inside.empty() || *inside.begin() == ".." ? file.string() : inside.generic_string();
+}
+
 fs::path Tree::written_exercise(const Section &s) const {
     if (fs::exists(exercise(s))) return exercise(s);
     throw Complaint{exercise(s).lexically_relative(root).generic_string() + " is not there; `./course reset "

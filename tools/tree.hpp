@@ -26,6 +26,9 @@ struct Tree {
     /// @throws Complaint offering the nearest one.
     Section section(std::string_view words) const;
 
+    /// A file as somebody calls it who stands in the checkout; whole if it lies elsewhere.
+    std::string shown(const std::filesystem::path &file) const;
+
     std::filesystem::path chapter(const Section &s) const { return root / "chapters" / s.name / "README.md"; }
     std::filesystem::path header(const Section &s) const { return root / "chapters" / s.name / (s.slug() + ".hpp"); }
     std::filesystem::path program(const Section &s) const { return root / "chapters" / s.name / "main.cpp"; }

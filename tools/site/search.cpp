@@ -5,8 +5,6 @@
 namespace course {
 namespace {
 
-bool is_element(const GumboNode *node) { return node->type == GUMBO_NODE_ELEMENT; }
-
 /// Reads a page from heading to heading.
 class Reader {
   public:
@@ -40,7 +38,7 @@ class Reader {
     }
 
     void walk(const GumboNode *node) {
-        if (!is_element(node)) {
+        if (node->type != GUMBO_NODE_ELEMENT) {
             if (node->type != GUMBO_NODE_COMMENT && node->type != GUMBO_NODE_DOCUMENT) say(node->v.text.text);
             return;
         }
