@@ -4,7 +4,7 @@ load 'style.gp'
 set output ARG2
 set size ratio -1
 set key outside top center horizontal maxcols 2
-set xrange [-0.9:5.1]; set yrange [-0.6:3.6]
+set xrange [*<-0.9:5.1<*]; set yrange [*<-0.6:3.6<*]
 set xtics 1; set ytics 1
 set xlabel 'x [m]'; set ylabel 'y [m]'
 yours = ARGC > 2 ? "ARG3 using 4:5 every ::0::0 with points lt 2 pt 6 ps 2 lw 2 title 'yours'" : "NaN notitle"

@@ -4,7 +4,7 @@ load 'style.gp'
 set output ARG2
 set size ratio -1
 set key outside top center horizontal maxcols 2
-set xrange [-0.5:3.7]; set yrange [-0.3:3.3]
+set xrange [*<-0.5:3.7<*]; set yrange [*<-0.3:3.3<*]
 set xtics 1; set ytics 1
 set xlabel 'x [m]'; set ylabel 'y [m]'
 set object 1 polygon from 0,0 to 0,3 to 1,3 to 1,1 to 3,1 to 3,0 to 0,0 behind fillcolor rgb DIM fillstyle transparent solid 0.2 border lc rgb DIM lw 2
