@@ -297,6 +297,7 @@ TEST_CASE("where there is no mass there is no centre; a little mass is enough", 
     CHECK_THAT(centre_of_mass({{{2, 7}, 0}}), IsNear(no_centre));
     CHECK_THAT(centre_of_mass({{{2, 7}, 0}, {{6, -1}, 0}}), IsNear(no_centre));
     CHECK_THAT(centre_of_mass({{{2, 7}, 1e-9}, {{6, -1}, 3e-9}}), IsNear(Vec2{5, 1}, rounding));
+    CHECK_THAT(centre_of_mass({{{2, 7}, 1e-100}, {{6, -1}, 3e-100}}), IsNear(Vec2{5, 1}, rounding));
 }
 
 //>
@@ -620,6 +621,8 @@ TEST_CASE("far away a plate has its middle as well, small, large or thin", "[1.6
     CHECK_THAT(centroid({{-1e5, -1e5}, {1e5, -1e5}, {1e5, 1e5}, {-1e5, 1e5}}), IsNear(Vec2{0, 0}, 1e-9));
     CHECK_THAT(centroid({{0, 0}, {1e-3, 0}, {1e-3, 1e-3}, {0, 1e-3}}), IsNear(Vec2{5e-4, 5e-4}, 1e-12));
     CHECK_THAT(centroid({{0, 0}, {4, 0}, {4, 1e-6}, {0, 1e-6}}), IsNear(Vec2{2, 5e-7}, 1e-9)); // 2.5e-7 of its length²
+    // 2.5e-10 of its length², where a rounding of 1e-16 may count as 4e-7
+    CHECK_THAT(centroid({{0, 0}, {4, 0}, {4, 1e-9}, {0, 1e-9}}), IsNear(Vec2{2, 5e-10}, 1e-5));
 }
 
 TEST_CASE("fewer than three corners, and corners on one line, are no plate", "[1.6]") {
