@@ -22,8 +22,9 @@ Vec2 uniform_motion(const Vec2 &start, const Vec2 &velocity, double t) {
 //> Solution 1.3: accelerated motion
 State accelerated_motion(const State &start, const Vec2 &acceleration, double t) {
     course::require_range(start.position, start.velocity, acceleration, t);
-    const Vec2 gained = t * acceleration; // velocity, on top of the one it started with
-    return {start.position + t * (start.velocity + gained / 2), start.velocity + gained};
+    const Vec2 last = start.velocity + t * acceleration;
+    const Vec2 average = (start.velocity + last) / 2; // its velocity grows evenly
+    return {start.position + t * average, last};
 }
 
 //> Solution 1.4: centre of mass
@@ -53,8 +54,9 @@ Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
     after.explicit_euler.velocity += gained;
     after.semi_implicit.velocity += gained;
     after.semi_implicit.position += dt * after.semi_implicit.velocity; // as fast as it is now
-    after.exact.position += dt * (before.exact.velocity + gained / 2); // as fast as half way
-    after.exact.velocity += gained;
+    after.exact.velocity += gained / 2;
+    after.exact.position += dt * after.exact.velocity; // as fast as half way
+    after.exact.velocity += gained / 2;
     return after;
 }
 
@@ -73,7 +75,8 @@ Vec2 centroid(const std::vector<Vec2> &corners) {
         const Vec2 p = corners[i] - origin, q = corners[i + 1] - origin;
         const double triangle = (p.x() * q.y() - p.y() * q.x()) / 2; // negative where the outline runs backwards
         area += triangle;
-        weighted += triangle * (p + q) / 3; // its middle: the third corner is at 0
+        const Vec2 middle = (p + q) / 3; // the third corner is at 0
+        weighted += triangle * middle;
     }
     course::require(std::abs(area) > 1e-12 * size, "the area [m²] must not be zero", area);
     return origin + weighted / area;

@@ -214,7 +214,7 @@ TEST_CASE("erratum E1.5: 2 is Table 13.1's acceleration; a constant velocity of 
     for (int t = 1; t <= 5; ++t) {
         // As printed, "a constant velocity of 2": 2, 2, 2, 2, 2 m/s, and places 2, 4, 6, 8, 10 m.
         CHECK_THAT(accelerated_motion({{0, 0}, {2, 0}}, {0, 0}, t), IsNear(State{{2.0 * t, 0}, {2, 0}}, rounding));
-        // Those are the numbers of the table's velocities, but for the acceleration that its title speaks of.
+        // Printed are the velocities 2, 4, 6, 8, 10 m/s: the acceleration is 2, as the table's title says.
         CHECK_THAT(accelerated_motion({{0, 0}, {0, 0}}, {2, 0}, t),
                    IsNear(State{{1.0 * t * t, 0}, {2.0 * t, 0}}, rounding));
     }
@@ -615,7 +615,7 @@ TEST_CASE("cut in two, a plate balances as its halves do, each with its area for
 }
 
 TEST_CASE("far away a plate has its middle as well, small, large or thin", "[1.6]") {
-    const Vec2 far{99990, -99990};
+    const Vec2 far{87654.321, -98765.432};
     CHECK_THAT(Vec2{centroid({far, far + Vec2{1, 0}, far + Vec2{1, 1}, far + Vec2{0, 1}}) - far},
                IsNear(Vec2{0.5, 0.5}, 1e-9));
     CHECK_THAT(centroid({{-1e5, -1e5}, {1e5, -1e5}, {1e5, 1e5}, {-1e5, 1e5}}), IsNear(Vec2{0, 0}, 1e-9));
