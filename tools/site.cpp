@@ -32,21 +32,23 @@ fs::path page(const Tree &tree, const std::string &section) {
     return site_folder(tree) / (page_name(tree, file) + ".html");
 }
 
-/// Shows a file with whatever program is meant for it, without waiting for that program.
+/// Hands a file to whatever program is meant for it, and does not wait for that program.
+/// @return whether there is one, and a screen to show it on
 bool show(const fs::path &file) {
-    for (const char *opener : {"xdg-open", "open"})
-        if (run({"sh", "-c", "command -v \"$1\" && { \"$1\" \"$2\" >/dev/null 2>&1 & }", "sh", opener, file.string()})
-                .code
-            == 0)
-            return true;
-    return false;
+    static constexpr const char *script = R"sh(
+if command -v open && [ "$(uname)" = Darwin ]; then opener=open
+elif command -v xdg-open && [ "${DISPLAY-}${WAYLAND_DISPLAY-}" ]; then opener=xdg-open
+elif command -v wslview; then opener=wslview
+else exit 1
+fi
+"$opener" "$1" </dev/null >/dev/null 2>&1 &)sh";
+    return run({"sh", "-c", script, "sh", file.string()}).code == 0;
 }
 
 void open(const Tree &tree, const std::string &section) {
     const fs::path file = page(tree, section);
     bring_up(tree);
-    const bool shown_now = show(file);
-    std::cout << (shown_now ? "Opened " : "Open this file in your browser: ") << file.string() << '\n';
+    std::cout << (show(file) ? "Opening " : "Open this file in your browser: ") << file.string() << '\n';
 }
 
 void add_site_command(CLI::App &app, const Tree &tree) {

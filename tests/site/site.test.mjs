@@ -1,0 +1,332 @@
+// Looks at every page of the built site as a reader would: on a phone and on a desk, by day and by night.
+// The build has checked links already; this is what only a browser knows.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+const site = path.resolve(process.env.COURSE_BUILD ?? path.join(root, 'build/default'), 'site');
+const axe = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const pages = fs.readdirSync(site).filter((name) => name.endsWith('.html')).sort();
+const chapters = pages.filter((name) => name.startsWith('chapter_'));
+const address = (name) => pathToFileURL(path.join(site, name)).href;
+
+let browser;
+before(async () => {
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', '--disable-gpu'],
+  });
+});
+after(() => browser.close());
+
+// A page, and what went wrong on it: errors of scripts, and requests that are not for files.
+async function open(name, { width = 1280, colours = 'light', context = null, ...more } = {}) {
+  const own = context ?? (await browser.newContext({ viewport: { width, height: 900 }, colorScheme: colours, ...more }));
+  const page = await own.newPage();
+  const troubles = [];
+  page.on('console', (message) => message.type() === 'error' && troubles.push(message.text()));
+  page.on('pageerror', (error) => troubles.push(error.message));
+  page.on('request', (request) => /^(file|data|about):/.test(request.url()) || troubles.push(`asks for ${request.url()}`));
+  page.on('requestfailed', (request) => troubles.push(`cannot read ${request.url()}`));
+  await page.goto(address(name));
+  return { page, troubles, context: own };
+}
+
+// In the page: what reaches beyond its edge, and cannot be scrolled to; or is cut off where it stands.
+function overflowing() {
+  const found = [];
+  const scrolls = (box) => /auto|scroll/.test(getComputedStyle(box).overflowX);
+  const say = (what, box) => found.push(`${what}: <${box.tagName.toLowerCase()} class="${box.className}"> ${box.textContent.trim().slice(0, 60)}`);
+  if (document.documentElement.scrollWidth > innerWidth) found.push(`the page is ${document.documentElement.scrollWidth} wide`);
+  for (const box of document.querySelectorAll('body *')) {
+    if (box.closest('.katex-mathml, .hidden, svg, dialog:not([open])') || !box.checkVisibility()) continue;
+    const style = getComputedStyle(box);
+    if (/hidden|clip/.test(style.overflowX) && box.scrollWidth > box.clientWidth + 1) say('cut off', box);
+    const edge = box.getBoundingClientRect();
+    if (edge.width === 0 || (edge.right <= innerWidth + 0.5 && edge.left >= -0.5) || box.matches('.skip')) continue;
+    let outer = box.parentElement;
+    while (outer && !scrolls(outer)) outer = outer.parentElement;
+    if (!outer) say('beyond the edge', box);
+  }
+  return found;
+}
+
+// In the page: words that should have become something else.
+function leftRaw() {
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const found = [];
+  while (walker.nextNode()) {
+    const node = walker.currentNode;
+    if (node.parentElement.closest('code, pre, kbd, .katex, script, style')) continue;
+    if (/\$|\\[a-z]|\{\{|\uE000|\uE001|htmlonly|<\/?[a-z]+>|^#+ /.test(node.data)) found.push(node.data.trim());
+  }
+  return found;
+}
+
+// What axe finds wrong, with the first elements for each. (Among pages of code one is like the other, and they are long.)
+async function inaccessible(page, part = 'html') {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate((where) => window.axe.run(where, { preload: false, resultTypes: ['violations'] }), part);
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => node.html).join(' | ')}`);
+}
+
+for (const width of [390, 1280])
+  for (const colours of ['light', 'dark'])
+    describe(`${width} px, ${colours}`, { concurrency: 2 }, () => {
+      let context;
+      before(async () => {
+        context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme: colours });
+      });
+      after(() => context.close());
+      for (const name of pages)
+        test(name, async () => {
+          const { page, troubles } = await open(name, { context });
+          assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), colours);
+          await page.evaluate(() => document.querySelectorAll('details').forEach((fold) => (fold.open = true)));
+          assert.deepEqual(await page.evaluate(overflowing), []);
+          assert.deepEqual(await page.evaluate(leftRaw), []);
+          assert.deepEqual(troubles, []);
+          if (!name.startsWith('source_') || name === 'source_chapters_course_hpp.html') assert.deepEqual(await inaccessible(page), []);
+          await page.close();
+        });
+    });
+
+describe('listings', () => {
+  for (const name of chapters)
+    test(`${name} shows what stands in the files, at the lines that it names`, async () => {
+      const { page, context } = await open(name);
+      const listings = await page.$$eval('figure.listing:has(.from)', (all) =>
+        all.map((one) => [one.querySelector('.from').textContent, one.querySelector('pre').textContent]));
+      assert.ok(listings.length > 0);
+      for (const [place, text] of listings) {
+        const [file, line] = place.split(':');
+        const source = fs.readFileSync(path.join(root, file), 'utf8').split('\n').slice(Number(line) - 1);
+        const lines = text.replace(/\n$/, '').split('\n');
+        assert.deepEqual(lines, source.slice(0, lines.length), place);
+      }
+      await context.close();
+    });
+
+  test('the pages of code show whole files', async () => {
+    const { page, context } = await open('index.html');
+    for (const name of pages.filter((one) => one.startsWith('source_'))) {
+      await page.goto(address(name));
+      const file = await page.textContent('h1');
+      assert.equal((await page.textContent('pre')).trimEnd(), fs.readFileSync(path.join(root, file.trim()), 'utf8').trimEnd());
+    }
+    await context.close();
+  });
+
+  test('a listing can be copied', async () => {
+    const { page, context } = await open(chapters[0]);
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    const listing = page.locator('figure.listing').first();
+    await listing.locator('.copy').click();
+    await listing.getByText('Copied').waitFor();
+    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await listing.locator('pre').textContent());
+    await context.close();
+  });
+
+  test('a name in a listing leads to its description', async () => {
+    const { page, context } = await open(chapters[0]);
+    const name = page.locator('pre a.code').first();
+    const word = await name.textContent();
+    await name.click();
+    assert.match(page.url(), /\/(namespace|struct|class)\w+\.html/);
+    assert.ok((await page.textContent('main')).includes(word));
+    await context.close();
+  });
+});
+
+describe('reading', () => {
+  test('from page to page, forwards and back', async () => {
+    const { page, context } = await open('index.html');
+    const order = await page.$$eval('main td a[href^=chapter_]:not([href*="#"])', (links) => links.map((link) => link.getAttribute('href')));
+    const turn = async (rel) => {
+      const way = [];
+      for (let link; (link = page.locator(`.turning a[rel=${rel}]`)), await link.count(); ) {
+        await link.click();
+        way.push(path.basename(new URL(page.url()).pathname));
+      }
+      return way;
+    };
+    assert.deepEqual([...new Set(order)].sort(), chapters);
+    assert.deepEqual(await turn('next'), chapters);
+    assert.deepEqual(await turn('prev'), ['index.html', ...chapters].reverse().slice(1));
+    await context.close();
+  });
+
+  test('a chapter says how long it takes, and its entry is the one that is marked', async () => {
+    for (const name of chapters) {
+      const { page, context } = await open(name);
+      assert.match(await page.textContent('.above'), /^Section \d+ · \d+( \+ \d+)? minutes$/);
+      assert.equal(await page.getAttribute('#site-contents [aria-current=page]', 'href'), name);
+      await context.close();
+    }
+  });
+
+  test('folds open and close; a link into one opens it', async () => {
+    for (const name of chapters) {
+      const { page, context } = await open(name);
+      const folds = page.locator('details');
+      const number = await folds.count();
+      assert.ok(number > 0);
+      for (let i = 0; i < Math.min(number, 5); i += 1) {
+        const fold = folds.nth(i);
+        const inside = fold.locator(':scope > :not(summary)').first();
+        if (!(await fold.isVisible())) continue;
+        assert.equal(await inside.isVisible(), false);
+        await fold.locator('summary').first().click();
+        assert.equal(await inside.isVisible(), true);
+        await fold.locator('summary').first().click();
+        assert.equal(await inside.isVisible(), false);
+      }
+      await page.evaluate(() => {
+        document.querySelector('details > :not(summary)').id = 'within';
+        location.hash = '#within';
+      });
+      await page.locator('#within').waitFor({ state: 'visible' });
+      await context.close();
+    }
+  });
+
+  test('the choice of colours is remembered, on the next page as well; pictures follow', async () => {
+    const { page, context } = await open(chapters[0]);
+    const look = () => page.evaluate(() => [document.documentElement.dataset.theme, getComputedStyle(document.body).backgroundColor]);
+    const picture = async () => {
+      const png = await page.locator('.picture img').first().screenshot();
+      return page.evaluate(async (data) => {
+        const image = await createImageBitmap(await (await fetch(data)).blob());
+        const pen = new OffscreenCanvas(image.width, image.height).getContext('2d');
+        pen.drawImage(image, 0, 0);
+        const pixels = pen.getImageData(0, 0, image.width, image.height).data.filter((_, i) => i % 4 === 1);
+        return { paper: pixels[0], darkest: pixels.reduce((a, b) => Math.min(a, b)), lightest: pixels.reduce((a, b) => Math.max(a, b)) };
+      }, `data:image/png;base64,${png.toString('base64')}`);
+    };
+    const light = await look();
+    const onLight = await picture();
+    assert.ok(onLight.paper > 240 && onLight.darkest < 80, 'dark ink on light paper');
+    await page.getByRole('button', { name: 'Dark colours' }).click();
+    const dark = await look();
+    const onDark = await picture();
+    assert.ok(onDark.paper < 40 && onDark.lightest > 180, 'light ink on dark paper');
+    assert.equal(light[0], 'light');
+    assert.equal(dark[0], 'dark');
+    assert.notEqual(light[1], dark[1]);
+    await page.reload();
+    assert.deepEqual(await look(), dark);
+    await page.goto(address('index.html'));
+    assert.deepEqual(await look(), dark);
+    assert.equal(await page.getAttribute('#site-theme', 'aria-pressed'), 'true');
+    await context.close();
+  });
+
+  test('on a phone, the contents come and go', async () => {
+    const { page, context } = await open('index.html', { width: 390 });
+    const contents = page.locator('#site-contents');
+    assert.equal(await contents.isVisible(), false);
+    await page.getByRole('button', { name: 'Contents' }).click();
+    assert.equal(await contents.isVisible(), true);
+    assert.deepEqual(await page.evaluate(overflowing), []);
+    await page.keyboard.press('Escape');
+    assert.equal(await contents.isVisible(), false);
+    await page.getByRole('button', { name: 'Contents' }).click();
+    await contents.getByRole('link', { name: 'Errata' }).click();
+    assert.equal(await contents.isVisible(), false);
+    assert.match(page.url(), /#errata$/);
+    await context.close();
+  });
+
+  test('the first key leads past the contents', async () => {
+    const { page, context } = await open(chapters[0]);
+    await page.keyboard.press('Tab');
+    assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Skip to the text');
+    await page.keyboard.press('Enter');
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'site-text');
+    await context.close();
+  });
+
+  test('without scripts all can be read', async () => {
+    for (const width of [390, 1280]) {
+      const { page, context } = await open(chapters[0], { width, javaScriptEnabled: false });
+      assert.equal(await page.locator('#site-contents').isVisible(), true);
+      assert.equal(await page.locator('.katex').first().isVisible(), true);
+      for (const button of await page.locator('button').all()) assert.equal(await button.isVisible(), false);
+      await context.close();
+    }
+  });
+
+  test('on paper folds are open, and nothing is there that paper cannot do', async () => {
+    const { page, context } = await open(chapters[0], { colours: 'dark' });
+    await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    assert.equal(await page.locator('details:not([open])').count(), 0);
+    for (const gone of ['.bar', '#site-contents', '.turning', '.copy'])
+      assert.equal(await page.locator(gone).first().isVisible(), false, gone);
+    assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(255, 255, 255)');
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.ok((await page.locator('details:not([open])').count()) > 0);
+    const pdf = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
+    assert.ok(pdf.match(/\/Type\s*\/Page\b/g).length > 5);
+    await context.close();
+  });
+});
+
+describe('search', () => {
+  const search = async (page, words) => {
+    await page.keyboard.press('/');
+    await page.locator('#site-words').fill(words);
+    await page.locator('#site-found:not(:empty)').waitFor();
+    return page.$$eval('#site-results a', (links) => links.map((link) => link.getAttribute('href')));
+  };
+
+  test('finds a word inside each part of each chapter', async () => {
+    const { page, troubles, context } = await open('index.html');
+    for (const name of chapters) {
+      await page.goto(address(name));
+      // Of each part, the longest word of its prose, whatever the part is about.
+      const parts = await page.$$eval('main h2[id]', (headings) =>
+        headings.map((heading) => {
+          let words = '';
+          for (let next = heading.nextElementSibling; next && next.tagName !== 'H2'; next = next.nextElementSibling)
+            if (next.tagName === 'P') words += ` ${next.textContent}`;
+          return [heading.id, (words.match(/\b[a-z]{5,}\b/g) ?? []).sort((a, b) => b.length - a.length)[0]];
+        }));
+      for (const [id, word] of parts.filter(([, one]) => one)) {
+        const found = await search(page, word);
+        assert.ok(found.includes(`${name}#${id}`), `"${word}" leads to ${found}`);
+        await page.keyboard.press('Escape');
+      }
+    }
+    assert.deepEqual(troubles, []);
+    await context.close();
+  });
+
+  test('forgives an ending and a half-written word, and asks for all words', async () => {
+    const { page, context } = await open('index.html');
+    const errata = (found) => found.includes('index.html#errata');
+    assert.ok(errata(await search(page, 'erratum')));
+    assert.ok(errata(await search(page, 'errat')));
+    assert.deepEqual(await search(page, 'errata xylophone'), []);
+    assert.equal(await page.textContent('#site-found'), 'Nothing has all these words.');
+    assert.ok((await search(page, 'require')).some((link) => /^namespacecourse\.html#/.test(link)), 'a function of an interface');
+    await context.close();
+  });
+
+  test('works with the keyboard alone, and shows the words found', async () => {
+    const { page, context } = await open('index.html', { width: 390 });
+    const found = await search(page, 'kilograms');
+    assert.deepEqual(found, ['index.html#notation-and-units']);
+    assert.equal(await page.textContent('#site-results mark'), 'kilograms');
+    assert.deepEqual(await inaccessible(page, 'dialog'), []);
+    await page.keyboard.press('Enter');
+    await page.waitForURL(/#notation-and-units$/);
+    assert.equal(await page.locator('#site-search').isVisible(), false);
+    await context.close();
+  });
+});
