@@ -1,12 +1,10 @@
-// `course site` and `course open`; and, for the build alone, `course filter` and `course make-site`.
+// `course site` and `course open`; and, for the build alone, `course make-site`.
 
 #include "commands.hpp"
-#include "files.hpp"
 #include "lock.hpp"
 #include "process.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
-#include "site/doxygen_page.hpp"
 
 #include <iostream>
 #include <memory>
@@ -70,16 +68,6 @@ void add_open_command(CLI::App &app, const Tree &tree) {
     command->callback([&tree, section] { open(tree, *section); });
 }
 
-void add_filter_command(CLI::App &app, const Tree &tree) {
-    const auto file = std::make_shared<std::string>();
-    CLI::App *command = app.add_subcommand("filter", "Print a page of the book as Doxygen wants it")->group("");
-    command->add_option("file", *file, "a Markdown file")->required();
-    command->callback([&tree, file] {
-        const fs::path path = fs::absolute(*file).lexically_normal();
-        std::cout << doxygen_page(tree, path, read_file(path));
-    });
-}
-
 void add_make_command(CLI::App &app, const Tree &tree) {
     const auto tools = std::make_shared<SiteTools>();
     CLI::App *command = app.add_subcommand("make-site", "Make the site; the build knows with which tools")->group("");
@@ -95,7 +83,6 @@ void add_make_command(CLI::App &app, const Tree &tree) {
 void add_site(CLI::App &app, const Tree &tree) {
     add_site_command(app, tree);
     add_open_command(app, tree);
-    add_filter_command(app, tree);
     add_make_command(app, tree);
 }
 

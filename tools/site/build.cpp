@@ -26,7 +26,6 @@ class Builder {
 
     void build() {
         fs::remove_all(work);
-        fs::create_directories(work / "sources");
         run_doxygen();
         known = interfaces(work / "names.tag");
         read_drafts();
@@ -61,19 +60,21 @@ class Builder {
 
     void run_doxygen() {
         std::string input;
-        for (const fs::path &file : markdown_pages(tree)) input += ' ' + quoted(file);
+        const auto add = [&](const fs::path &file, const std::string &text) {
+            const fs::path page = work / "pages" / (page_name(tree, file) + ".markdown");
+            write_file(page, text);
+            input += " \\\n    " + quoted(page);
+        };
+        for (const fs::path &file : markdown_pages(tree)) add(file, doxygen_page(tree, file, read_file(file)));
         for (const fs::path &file : source_pages(tree)) {
-            const fs::path page = work / "sources" / (page_name(tree, file) + ".markdown");
-            write_file(page, doxygen_source(tree, file, read_file(file)));
-            input += ' ' + quoted(page);
-            if (file.extension() == ".hpp" && path_in(tree, file).starts_with("chapters/")) input += ' ' + quoted(file);
+            add(file, doxygen_source(tree, file, read_file(file)));
+            const bool is_interface = file.extension() == ".hpp" && path_in(tree, file).starts_with("chapters/");
+            if (is_interface) input += " \\\n    " + quoted(file);
         }
         const fs::path settings = work / "Doxyfile";
-        write_file(settings, "@INCLUDE = " + quoted(tree.root / "docs" / "Doxyfile") + "\nINPUT =" + input
+        write_file(settings, "@INCLUDE = " + quoted(tree.root / "docs" / "Doxyfile")
                                  + "\nSTRIP_FROM_PATH = " + quoted(tree.root) + "\nOUTPUT_DIRECTORY = " + quoted(work)
-                                 + "\nGENERATE_TAGFILE = " + quoted(work / "names.tag")
-                                 + "\nFILTER_PATTERNS = \"*.md=\\\"" + (tree.build / "course-tool").string()
-                                 + "\\\" filter\"\n");
+                                 + "\nGENERATE_TAGFILE = " + quoted(work / "names.tag") + "\nINPUT =" + input + '\n');
         run_tool({tools.doxygen, settings.string()}, "Doxygen");
     }
 

@@ -132,14 +132,39 @@ class PageWriter {
         if (const int before = seen[anchor]++; before > 0) anchor += '-' + std::to_string(before);
         const bool title = plain_title.empty();
         if (title) plain_title = words;
-        inlines(node, cmark_node_get_start_line(node));
-        cmark_node *block = title ? raw(CMARK_NODE_CUSTOM_BLOCK, "<h1>", "</h1>")
-                                  : raw(CMARK_NODE_CUSTOM_BLOCK, "<h" + level + " id=\"" + escaped(anchor) + "\">",
-                                        "<a class=\"anchor\" href=\"#" + escaped(anchor) + "\" aria-label=\"Link to "
-                                            + escaped(words) + "\">#</a></h" + level + ">");
+        heading_formulas(node);
+        cmark_node *block = title
+                                ? raw(CMARK_NODE_CUSTOM_BLOCK, "<h1>", "</h1>")
+                                : raw(CMARK_NODE_CUSTOM_BLOCK, "<h" + level + " id=\"" + escaped(anchor) + "\">",
+                                      "<a class=\"anchor\" href=\"#" + escaped(anchor) + "\" aria-label=\"Link to "
+                                          + escaped(without_line_end(plain_text(words))) + "\">#</a></h" + level + ">");
         move_children(node, block);
         replace(node, block);
         lead_may_follow = title;
+    }
+
+    static std::string without_line_end(std::string text) {
+        while (text.ends_with('\n')) text.pop_back();
+        return text;
+    }
+
+    /// Of headings no formulas were taken out, since their words are what links name.
+    void heading_formulas(cmark_node *heading) {
+        static const std::regex dollars{R"(\$([^$]+)\$)"};
+        const int line = cmark_node_get_start_line(heading);
+        cmark_consolidate_text_nodes(heading);
+        std::vector<cmark_node *> texts;
+        each_node(heading, [&](cmark_node *node) {
+            if (cmark_node_get_type(node) == CMARK_NODE_TEXT) texts.push_back(node);
+        });
+        for (cmark_node *node : texts) {
+            std::string text = literal(node);
+            for (std::smatch found; std::regex_search(text, found, dollars); text = found.suffix()) {
+                add_text(node, found.prefix());
+                cmark_node_insert_before(node, raw(CMARK_NODE_CUSTOM_INLINE, formula(found[1], false, line)));
+            }
+            cmark_node_set_literal(node, text.c_str());
+        }
     }
 
     void paragraph(cmark_node *node) {

@@ -1,0 +1,366 @@
+// The book's site: what Doxygen gets to read of a page of Markdown, and what becomes of a whole small course.
+
+#include "site/doxygen_page.hpp"
+#include "site/html.hpp"
+#include "site/interface.hpp"
+#include "site/reachable.hpp"
+#include "site/table.hpp"
+#include "small_course.hpp"
+
+#include "complaint.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <regex>
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
+using Catch::Matchers::StartsWith;
+using namespace course;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A small course with all that a site needs.
+struct SmallBook : SmallCourse {
+    SmallBook() {
+        fs::copy(fs::path{COURSE_ROOT} / "docs", tree.root / "docs", fs::copy_options::recursive);
+        for (const Section &section : tree.sections()) {
+            write(tree.header(section),
+                  "#pragma once\n\n/// Section " + section.short_number() + ".\nnamespace " + section.slug()
+                      + " {\n\n//> A wall\n/// Where it stands.\nstruct Wall {\n    double start; ///< [m]\n};\n\n"
+                        "/// How long it is [m].\ndouble length(const Wall &wall);\n//>\n} // namespace\n");
+            write(tree.program(section), "//> Main\nint main() {}\n");
+            write(tree.tests(section), "//> A test\nTEST_CASE(\"x < y & \\\"z\\\"\") {}\n");
+            write(tree.solution(section), "//> Solution: nothing\nint nothing;\n");
+        }
+        write("chapters/course.hpp",
+              "#pragma once\n/// What all share.\nnamespace course {\n/// Refuses.\nvoid require(bool holds);\n}\n");
+        write("tests/section_test.hpp", "// tests\n");
+        write("plots/style.gp", "# the look\n");
+        write("plots/07_wall_meeting_room.gp", "#> Figure\nplot 'x'\n");
+        write("plots/07_wall_meeting_room.svg",
+              R"(<svg width="640" height="400" xmlns="http://www.w3.org/2000/svg"></svg>)");
+        write("README.md", "# A small course\n");
+        write("LICENSE", "do as you like\n");
+        write("book.md", book);
+    }
+
+    fs::path chapter_file() const { return tree.chapter(seven()); }
+
+    /// What Doxygen gets to read if the chapter says this below its title.
+    std::string page(const std::string &markdown) const {
+        return doxygen_page(tree, chapter_file(), "# 7 Walls\n\n" + markdown);
+    }
+
+    /// Makes the site, with this below the chapter's title.
+    Finished make(const std::string &markdown = "Words.\n") const {
+        write(chapter_file(), "# 7 Walls\n\n" + markdown);
+        return (*this)({"make-site", "--doxygen", COURSE_DOXYGEN, "--node", COURSE_NODE, "--katex", COURSE_KATEX,
+                        "--lunr", COURSE_LUNR});
+    }
+    std::string made(const std::string &file) const { return read(tree.build / "site" / file); }
+
+    static constexpr const char *book = R"(# Small
+
+| | section | about | minutes |
+|--:|:--|:--|--:|
+| 6 | [Reflection](chapters/06_reflection/README.md) | mirrors | 20 |
+| 7 | [Walls](chapters/07_wall_meeting/README.md) | walls | 30 + 5 |
+| 8 | Springs | *to come* | |
+)";
+};
+
+std::string formula(const std::string &tex, int line, bool display = false) {
+    return "<span class=\"math" + std::string{display ? " display" : ""}
+           + "\" data-from=\"chapters/07_wall_meeting/README.md:" + std::to_string(line) + "\">" + tex + "</span>";
+}
+
+} // namespace
+
+// What Doxygen reads
+
+TEST_CASE("a page is one piece of HTML for Doxygen, under a title that it can link to") {
+    const SmallBook book;
+    CHECK(book.page("Words.\n")
+          == "# 7 Walls {#chapter_07_wall_meeting}\n\n\\htmlonly[block]\n<h1>\n7 "
+             "Walls\n</h1>\n<p>Words.</p>\n\n\\endhtmlonly\n");
+    CHECK_THAT(doxygen_page(book.tree, book.tree.root / "book.md", SmallBook::book),
+               StartsWith("# Small {#mainpage}\n"));
+    CHECK_THAT(doxygen_page(book.tree, book.tree.root / "README.md", "\xEF\xBB\xBF# Read\r\n\r\nme\r\n"),
+               StartsWith("# Read {#readme}\n"));
+}
+
+TEST_CASE("what Doxygen would take for commands, links or HTML of its own stays a word") {
+    const SmallBook book;
+    const auto [markdown, html] = GENERATE(table<std::string, std::string>({
+        {"mail @word and \\brief, C:\\new, ::x, #12, %y", "<p>mail @word and \\brief, C:\\new, ::x, #12, %y</p>"},
+        {"<kbd>Esc</kbd>", "<p><kbd>Esc</kbd></p>"},
+        {"a < b && c", "<p>a &lt; b &amp;&amp; c</p>"},
+        {"`\\endhtmlonly`", "<p><code>&#92;endhtmlonly</code></p>"},
+        {"`a | b`, `$PATH`, `<b>`", "<p><code>a | b</code>, <code>$PATH</code>, <code>&lt;b&gt;</code></p>"},
+        {"costs \\$5, or $9", "<p>costs $5, or $9</p>"},
+        {"\"so\" -- isn't it...", "<p>“so” – isn’t it…</p>"},
+        {"one\\\ntwo", "<p>one<br />\ntwo</p>"},
+    }));
+    CHECK_THAT(book.page(markdown + "\n"), ContainsSubstring(html));
+}
+
+TEST_CASE("formulas keep every sign, and know their line") {
+    const SmallBook book;
+    const auto [markdown, html] = GENERATE(table<std::string, std::string>({
+        {"with $\\dot x_1 * y_1 * z$ in it", "with " + formula("\\dot x_1 * y_1 * z", 3) + " in it"},
+        {"first\nthen $a < b$", "then " + formula("a &lt; b", 4)},
+        {"$$a\n= b$$", formula("a\n= b", 3, true)},
+        {"**bold $x$**", "<strong>bold " + formula("x", 3) + "</strong>"},
+        {"\"$x$\"", "“" + formula("x", 3) + "”"},
+        {"> quoted $x$", "<p>quoted " + formula("x", 3)},
+        {"- item $x$", "<li>item " + formula("x", 3)},
+        {"| a |\n|:--|\n| $|x|$ |\n| $y$ |",
+         "<td class=\"left\">" + formula("|x|", 5) + "</td></tr>\n<tr><td class=\"left\">" + formula("y", 6)},
+        {"<details>\n<summary>7.1: $x$ and `y`</summary>\n\nz\n</details>",
+         "<summary>7.1: " + formula("x", 3) + " and <code>y</code></summary>"},
+        {"## About $x_1$",
+         "About " + formula("x_1", 3) + "\n<a class=\"anchor\" href=\"#about-x_1\" aria-label=\"Link to About x_1\">"},
+    }));
+    CHECK_THAT(book.page(markdown + "\n"), ContainsSubstring(html));
+}
+
+TEST_CASE("a formula in a picture's words is said in plain ones") {
+    const SmallBook book;
+    const std::string page =
+        book.page("![From $a_x$ to $\\sqrt{2}$](../../plots/07_wall_meeting_room.svg)\n\nand $y$\n");
+    CHECK_THAT(page,
+               ContainsSubstring(
+                   "<img src=\"plots/07_wall_meeting_room.svg\" alt=\"From a_x to √2\" width=\"640\" height=\"400\">"));
+    CHECK_THAT(page, ContainsSubstring("<a class=\"from\" href=\"source_plots_07_wall_meeting_room_gp.html\">"));
+    CHECK_THAT(page, ContainsSubstring("and " + formula("y", 5)));
+}
+
+TEST_CASE("a picture that the site cannot have is named") {
+    const SmallBook book;
+    CHECK_THROWS_MATCHES(
+        book.page("![x](room.gif)\n"), Complaint,
+        MessageMatches(StartsWith("chapters/07_wall_meeting/README.md:3: the site cannot show the picture room.gif;")));
+}
+
+TEST_CASE("a fold keeps its paragraphs, lists and folds within it") {
+    const SmallBook book;
+    CHECK_THAT(book.page("<details>\n<summary>Open</summary>\n\nOne.\n\nTwo.\n</details>\n"),
+               ContainsSubstring("<details>\n<summary>Open</summary>\n<p>One.</p>\n<p>Two.</p>\n</details>"));
+    CHECK_THAT(book.page("- item\n  <details><summary>Open</summary>\n\n  One.\n  </details>\n"),
+               ContainsSubstring("<details><summary>Open</summary>\n<p>One.</p>\n</details>\n</li>"));
+}
+
+TEST_CASE("a listing leaves the HTML, so that Doxygen colours it, and comes back") {
+    const SmallBook book;
+    const std::string in_quote = book.page("> Before.\n>\n> ```cpp\n> int x; // $5 @see \\dot\n>\n> ```\n> After.\n");
+    CHECK_THAT(in_quote,
+               ContainsSubstring(
+                   "<blockquote>\n<p>Before.</p>\n<figure class=\"listing\">\n\\endhtmlonly\n\\code{.cpp}\n"
+                   "int x; // $5 @see \\dot\n\n\\endcode\n\\htmlonly[block]\n</figure>\n<p>After.</p>\n</blockquote>"));
+    CHECK_THAT(book.page("```gnuplot\nplot x # it's\n```\n"),
+               ContainsSubstring("\\code{.py}\nplot x # it's\n\\endcode"));
+}
+
+TEST_CASE("what Doxygen cannot colour is shown plainly") {
+    const SmallBook book;
+    CHECK_THAT(book.page("```console\n$ ./course <7>\n```\n"),
+               ContainsSubstring("<pre class=\"console\"><code>$ ./course &lt;7&gt;\n</code></pre>"));
+    CHECK_THAT(book.page("    four blanks\n"),
+               ContainsSubstring("<pre class=\"plain\"><code>four blanks\n</code></pre>"));
+    CHECK_THAT(book.page("```cpp\n// \\endcode\n```\n"),
+               ContainsSubstring("<pre class=\"cpp\"><code>// \\endcode\n</code></pre>"));
+}
+
+TEST_CASE("a listing is headed by its title, and by the file and line where it begins") {
+    const SmallBook book;
+    const std::string page = book.page("```cpp\n//> A wall\nstruct Wall {\n```\n");
+    CHECK_THAT(page, ContainsSubstring("<span class=\"title\">A wall</span> <a class=\"from\" "
+                                       "href=\"source_chapters_07_wall_meeting_wall_meeting_hpp.html#L7\">"
+                                       "chapters/<wbr>07_wall_meeting/<wbr>wall_meeting.hpp:7</a>"));
+    CHECK_THAT(page, ContainsSubstring("\\code{.cpp}\nstruct Wall {\n\\endcode"));
+    CHECK(page.find("//>") == page.npos);
+}
+
+TEST_CASE("headings can be linked to as on a forge") {
+    const SmallBook book;
+    const std::string page = book.page("## What's `so`?\n\n## What's so\n\n### Deep\n");
+    CHECK_THAT(page, ContainsSubstring("<h2 id=\"whats-so\">\nWhat’s <code>so</code>?\n<a class=\"anchor\" "
+                                       "href=\"#whats-so\" aria-label=\"Link to What’s so?\">#</a></h2>"));
+    CHECK_THAT(page, ContainsSubstring("<h2 id=\"whats-so-1\">"));
+    CHECK_THAT(page, ContainsSubstring("<h3 id=\"deep\">"));
+}
+
+TEST_CASE("links lead to pages of the site, and words stay words where it has none") {
+    const SmallBook book;
+    const auto [url, html] = GENERATE(table<std::string, std::string>({
+        {"../06_reflection/README.md", "<a href=\"chapter_06_reflection.html\">x</a>"},
+        {"../06_reflection/", "<a href=\"chapter_06_reflection.html\">x</a>"},
+        {"../06_reflection/README.md#by-hand", "<a href=\"chapter_06_reflection.html#by-hand\">x</a>"},
+        {"../../book.md#errata", "<a href=\"index.html#errata\">x</a>"},
+        {"../../README.md", "<a href=\"readme.html\">x</a>"},
+        {"wall_meeting.hpp", "<a href=\"source_chapters_07_wall_meeting_wall_meeting_hpp.html\">x</a>"},
+        {"../../tests/07_wall_meeting.cpp", "<a href=\"source_tests_07_wall_meeting_cpp.html\">x</a>"},
+        {"#by-hand", "<a href=\"#by-hand\">x</a>"},
+        {"https://example.org/a", "<a href=\"https://example.org/a\">x</a>"},
+        {"../../LICENSE", "<span class=\"path\">x</span>"},
+        {"../../tests/wrong", "<span class=\"path\">x</span>"},
+    }));
+    CHECK_THAT(book.page("[x](" + url + ")\n"), ContainsSubstring(html));
+}
+
+TEST_CASE("a lead is what stands in italics below the title, and only there") {
+    const SmallBook book;
+    CHECK_THAT(book.page("*What it is.*\n\n*Words.*\n"),
+               ContainsSubstring("<p class=\"lead\">\nWhat it is.\n</p>\n<p><em>Words.</em></p>"));
+}
+
+TEST_CASE("tables") {
+    const SmallBook book;
+    CHECK_THAT(
+        book.page("| | a |\n|--:|:-:|\n| 1. | `x \\| y` |\n| - | *to come* |\n"),
+        ContainsSubstring("<div class=\"table\"><table><thead><tr><td class=\"right\"></td><th "
+                          "class=\"center\">a</th></tr>\n</thead>\n"
+                          "<tbody><tr><td class=\"right\">1.</td><td class=\"center\"><code>x | y</code></td></tr>\n"
+                          "<tr class=\"to-come\"><td class=\"right\">-</td><td class=\"center\"><em>to "
+                          "come</em></td></tr>\n</tbody></table></div>"));
+    CHECK_THAT(book.page("> | a |\n> |---|\n> | b |\n"), ContainsSubstring("<td>b</td>"));
+    CHECK_THAT(book.page("a | b, in words\n"), ContainsSubstring("<p>a | b, in words</p>"));
+    CHECK(cells_of("| a | b\\|c |  | d") == std::vector<std::string>{"a", "b|c", "", "d"});
+    CHECK_FALSE(read_table({"| a | b |", "|---|"}));
+}
+
+// What is made of Doxygen's pages
+
+TEST_CASE("names lead to their descriptions, once, but not in comments, strings or other things' members") {
+    Interface wall;
+    wall.names["length"] = {"w.html#a", true};
+    wall.names["Wall"] = {"wall.html", false};
+    std::map<std::string, int> seen;
+    const std::string length = "<a class=\"code\" href=\"w.html#a\">length</a>",
+                      type = "<a class=\"code\" href=\"wall.html\">Wall</a>";
+    CHECK(linked("x.length(<span class=\"comment\">// length(Wall)</span>", wall, seen)
+          == "x.length(<span class=\"comment\">// length(Wall)</span>");
+    CHECK(linked("p-&gt;length() + a::length() + length + lengths() + amp;length &amp;", wall, seen)
+          == "p-&gt;length() + a::length() + length + lengths() + amp;length &amp;");
+    CHECK(linked("<span class=\"keyword\">const</span> Wall &amp;w = length(w) + length(Wall{});", wall, seen)
+          == "<span class=\"keyword\">const</span> " + type + " &amp;w = " + length + "(w) + length(Wall{});");
+    CHECK(linked("length(w)", wall, seen) == "length(w)");
+}
+
+TEST_CASE("HTML is changed in place, byte for byte") {
+    Html page{"<p>One <b>two</b> &amp; three</p>\n<p>Four"};
+    page.each([&](const Element &e) {
+        if (e.name() == "b") page.replace(e.outer(), "2");
+        if (e.name() == "p" && e.text() == "Four") page.replace(e.opening(), "<p id=\"x\">");
+        return true;
+    });
+    CHECK(page.changed() == "<p>One 2 &amp; three</p>\n<p id=\"x\">Four");
+}
+
+TEST_CASE("files that nothing leads to are left out") {
+    SiteFiles files{
+        {"index.html",
+         "<a href=\"a%20b.html#x\">a</a><link rel=\"stylesheet\" href=\"s.css\"><script src=\"site.js\"></script>"},
+        {"a b.html", "<p id=\"x\">"},
+        {"s.css", "@font-face { src: url(f.woff2) }"},
+        {"f.woff2", ""},
+        {"site.js", "read('more.js')"},
+        {"more.js", ""},
+        {"alone.html", "<a href=\"nowhere.html\">"}};
+    keep_reachable(files);
+    CHECK(files.size() == 6);
+    CHECK_FALSE(files.contains("alone.html"));
+}
+
+TEST_CASE("a link that leads nowhere, a place that is there twice, another host") {
+    const auto [html, trouble] = GENERATE(table<std::string, std::string>({
+        {"<a href=\"b.html\">", "index.html links to b.html, and there is no such file"},
+        {"<img src=\"b.svg\">", "index.html links to b.svg, and there is no such file"},
+        {"<a href=\"#x\">", "index.html links to #x, and there is no such place"},
+        {"<a href=\"a.html#y\">", "index.html links to a.html#y, and there is no such place"},
+        {"<p id=\"x\"><p id=\"x\">", "index.html has two places called #x"},
+        {"<script src=\"https://example.org/x.js\"></script>",
+         "index.html would fetch https://example.org/x.js from another host"},
+        {"<img src=\"//example.org/x.png\">", "index.html would fetch //example.org/x.png from another host"},
+        {"<link rel=\"stylesheet\" href=\"s.css\">", "s.css would fetch https://example.org/f.woff2 from another host"},
+    }));
+    SiteFiles files{
+        {"index.html", html}, {"a.html", "<p id=\"x\">"}, {"s.css", "a { src: url(\"https://example.org/f.woff2\") }"}};
+    CHECK_THROWS_MATCHES(keep_reachable(files), Complaint, MessageMatches(ContainsSubstring("  " + trouble)));
+}
+
+TEST_CASE("a link to another host may stand in the text: nothing is fetched until somebody follows it") {
+    SiteFiles files{{"index.html", "<a href=\"https://example.org\">there</a>"}};
+    CHECK_NOTHROW(keep_reachable(files));
+}
+
+// The whole site
+
+TEST_CASE("a small course becomes a site") {
+    const SmallBook book;
+    const Finished made = book.make(
+        "With $x^2$.\n\n```cpp\n//> A wall\n/// Where it stands.\nstruct Wall {\n    double start; ///< [m]\n};\n"
+        "\n/// How long it is [m].\ndouble length(const Wall &wall);\n```\n\nSee `length`.\n");
+    INFO(made.err);
+    REQUIRE(made.code == 0);
+    const std::string chapter = book.made("chapter_07_wall_meeting.html"), index = book.made("index.html");
+    CHECK_THAT(chapter, ContainsSubstring("<title>7 Walls · Frame by Frame</title>"));
+    CHECK_THAT(chapter, ContainsSubstring("Section 7 · 30 + 5 minutes"));
+    CHECK_THAT(chapter, ContainsSubstring("<span class=\"katex\">"));
+    CHECK_THAT(chapter, ContainsSubstring("<span class=\"comment\">/// Where it stands.</span>\n"));
+    CHECK_THAT(chapter, ContainsSubstring("<a class=\"code\" href=\"namespacewall__meeting.html#"));
+    CHECK_THAT(chapter, ContainsSubstring("rel=\"prev\" href=\"chapter_06_reflection.html\""));
+    CHECK(chapter.find("rel=\"next\"") == chapter.npos);
+    CHECK_THAT(index, ContainsSubstring("rel=\"next\" href=\"chapter_06_reflection.html\""));
+    CHECK_THAT(index, ContainsSubstring("<li class=\"to-come\"><span class=\"number\">8</span> Springs"));
+    CHECK_THAT(
+        book.made("source_chapters_07_wall_meeting_wall_meeting_hpp.html"),
+        ContainsSubstring("<span class=\"line\" id=\"L8\"><span class=\"keyword\">struct </span>"
+                          "<a class=\"code\" href=\"structwall__meeting_1_1Wall.html\">Wall</a> {</span>\n"));
+    CHECK_THAT(book.made("search-index.js"), ContainsSubstring(R"("text":"With x². )"));
+}
+
+TEST_CASE("what stays the same keeps its date, and what is gone goes") {
+    const SmallBook book;
+    REQUIRE(book.make("One.\n").code == 0);
+    const fs::path site = book.tree.build / "site";
+    const auto date = fs::last_write_time(site / "index.html");
+    book.write(site / "old.html", "");
+    REQUIRE(book.make("Two.\n").code == 0);
+    CHECK(fs::last_write_time(site / "index.html") == date);
+    CHECK_THAT(book.made("chapter_07_wall_meeting.html"), ContainsSubstring("<p>Two.</p>"));
+    CHECK_FALSE(book.has(site / "old.html"));
+}
+
+TEST_CASE("what is wrong is named, with its place, and the site of before stays") {
+    const SmallBook book;
+    REQUIRE(book.make("As before.\n").code == 0);
+    const auto [markdown, words] = GENERATE(table<std::string, std::string>({
+        {"One.\n\nWith $\\frac{1}$ in it.\n",
+         "chapters/07_wall_meeting/README.md:5: the formula $\\frac{1}$ cannot be read: "},
+        {"$\\nonsense$\n", "chapters/07_wall_meeting/README.md:3: the formula $\\nonsense$ cannot be read: "},
+        {"$é$\n", "chapters/07_wall_meeting/README.md:3: the formula $é$ cannot be read: "},
+        {"[x](#nowhere)\n", "chapter_07_wall_meeting.html links to #nowhere, and there is no such place"},
+        {"<p id=\"a\">\n\n<p id=\"a\">\n", "chapter_07_wall_meeting.html has two places called #a"},
+        {"<img src=\"https://example.org/a.png\">\n", "would fetch https://example.org/a.png from another host"},
+    }));
+    const Finished made = book.make(markdown);
+    CHECK(made.code == 2);
+    CHECK_THAT(made.err, StartsWith("course: ") && ContainsSubstring(words));
+    CHECK_THAT(book.made("chapter_07_wall_meeting.html"), ContainsSubstring("As before."));
+}
+
+TEST_CASE("a comment that Doxygen warns of fails the site, and is named") {
+    const SmallBook book;
+    book.write(book.tree.header(book.seven()), "#pragma once\n/// Section 7.\nnamespace wall_meeting {\n/// Long.\n/// "
+                                               "@param wal  it\ndouble length(double wall);\n}\n");
+    const Finished made = book.make();
+    CHECK(made.code == 2);
+    CHECK_THAT(made.err, ContainsSubstring("chapters/07_wall_meeting/wall_meeting.hpp:")
+                             && ContainsSubstring("argument 'wal' of command @param is not found"));
+}
