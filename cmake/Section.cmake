@@ -47,6 +47,14 @@ macro(section_programs)
   set_target_properties(${section} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
   add_dependencies(programs ${section})
 
+  # What measures is built on demand, by `course bench`, and optimized as a game would be.
+  if(EXISTS ${chapter}/bench.cpp)
+    add_executable(${section}_bench EXCLUDE_FROM_ALL ${chapter}/bench.cpp)
+    target_link_libraries(${section}_bench PRIVATE Eigen3::Eigen)
+    target_include_directories(${section}_bench PRIVATE ${chapter})
+    target_compile_options(${section}_bench PRIVATE -O2 ${COURSE_WARNINGS})
+  endif()
+
   # The student's file is in no default target: whatever is in it, the course builds.
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
     add_executable(${section}_mine EXCLUDE_FROM_ALL ${chapter}/main.cpp exercises/${section}.cpp)
@@ -171,9 +179,16 @@ macro(section_figures)
   foreach(script ${scripts})
     cmake_path(GET script STEM figure)
     set(drawn ${PROJECT_BINARY_DIR}/plots/${figure}.svg)
+    set(trace ${traces}/${figure}.tsv)
+    set(made_by ${traced})
+    if(figure MATCHES "^${section}_measured_") # never the same twice: the trace is kept, and no program writes it
+      need_file(plots/${figure}.tsv)
+      set(trace ${PROJECT_SOURCE_DIR}/plots/${figure}.tsv)
+      set(made_by ${trace})
+    endif()
     add_custom_command(OUTPUT ${drawn}
-      COMMAND course-tool draw --script ${script} --trace ${traces}/${figure}.tsv --out ${drawn}
-      DEPENDS ${script} ${PROJECT_SOURCE_DIR}/plots/style.gp ${traced} course-tool VERBATIM COMMENT "Drawing ${figure}")
+      COMMAND course-tool draw --script ${script} --trace ${trace} --out ${drawn}
+      DEPENDS ${script} ${PROJECT_SOURCE_DIR}/plots/style.gp ${made_by} course-tool VERBATIM COMMENT "Drawing ${figure}")
     list(APPEND drawings ${drawn})
   endforeach()
   add_custom_target(${section}_figures ALL DEPENDS ${drawings})

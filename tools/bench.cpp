@@ -4,6 +4,7 @@
 #include "files.hpp"
 #include "judge.hpp"
 #include "process.hpp"
+#include "programs.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -56,6 +57,21 @@ void bench_loop(const Tree &tree, const Section &section, int runs) {
     line("of which the course program starts and reads", start);
 }
 
+/// Builds a section's benchmark, which is in no other target, and runs it: it prints a table, and writes its trace.
+void bench_program(const Tree &tree, const Section &section) {
+    const std::string target = section.name + "_bench";
+    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
+    if (built.code != 0)
+        throw Complaint{"the benchmark of " + section.name
+                        + " cannot be built: " + first_error(built.out + '\n' + built.err)};
+    const fs::path traces = tree.build / "bench";
+    fs::create_directories(traces);
+    std::cout << "This takes about a minute; let the machine do nothing else.\n" << std::flush;
+    if (run({(tree.build / target).string(), "--out", traces.string()}, {.quiet = false}).code != 0)
+        throw Leave{something_to};
+    std::cout << "The trace is in " << traces.string() << '\n';
+}
+
 } // namespace
 
 void add_bench(CLI::App &app, const Tree &tree) {
@@ -69,6 +85,11 @@ void add_bench(CLI::App &app, const Tree &tree) {
     loop->add_option("--runs", *runs, "how often")->check(CLI::Range(1, 1000))->capture_default_str();
     loop->footer("Example: ./course bench loop 7 --runs 31");
     loop->callback([&tree, section, runs] { bench_loop(tree, tree.section(*section), *runs); });
+
+    CLI::App *particles =
+        command->add_subcommand("particles", "Three pools of particles, against the machine's memory");
+    particles->footer("Example: ./course bench particles");
+    particles->callback([&tree] { bench_program(tree, tree.section("particles")); });
 }
 
 } // namespace course

@@ -16,6 +16,7 @@ struct Figure {
     std::filesystem::path student; ///< the student's; empty: none
 
     std::string name() const { return script.stem().string(); }
+    bool is_measured() const { return trace.parent_path() == script.parent_path(); } ///< no program writes its trace
 };
 
 /// What a figure shows, as its script says it in the line "#> Figure: ...".

@@ -60,6 +60,7 @@ bool plot_mine(const Tree &tree, const Section &section) {
     bool all = ran.started;
     if (ran.started)
         for (Figure figure : figures_of(tree, section)) {
+            if (figure.is_measured()) continue; // of ours; there is none of the student's
             const fs::path svg = tree.build / "plots" / "mine" / (figure.name() + ".svg");
             figure.student = traces / figure.trace.filename();
             fs::remove(svg); // an older one would be taken for today's

@@ -39,13 +39,20 @@ bool is_outdated(const Figure &figure) {
     }
 }
 
+/// A measurement is never the same twice, so its trace is kept, and no program writes it.
+fs::path trace_of(const Tree &tree, const Section &section, const fs::path &script) {
+    if (script.filename().string().starts_with(section.name + "_measured_"))
+        return fs::path{script}.replace_extension(".tsv");
+    return reference_traces(tree, section) / (script.stem().string() + ".tsv");
+}
+
 } // namespace
 
 std::vector<Figure> figures_of(const Tree &tree, const Section &section) {
     std::vector<Figure> figures;
     for (const fs::path &file : files_in(tree.root / "plots"))
         if (file.extension() == ".gp" && file.filename().string().starts_with(section.name + "_"))
-            figures.push_back({file, reference_traces(tree, section) / (file.stem().string() + ".tsv"), {}});
+            figures.push_back({file, trace_of(tree, section, file), {}});
     return figures;
 }
 

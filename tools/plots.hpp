@@ -10,7 +10,8 @@
 
 namespace course {
 
-/// Every plots/NN_slug_<figure>.gp of the section with the reference's trace, by name.
+/// Every plots/NN_slug_<figure>.gp of the section with the reference's trace, by name. The trace of a
+/// plots/NN_slug_measured_<figure>.gp is the kept one beside it.
 std::vector<Figure> figures_of(const Tree &tree, const Section &section);
 
 /// Where the build draws a figure.

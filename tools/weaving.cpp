@@ -34,6 +34,8 @@ std::vector<fs::path> figures(const Tree &tree, const Section &section) {
 
 Page page_of(const Tree &tree, const Section &section) {
     Page page{tree.chapter(section), {tree.header(section), tree.program(section), tree.solution(section)}, {}};
+    for (const fs::path &file : files_in(page.file.parent_path(), "", "pp")) // a benchmark, and what it measures
+        if (std::find(page.code.begin(), page.code.end(), file) == page.code.end()) page.code.push_back(file);
     for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
     page.whole = page.code;
     page.code.push_back(tree.tests(section));
