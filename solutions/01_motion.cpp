@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace motion {
 
@@ -23,7 +22,7 @@ Vec2 uniform_motion(const Vec2 &start, const Vec2 &velocity, double t) {
 State accelerated_motion(const State &start, const Vec2 &acceleration, double t) {
     course::require_range(start.position, start.velocity, acceleration, t);
     const Vec2 last = start.velocity + t * acceleration;
-    const Vec2 average = (start.velocity + last) / 2; // its velocity grows evenly
+    const Vec2 average = 0.5 * (start.velocity + last); // its velocity grows evenly
     return {start.position + t * average, last};
 }
 
@@ -54,9 +53,9 @@ Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
     after.explicit_euler.velocity += gained;
     after.semi_implicit.velocity += gained;
     after.semi_implicit.position += dt * after.semi_implicit.velocity; // as fast as it is now
-    after.exact.velocity += gained / 2;
+    after.exact.velocity += 0.5 * gained;
     after.exact.position += dt * after.exact.velocity; // as fast as half way
-    after.exact.velocity += gained / 2;
+    after.exact.velocity += 0.5 * gained;
     return after;
 }
 
@@ -75,8 +74,7 @@ Vec2 centroid(const std::vector<Vec2> &corners) {
         const Vec2 p = corners[i] - origin, q = corners[i + 1] - origin;
         const double triangle = (p.x() * q.y() - p.y() * q.x()) / 2; // negative where the outline runs backwards
         area += triangle;
-        const Vec2 middle = (p + q) / 3; // the third corner is at 0
-        weighted += triangle * middle;
+        weighted += triangle / 3 * (p + q); // its middle is (p + q)/3: the third corner is at 0
     }
     course::require(std::abs(area) > 1e-12 * size, "the area [m²] must not be zero", area);
     return origin + weighted / area;
@@ -85,8 +83,9 @@ Vec2 centroid(const std::vector<Vec2> &corners) {
 //> Solution 1.7: three looks at a motion
 Law law_of_motion(const Sample &first, const Sample &second, const Sample &third) {
     course::require_range(first.t, first.x, second.t, second.x, third.t, third.x);
-    for (const auto &[t, other] : {std::pair{first.t, second.t}, {second.t, third.t}, {third.t, first.t}})
-        course::require(t != other, "the times [s] must differ from each other", t);
+    const char *claim = "the times [s] must differ from each other";
+    course::require(first.t != second.t && first.t != third.t, claim, first.t);
+    course::require(second.t != third.t, claim, second.t);
 
     const double v_12 = (second.x - first.x) / (second.t - first.t); // its velocity half way between the first two
     const double v_23 = (third.x - second.x) / (third.t - second.t); // and half way between the last two

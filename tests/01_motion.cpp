@@ -11,6 +11,7 @@ using motion::Law, motion::PointMass, motion::Sample, motion::Schemes, motion::S
 using namespace motion::subject; // px_per_second, uniform_motion, ... law_of_motion: the student's
 
 constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
+const std::array<double, 6> outside{infinity, -infinity, not_a_number, 1.1e5, -1.1e5, -3e200}; // of the range
 
 // --------------------------------------------------------------------------------------------------- 1.1 px_per_second
 
@@ -47,9 +48,10 @@ TEST_CASE("no frames a second, fewer than none, and what is not a number within 
     CHECK_THROWS_AS(px_per_second(4, 0), std::invalid_argument);
     CHECK_THROWS_AS(px_per_second(4, -30), std::invalid_argument);
 
-    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5);
-    CHECK_THROWS_AS(px_per_second(bad, 30), std::invalid_argument);
-    CHECK_THROWS_AS(px_per_second(4, bad), std::invalid_argument);
+    for (const double bad : outside) {
+        CHECK_THROWS_AS(px_per_second(bad, 30), std::invalid_argument);
+        CHECK_THROWS_AS(px_per_second(4, bad), std::invalid_argument);
+    }
 }
 
 // -------------------------------------------------------------------------------------------------- 1.2 uniform_motion
@@ -110,12 +112,13 @@ TEST_CASE("erratum E1.9: for 3 miles, 80 miles an hour need more time than 90, n
 
 //>
 TEST_CASE("a uniform motion with anything in it that is not a number within ±1e5 is refused", "[1.2]") {
-    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5, -3e200);
-    CHECK_THROWS_AS(uniform_motion({bad, 2}, {3, 4}, 5), std::invalid_argument);
-    CHECK_THROWS_AS(uniform_motion({1, bad}, {3, 4}, 5), std::invalid_argument);
-    CHECK_THROWS_AS(uniform_motion({1, 2}, {bad, 4}, 5), std::invalid_argument);
-    CHECK_THROWS_AS(uniform_motion({1, 2}, {3, bad}, 5), std::invalid_argument);
-    CHECK_THROWS_AS(uniform_motion({1, 2}, {3, 4}, bad), std::invalid_argument);
+    for (const double bad : outside) {
+        CHECK_THROWS_AS(uniform_motion({bad, 2}, {3, 4}, 5), std::invalid_argument);
+        CHECK_THROWS_AS(uniform_motion({1, bad}, {3, 4}, 5), std::invalid_argument);
+        CHECK_THROWS_AS(uniform_motion({1, 2}, {bad, 4}, 5), std::invalid_argument);
+        CHECK_THROWS_AS(uniform_motion({1, 2}, {3, bad}, 5), std::invalid_argument);
+        CHECK_THROWS_AS(uniform_motion({1, 2}, {3, 4}, bad), std::invalid_argument);
+    }
 }
 
 // ---------------------------------------------------------------------------------------------- 1.3 accelerated_motion
@@ -251,14 +254,15 @@ TEST_CASE("erratum E1.11: all of the velocity makes the way, not only the gained
 
 //>
 TEST_CASE("an accelerated motion with anything in it that is not a number within ±1e5 is refused", "[1.3]") {
-    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5, -3e200);
-    CHECK_THROWS_AS(accelerated_motion({{bad, 2}, {3, 4}}, {5, 6}, 7), std::invalid_argument);
-    CHECK_THROWS_AS(accelerated_motion({{1, bad}, {3, 4}}, {5, 6}, 7), std::invalid_argument);
-    CHECK_THROWS_AS(accelerated_motion({{1, 2}, {bad, 4}}, {5, 6}, 7), std::invalid_argument);
-    CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, bad}}, {5, 6}, 7), std::invalid_argument);
-    CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {bad, 6}, 7), std::invalid_argument);
-    CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {5, bad}, 7), std::invalid_argument);
-    CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {5, 6}, bad), std::invalid_argument);
+    for (const double bad : outside) {
+        CHECK_THROWS_AS(accelerated_motion({{bad, 2}, {3, 4}}, {5, 6}, 7), std::invalid_argument);
+        CHECK_THROWS_AS(accelerated_motion({{1, bad}, {3, 4}}, {5, 6}, 7), std::invalid_argument);
+        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {bad, 4}}, {5, 6}, 7), std::invalid_argument);
+        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, bad}}, {5, 6}, 7), std::invalid_argument);
+        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {bad, 6}, 7), std::invalid_argument);
+        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {5, bad}, 7), std::invalid_argument);
+        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {5, 6}, bad), std::invalid_argument);
+    }
 }
 
 // -------------------------------------------------------------------------------------------------- 1.4 centre_of_mass
@@ -372,19 +376,22 @@ TEST_CASE("erratum E1.1: three bodies are three terms; the printed sum has a fou
 
 //>
 TEST_CASE("a negative mass, and what is not a number within ±1e5, is refused, wherever it stands", "[1.4]") {
-    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5, -1.1e5);
-    const std::size_t which = GENERATE(0u, 1u, 2u);
-    auto bodies = three;
-    bodies[which].position.x() = bad;
-    CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
-    bodies = three;
-    bodies[which].position.y() = bad;
-    CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
-    bodies = three;
-    bodies[which].mass = bad;
-    CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
-    bodies[which].mass = -0.5; // the others weigh more
-    CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
+    for (const std::size_t which : {0u, 1u, 2u}) {
+        for (const double bad : outside) {
+            auto bodies = three;
+            bodies[which].position.x() = bad;
+            CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
+            bodies = three;
+            bodies[which].position.y() = bad;
+            CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
+            bodies = three;
+            bodies[which].mass = bad;
+            CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
+        }
+        auto bodies = three;
+        bodies[which].mass = -0.5; // the others weigh more
+        CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
+    }
     CHECK_THROWS_AS(centre_of_mass({{{1, 2}, 3}, {{4, 5}, -3}}), std::invalid_argument); // and not "nothing"
 }
 
@@ -507,19 +514,20 @@ TEST_CASE("a step back in time, and what is not a number within ±1e5, is refuse
     const Schemes good = all_at({{1, 2}, {3, 4}});
     CHECK_THROWS_AS(step(good, {5, 6}, -0.1), std::invalid_argument);
 
-    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5);
-    CHECK_THROWS_AS(step(good, {bad, 6}, 0.1), std::invalid_argument);
-    CHECK_THROWS_AS(step(good, {5, bad}, 0.1), std::invalid_argument);
-    CHECK_THROWS_AS(step(good, {5, 6}, bad), std::invalid_argument);
-    for (State Schemes::*const scheme : {&Schemes::explicit_euler, &Schemes::semi_implicit, &Schemes::exact})
-        for (const int axis : {0, 1}) {
-            Schemes spoilt = good;
-            (spoilt.*scheme).position[axis] = bad;
-            CHECK_THROWS_AS(step(spoilt, {5, 6}, 0.1), std::invalid_argument);
-            spoilt = good;
-            (spoilt.*scheme).velocity[axis] = bad;
-            CHECK_THROWS_AS(step(spoilt, {5, 6}, 0.1), std::invalid_argument);
-        }
+    for (const double bad : outside) {
+        CHECK_THROWS_AS(step(good, {bad, 6}, 0.1), std::invalid_argument);
+        CHECK_THROWS_AS(step(good, {5, bad}, 0.1), std::invalid_argument);
+        CHECK_THROWS_AS(step(good, {5, 6}, bad), std::invalid_argument);
+        for (State Schemes::*const scheme : {&Schemes::explicit_euler, &Schemes::semi_implicit, &Schemes::exact})
+            for (const int axis : {0, 1}) {
+                Schemes spoilt = good;
+                (spoilt.*scheme).position[axis] = bad;
+                CHECK_THROWS_AS(step(spoilt, {5, 6}, 0.1), std::invalid_argument);
+                spoilt = good;
+                (spoilt.*scheme).velocity[axis] = bad;
+                CHECK_THROWS_AS(step(spoilt, {5, 6}, 0.1), std::invalid_argument);
+            }
+    }
 }
 
 // -------------------------------------------------------------------------------------------------------- 1.6 centroid
@@ -638,12 +646,13 @@ TEST_CASE("fewer than three corners, and corners on one line, are no plate", "[1
 }
 
 TEST_CASE("a corner that is not a number within ±1e5 is refused, wherever it stands", "[1.6]") {
-    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5);
-    const std::size_t which = GENERATE(0u, 1u, 2u, 3u);
-    const int axis = GENERATE(0, 1);
-    Corners corners{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-    corners[which][axis] = bad;
-    CHECK_THROWS_AS(centroid(corners), std::invalid_argument);
+    for (const double bad : outside)
+        for (const std::size_t which : {0u, 1u, 2u, 3u})
+            for (const int axis : {0, 1}) {
+                Corners corners{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+                corners[which][axis] = bad;
+                CHECK_THROWS_AS(centroid(corners), std::invalid_argument);
+            }
 }
 
 // --------------------------------------------------------------------------------------------------- 1.7 law_of_motion
@@ -694,19 +703,21 @@ TEST_CASE("from a second in the middle of its motion: hundredths apart", "[1.7]"
 
 TEST_CASE("two looks at one instant are refused, whichever two, and even if they agree", "[1.7]") {
     const Sample one{1, 6}, two{2, 11}, four{4, 27};
-    const Sample again = GENERATE(Sample{1, 6}, Sample{1, 7});
-    CHECK_THROWS_AS(law_of_motion(one, again, four), std::invalid_argument);
-    CHECK_THROWS_AS(law_of_motion(one, two, again), std::invalid_argument);
-    CHECK_THROWS_AS(law_of_motion(two, one, again), std::invalid_argument);
-    CHECK_THROWS_AS(law_of_motion(one, again, one), std::invalid_argument);
+    for (const Sample &again : {Sample{1, 6}, Sample{1, 7}}) {
+        CHECK_THROWS_AS(law_of_motion(one, again, four), std::invalid_argument);
+        CHECK_THROWS_AS(law_of_motion(one, two, again), std::invalid_argument);
+        CHECK_THROWS_AS(law_of_motion(two, one, again), std::invalid_argument);
+        CHECK_THROWS_AS(law_of_motion(one, again, one), std::invalid_argument);
+    }
 }
 
 TEST_CASE("a look at what is not a number within ±1e5, or at such a time, is refused", "[1.7]") {
-    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5, -3e200);
-    CHECK_THROWS_AS(law_of_motion({bad, 6}, {2, 11}, {4, 27}), std::invalid_argument);
-    CHECK_THROWS_AS(law_of_motion({1, bad}, {2, 11}, {4, 27}), std::invalid_argument);
-    CHECK_THROWS_AS(law_of_motion({1, 6}, {bad, 11}, {4, 27}), std::invalid_argument);
-    CHECK_THROWS_AS(law_of_motion({1, 6}, {2, bad}, {4, 27}), std::invalid_argument);
-    CHECK_THROWS_AS(law_of_motion({1, 6}, {2, 11}, {bad, 27}), std::invalid_argument);
-    CHECK_THROWS_AS(law_of_motion({1, 6}, {2, 11}, {4, bad}), std::invalid_argument);
+    for (const double bad : outside) {
+        CHECK_THROWS_AS(law_of_motion({bad, 6}, {2, 11}, {4, 27}), std::invalid_argument);
+        CHECK_THROWS_AS(law_of_motion({1, bad}, {2, 11}, {4, 27}), std::invalid_argument);
+        CHECK_THROWS_AS(law_of_motion({1, 6}, {bad, 11}, {4, 27}), std::invalid_argument);
+        CHECK_THROWS_AS(law_of_motion({1, 6}, {2, bad}, {4, 27}), std::invalid_argument);
+        CHECK_THROWS_AS(law_of_motion({1, 6}, {2, 11}, {bad, 27}), std::invalid_argument);
+        CHECK_THROWS_AS(law_of_motion({1, 6}, {2, 11}, {4, bad}), std::invalid_argument);
+    }
 }
