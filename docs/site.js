@@ -147,22 +147,27 @@
     return [...scores].sort((a, b) => b[1] - a[1]).map(([ref]) => searchIndex.documents[ref]);
   }
 
-  // A piece of the text round the first of the words, with the words marked.
+  // The piece of the text with the most of the words, and the words marked.
   function excerpt(text, terms) {
-    const pattern = new RegExp(`(?<![\\p{L}\\p{N}])(?:${terms.map((term) => term.slice(0, Math.max(4, term.length - 3))).join('|')})[\\p{L}\\p{N}]*`, 'giu');
-    const first = Math.max(text.search(pattern), 0);
-    const from = Math.max(0, text.lastIndexOf(' ', Math.max(first - 60, 0)));
-    const piece = text.slice(from, from + 180);
+    const length = 180;
+    const stems = terms.map((term) => term.slice(0, Math.max(4, term.length - 3)));
+    const pattern = new RegExp(`(?<![\\p{L}\\p{N}])(?:${stems.join('|')})[\\p{L}\\p{N}]*`, 'giu');
+    const hits = [...text.matchAll(pattern)];
+    const within = (hit) => hits.filter(({ index }) => index >= hit.index && index < hit.index + length - 60);
+    const different = (hit) => new Set(within(hit).map(([word]) => word.slice(0, 4).toLowerCase())).size;
+    const best = hits.reduce((a, b) => (different(b) > different(a) ? b : a), hits[0]);
+    const from = Math.max(0, text.lastIndexOf(' ', Math.max((best?.index ?? 0) - 50, 0)));
+    const to = from + length < text.length ? text.lastIndexOf(' ', from + length) : text.length;
     const paragraph = document.createElement('p');
-    let at = 0;
-    if (from > 0) paragraph.append('… ');
-    for (const hit of piece.matchAll(pattern)) {
+    let at = from;
+    if (from > 0) paragraph.append('…');
+    for (const hit of hits.filter(({ index }) => index >= from && index < to)) {
       const mark = document.createElement('mark');
       mark.textContent = hit[0];
-      paragraph.append(piece.slice(at, hit.index), mark);
+      paragraph.append(text.slice(at, hit.index), mark);
       at = hit.index + hit[0].length;
     }
-    paragraph.append(piece.slice(at) + (from + 180 < text.length ? ' …' : ''));
+    paragraph.append(text.slice(at, Math.max(at, to)) + (to < text.length ? ' …' : ''));
     return paragraph;
   }
 

@@ -41,6 +41,12 @@ std::string joined(std::vector<std::string>::const_iterator line, std::vector<st
     return text;
 }
 
+/// A path that may go on in the next line behind a slash.
+std::string breakable(const std::string &path) {
+    static const std::regex slash{"/"};
+    return std::regex_replace(path, slash, "/<wbr>");
+}
+
 /// The chunks that a page may show, by title.
 std::map<std::string, Chunk> chunks_for(const Tree &tree, const fs::path &file) {
     std::vector<fs::path> code;
@@ -320,12 +326,6 @@ class PageWriter {
                + line + "</a></span></figcaption>";
     }
 
-    /// A path that may go on in the next line behind a slash.
-    static std::string breakable(const std::string &path) {
-        static const std::regex slash{"/"};
-        return std::regex_replace(path, slash, "/<wbr>");
-    }
-
     static std::string block_of(const std::string &language, const std::string &code) {
         const std::string_view colours = colours_of(language);
         if (!colours.empty() && code.find("\\endcode") == code.npos) return coloured(colours, code);
@@ -392,12 +392,10 @@ class PageWriter {
     }
 
     std::string cell(const std::string &text, bool head, const std::string &alignment, int line) {
-        // A private character in front keeps "1." and "-" from being lists.
-        static constexpr std::string_view guard = "\xEE\x80\x81";
-        const Document document = parse_markdown(std::string{guard} + text, CMARK_OPT_SMART);
+        // A bracket in front keeps "1." and "-" from being lists, and a quotation from being closed as it opens.
+        const Document document = parse_markdown('(' + text, CMARK_OPT_SMART);
         inlines(cmark_node_first_child(document.get()), line);
-        std::string words = without_paragraph(rendered(document.get()));
-        words.erase(words.find(guard), guard.size());
+        const std::string words = without_paragraph(rendered(document.get())).substr(1);
         const std::string tag = head && !words.empty() ? "th" : "td";
         return "<" + tag + (alignment.empty() ? "" : " class=\"" + alignment + "\"") + ">" + words + "</" + tag + ">";
     }
@@ -424,8 +422,9 @@ std::string doxygen_page(const Tree &tree, const fs::path &file, std::string_vie
 std::string doxygen_source(const Tree &tree, const fs::path &file, std::string_view code) {
     const std::string path = path_in(tree, file);
     const std::string_view colours = file.extension() == ".gp" ? "{.py}" : "{.cpp}";
-    return "# " + path + " {#" + page_name(tree, file) + "}\n" + std::string{html_begins} + "<h1><code>" + path
-           + "</code></h1>" + coloured(colours, code.substr(byte_order_mark(code).size())) + std::string{html_ends};
+    return "# " + path + " {#" + page_name(tree, file) + "}\n" + std::string{html_begins} + "<h1><code>"
+           + breakable(path) + "</code></h1>" + coloured(colours, code.substr(byte_order_mark(code).size()))
+           + std::string{html_ends};
 }
 
 } // namespace course
