@@ -137,6 +137,7 @@ describe('listings', () => {
     const name = page.locator('pre a.code').first();
     const word = await name.textContent();
     await name.click();
+    await page.waitForLoadState();
     assert.match(page.url(), /\/(namespace|struct|class)\w+\.html/);
     assert.ok((await page.textContent('main')).includes(word));
     await context.close();
@@ -151,6 +152,7 @@ describe('reading', () => {
       const way = [];
       for (let link; (link = page.locator(`.turning a[rel=${rel}]`)), await link.count(); ) {
         await link.click();
+        await page.waitForLoadState();
         way.push(path.basename(new URL(page.url()).pathname));
       }
       return way;

@@ -14,7 +14,8 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-#include <regex>
+#include <chrono>
+#include <thread>
 
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::MessageMatches;
@@ -363,4 +364,55 @@ TEST_CASE("a comment that Doxygen warns of fails the site, and is named") {
     CHECK(made.code == 2);
     CHECK_THAT(made.err, ContainsSubstring("chapters/07_wall_meeting/wall_meeting.hpp:")
                              && ContainsSubstring("argument 'wal' of command @param is not found"));
+}
+
+// The commands
+
+TEST_CASE("site says where it is, and how to open it") {
+    const SmallBook book;
+    const Finished site = book({"site"}, {book.instead_of("cmake", "exit 0")});
+    CHECK(site.code == 0);
+    CHECK(site.out
+          == "The book is build/default/site/index.html\nType ./course open, or ./course open 7 for a section\n");
+}
+
+TEST_CASE("a site that cannot be built is a sentence, not ninja's log") {
+    const SmallBook book;
+    const Finished site =
+        book({"site"},
+             {book.instead_of("cmake", "echo '[1/1] Making the site'; echo 'FAILED: site.stamp'; "
+                                       "echo 'course: book.md:3: wrong'; echo; echo 'ninja: build stopped'; exit 1")});
+    CHECK(site.code == 2);
+    CHECK_THAT(site.err, StartsWith("course: book.md:3: wrong"));
+    CHECK(site.err.find("ninja") == std::string::npos);
+}
+
+TEST_CASE("open hands the front page or a chapter to the desktop, and waits for nothing") {
+    const SmallBook book;
+    const std::string path = book.instead_of("cmake", "exit 0");
+    book.instead_of("xdg-open", "echo \"$1\" >'" + (book.tree.root / "opened").string() + "'; sleep 5");
+    const auto [words, page] = GENERATE(table<std::vector<std::string>, std::string>({
+        {{"open"}, "index.html"},
+        {{"open", "7"}, "chapter_07_wall_meeting.html"},
+        {{"open", "wall"}, "chapter_07_wall_meeting.html"},
+    }));
+    const std::string file = (book.tree.build / "site" / page).string();
+    const auto began = std::chrono::steady_clock::now();
+    const Finished opened = book(words, {path, "DISPLAY=:0"});
+    CHECK(opened.out == "Opening " + file + "\n");
+    CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds{4});
+    for (int i = 0; i < 100 && !book.has("opened"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    CHECK(book.read("opened") == file + "\n");
+}
+
+TEST_CASE("without a screen, open says which file") {
+    const SmallBook book;
+    const std::string path = book.instead_of("cmake", "exit 0");
+    book.instead_of("xdg-open", "exit 0");
+    const Finished opened = book({"open", "7"}, {path, "DISPLAY=", "WAYLAND_DISPLAY="});
+    CHECK(opened.code == 0);
+    CHECK(opened.out
+          == "Open this file in your browser: " + (book.tree.build / "site/chapter_07_wall_meeting.html").string()
+                 + "\n");
+    CHECK(book({"open", "9"}, {path}).code == 2);
 }
