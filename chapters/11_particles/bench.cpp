@@ -1,0 +1,132 @@
+// `./course bench particles` builds and runs this: a benchmark belongs to no figure that is drawn anew each time.
+#include "../program.hpp"
+
+#include "pools.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <random>
+
+using namespace particles;
+using course::row, course::text;
+
+//> What is measured
+/// Frames of 1/60 s and lives of 2 s: in each frame one particle of 120 dies, and another one starts in its place.
+constexpr double dt = 1.0 / 60;
+constexpr double life = 2;
+
+/// `count` particles, of ages that chance has mixed.
+std::vector<Particle> crowd(std::size_t count) {
+    std::mt19937_64 engine{count};
+    std::vector<Particle> particles(count, {.position = {0, 0}, .velocity = {1, 9}, .age = 0, .life = life});
+    for (Particle &particle : particles) particle.age = (double(engine() % 120) + 0.5) * dt;
+    return particles;
+}
+
+/// A frame of a pool that is full again at its end; how many have started.
+template <class AnyPool> std::size_t frame(AnyPool &pool) {
+    const Particle young{.position = {0, 0}, .velocity = {1, 9}, .age = 0.5 * dt, .life = life};
+    pool.step(dt);
+    std::size_t started = 0;
+    while (pool.start(young)) ++started;
+    return started;
+}
+
+//> How it is measured
+/// Seconds of the processor that one call of `work` takes: called again and again for at least a tenth of one. What other
+/// programs take meanwhile does not count.
+template <class Work> double seconds(const Work &work) {
+    const std::clock_t begin = std::clock();
+    double passed = 0;
+    int calls = 0;
+    for (; passed < 0.1; ++calls) {
+        work();
+        passed = double(std::clock() - begin) / CLOCKS_PER_SEC;
+    }
+    return passed / calls;
+}
+
+/// The median of five; what takes more than a second is measured once.
+template <class Work> double median_seconds(const Work &work) {
+    std::vector<double> times{seconds(work)};
+    while (times.size() < 5 && times[0] < 1) times.push_back(seconds(work));
+    std::ranges::sort(times);
+    return times[times.size() / 2];
+}
+
+/// Millions of particles a second.
+template <class AnyPool> double rate(std::size_t count) {
+    AnyPool pool{crowd(count)};
+    std::size_t started = 0;
+    const double time = median_seconds([&] { started += frame(pool); });
+    if (started == 0) throw std::runtime_error{"nobody has started: this would measure nothing"};
+    return 1e-6 * double(count) / time;
+}
+
+/// Bytes a second [GB/s] of numbers that are read, changed and written back in place, as particles are.
+double bandwidth() {
+    std::vector<double> numbers(32u << 20, 1.0); // 256 MB: far more than any cache holds
+    const auto sweep = [&] {
+        for (double &x : numbers) x = 0.5 * x + 1;
+    };
+    return 1e-9 * double(2 * sizeof(double) * numbers.size()) / median_seconds(sweep);
+}
+
+//> The results
+struct Row {
+    std::size_t count;
+    std::array<double, 3> rates; ///< of linear search, free list, swap and remove [1e6/s]
+};
+
+struct Results {
+    double memory; ///< [GB/s]
+    std::vector<Row> rows;
+};
+
+/// Bytes of a particle that go to the processor and back in a frame.
+constexpr std::array<double, 3> bytes{2 * sizeof(Pool::value_type), 2 * sizeof(Pool::value_type), 2 * sizeof(Particle)};
+
+const Results &results() { // measured once, printed and traced
+    static const Results all = [] {
+        Results found{.memory = bandwidth(), .rows = {}};
+        for (const std::size_t n : {256u, 1024u, 4096u, 16384u, 65536u, 262144u, 1000000u})
+            found.rows.push_back({n, {rate<LinearSearch>(n), rate<FreeList>(n), rate<SwapRemove>(n)}});
+        return found;
+    }();
+    return all;
+}
+
+void print_pools(std::ostream &out) {
+    const auto &[memory, rows] = results();
+    const auto digits = [](double x) { // three of them
+        std::ostringstream shown;
+        shown << std::setprecision(x < 100 ? 2 : 3) << x;
+        return shown.str();
+    };
+    out << "Millions of particles a second, and which share that is of what memory can carry (" << digits(memory)
+        << " GB/s):\n"
+        << row({{"particles", 11}, {"linear search", 17}, {"free list", 17}, {"swap and remove", 0}});
+    for (const auto &[count, rates] : rows) {
+        std::array<std::string, 3> cells;
+        for (std::size_t i = 0; i < 3; ++i)
+            cells[i] = digits(rates[i]) + "  " + digits(0.1 * rates[i] * bytes[i] / memory) + " %";
+        out << row({{std::to_string(count), 11}, {cells[0], 17}, {cells[1], 17}, {cells[2], 0}});
+    }
+}
+
+void trace_pools(std::ostream &out) {
+    const auto &[memory, rows] = results();
+    out << std::setprecision(4); // no measurement has more
+    out << "# particles[1]\tlinear search[1e6/s]\tfree list[1e6/s]\tswap and remove[1e6/s]\tmemory[1e6/s]\n";
+    for (const auto &[count, rates] : rows) {
+        out << count;
+        for (const double rate : rates) out << '\t' << rate;
+        out << '\t' << 1e3 * memory / bytes[2] << '\n';
+    }
+}
+
+//> Main of the benchmark
+int main(int argc, char **argv) {
+    return course::run(argc, argv, {{"pools", print_pools}, {"11_particles_measured_pools.tsv", trace_pools}});
+}

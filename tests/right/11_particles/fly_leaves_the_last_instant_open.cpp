@@ -1,0 +1,41 @@
+// 11.8: a wall met in the very last instant turns it in the next call, and of two at once the later in the list is first
+#include "particles.hpp"
+
+#include <algorithm>
+
+namespace particles {
+
+Particle fly(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt) {
+    require_particle(particle);
+    course::require_range(restitution, dt);
+    if (restitution < 0 || restitution > 1 || dt < 0) throw std::invalid_argument{"no such restitution or time"};
+    for (const Wall &wall : walls) {
+        course::require_range(wall.start, wall.end);
+        if ((wall.end - wall.start).norm() < 1e-3) throw std::invalid_argument{"no such wall"};
+    }
+    Particle now = particle;
+    now.age += dt;
+    for (int bounces = 0; bounces < most_bounces; ++bounces) {
+        double least = dt;
+        std::optional<Vec2> normal;
+        for (const auto &[start, end] : walls) {
+            const Vec2 along = (end - start) / (end - start).norm(), left{-along.y(), along.x()};
+            const double closing = -now.velocity.dot(left), distance = (now.position - start).dot(left);
+            if (closing <= touching || distance < -touching) continue;
+            const double t = std::max(0.0, distance / closing);
+            const Vec2 there = now.position + t * now.velocity;
+            const double beyond = std::max((start - there).dot(along), (there - end).dot(along));
+            if (t < dt && t <= least && beyond <= touching) {
+                least = t;
+                normal = left;
+            }
+        }
+        now.position += least * now.velocity;
+        if (!normal) break;
+        now.velocity -= (1 + restitution) * now.velocity.dot(*normal) * *normal;
+        dt -= least;
+    }
+    return now;
+}
+
+} // namespace particles

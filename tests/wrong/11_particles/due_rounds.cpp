@@ -1,0 +1,18 @@
+// 11.7: rounded to the nearest: the carry may be negative
+#include "particles.hpp"
+
+namespace particles {
+
+Due due(double rate, double carry, double dt) {
+    course::require_range(rate, carry, dt);
+    course::require(rate >= 0, "rate [1/s] must not be negative", rate);
+    course::require(carry >= 0 && carry < 1, "carry must be in [0, 1)", carry);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    course::require(rate * dt <= 1e6, "rate times dt must be at most 1e6", rate * dt);
+
+    const double all = carry + rate * dt;
+    const double whole = std::round(all);
+    return {.count = int(whole), .carry = all - whole};
+}
+
+} // namespace particles

@@ -1,0 +1,20 @@
+// 11.7: if, where there should be a number: in a long frame only one
+#include "particles.hpp"
+
+#include <cmath>
+
+namespace particles {
+
+Due due(double rate, double carry, double dt) {
+    course::require_range(rate, carry, dt);
+    course::require(rate >= 0, "rate [1/s] must not be negative", rate);
+    course::require(carry >= 0 && carry < 1, "carry must be in [0, 1)", carry);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    course::require(rate * dt <= 1e6, "rate times dt must be at most 1e6", rate * dt);
+
+    const double all = carry + rate * dt;
+    const double whole = std::floor(all);
+    return {.count = whole > 0 ? 1 : 0, .carry = all - whole};
+}
+
+} // namespace particles

@@ -1,0 +1,29 @@
+// 11.9: the living by age: neat, and everybody moves
+#include "particles.hpp"
+
+#include <algorithm>
+
+namespace particles {
+
+std::vector<Particle> renew(const std::vector<Particle> &pool, const std::vector<Particle> &newborn, int capacity) {
+    for (const Particle &particle : pool) require_particle(particle);
+    for (const Particle &particle : newborn) require_particle(particle);
+    course::require(capacity >= 0, "capacity must not be negative", capacity);
+    const auto most = std::size_t(capacity);
+    course::require(pool.size() <= most, "capacity must not be less than the pool holds", capacity);
+
+    std::vector<Particle> after = pool;
+    for (std::size_t i = 0; i < after.size();) {
+        if (after[i].age < after[i].life) {
+            ++i;
+        } else {
+            after[i] = after.back();
+            after.pop_back();
+        }
+    }
+    std::sort(after.begin(), after.end(), [](const Particle &a, const Particle &b) { return a.age > b.age; });
+    for (std::size_t i = 0; i < newborn.size() && after.size() < most; ++i) after.push_back(newborn[i]);
+    return after;
+}
+
+} // namespace particles

@@ -1,0 +1,25 @@
+// 11.4: y down, as on a screen
+#include "particles.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace particles {
+
+/// Of length 1, at this angle from the x axis [rad].
+static Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+std::vector<Vec2> ring(int count, double speed, double first) {
+    course::require_range(speed, first);
+    course::require(count >= 0, "count must not be negative", count);
+    course::require(speed >= 0, "speed [m/s] must not be negative", speed);
+
+    std::vector<Vec2> velocities;
+    for (int i = 0; i < count; ++i) {
+        const double turn = double(i) / count;
+        velocities.push_back(speed * direction(first - 2 * std::numbers::pi * turn));
+    }
+    return velocities;
+}
+
+} // namespace particles

@@ -1,0 +1,17 @@
+// 11.2: no shades, or fewer, are not refused
+#include "particles.hpp"
+
+#include <algorithm>
+
+namespace particles {
+
+std::optional<int> shade(double age, double life, int shades) {
+    course::require_range(age, life);
+    course::require(age >= 0, "age [s] must not be negative", age);
+    course::require(life > 0, "life [s] must be positive", life);
+
+    if (age >= life) return {};
+    return std::min(int(age / life * shades), shades - 1);
+}
+
+} // namespace particles

@@ -1,0 +1,26 @@
+// 11.6: an emitter with a negative offset, or a life that ends before it begins
+#include "particles.hpp"
+
+namespace particles {
+
+static void require_chances(const std::vector<double> &chances) {
+    for (const double chance : chances)
+        course::require(chance >= 0 && chance < 1, "a chance must be in [0, 1)", chance);
+}
+
+/// From -1 to 1.
+static double either_way(double chance) { return 2 * chance - 1; }
+
+Particle trail(const Emitter &emitter, const std::vector<double> &chances) {
+    const auto &[position, velocity, offset, jitter, shortest, longest] = emitter;
+    course::require_range(position, velocity, offset, jitter, shortest, longest);
+    require_chances(chances);
+    course::require(chances.size() == 5, "the number of chances must be 5", double(chances.size()));
+
+    return {.position = position + offset * Vec2{either_way(chances[0]), either_way(chances[1])},
+            .velocity = velocity + jitter * Vec2{either_way(chances[2]), either_way(chances[3])},
+            .age = 0,
+            .life = shortest + (longest - shortest) * chances[4]};
+}
+
+} // namespace particles
