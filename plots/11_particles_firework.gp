@@ -3,8 +3,8 @@
 load 'style.gp'
 set output ARG2
 set size ratio -1
-set key outside top center horizontal
-set xrange [0:40]; set yrange [0:30]
+set key inside left top
+set xrange [0:48]; set yrange [0:30]
 set xlabel 'x [m]'; set ylabel 'y [m]'
 of_shade(k, y, shade) = shade == k ? y : NaN
 yours = ARGC > 2 ? "ARG3 using 2:3 with points lt 2 pt 6 ps 0.5 lw 1 title 'yours'" : "NaN notitle"

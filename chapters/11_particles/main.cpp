@@ -132,7 +132,7 @@ void print_renewed(std::ostream &out) {
 
 //> A firework
 void trace_firework(std::ostream &out) {
-    const World night{.gravity = 9.81, .wind = 0.5, .width = 40, .height = 30};
+    const World night{.gravity = 9.81, .wind = 0.5, .width = 48, .height = 30};
     const double dt = 1.0 / 60;
     Chance chance{2002};
     std::vector<std::vector<Particle>> paths; // of each spark, a frame a point
@@ -141,7 +141,7 @@ void trace_firework(std::ostream &out) {
         while (const auto next = step(paths.back().back(), night, dt)) paths.back().push_back(*next);
     };
 
-    Particle rocket{.position = {18, 0.5}, .velocity = {1, 19}, .age = 0, .life = 1.8};
+    Particle rocket{.position = {28, 0.5}, .velocity = {1, 19}, .age = 0, .life = 1.8};
     Due now{};
     while (const auto next = step(rocket, night, dt)) {
         rocket = *next;
