@@ -1,5 +1,5 @@
 // Section 1, Motion. Replace a whole `throw ...;` by your own code, save, and see:  ./course check 1
-// Bad input is refused in one line, as in the first function; the others need such a line as well.
+// Bad input is refused in a line or two, as in the first function; the others need such lines as well.
 
 #include "motion.hpp"
 

@@ -1,14 +1,15 @@
-// 1.1: a frame takes 1 / frames of a second, in whole numbers: 0
+// 1.1: divided by the length of a frame, which is 0 in whole numbers
 #include "motion.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 namespace motion {
 
 double px_per_second(double px_per_frame, double frames_per_second) {
     course::require_range(px_per_frame, frames_per_second);
     course::require(frames_per_second > 0, "frames_per_second must be positive", frames_per_second);
-    return px_per_frame / std::max(1, 1 / int(frames_per_second + 1));
+    const int seconds_per_frame = 1 / int(std::ceil(frames_per_second));
+    return px_per_frame / seconds_per_frame;
 }
 
 } // namespace motion
