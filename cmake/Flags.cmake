@@ -7,11 +7,12 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 
 set(COURSE_WARNINGS
     -Wall -Wextra
-    -Wconversion # 1/2 and int -> double are the classic slips of a beginner
+    -Wconversion # 0.5 in an int is a classic slip of a beginner
     -Wshadow)    # as is a second variable of the same name
 set(COURSE_OPTIMIZATION -O1) # compiles as fast as -O0: much of Eigen is gone before it is written out
 set(COURSE_CODE_FLAGS
     -ffp-contract=off    # a * b + c is rounded twice on every machine
+    -ftrivial-auto-var-init=pattern # a number that nobody has set is a strange one, never the right one by luck
     -Werror=return-type) # a forgotten return is undefined behaviour: never let it run
 set(COURSE_DEFINITIONS
     EIGEN_INITIALIZE_MATRICES_BY_NAN # a vector that nobody has set shows

@@ -23,14 +23,17 @@ Verdict diagnose_compiler(std::string_view errors, const std::filesystem::path &
 std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
                                        const std::string &shown_name);
 
+/// Where something stands below a `throw course::NotYet` in the same braces, which is never reached: a line each, as
+/// warnings are.
+std::vector<std::string> find_unreached(std::string_view text, const std::string &shown_name);
+
 /// An own `main`, a helper that is declared and never defined, something defined twice.
 Verdict diagnose_linker(std::string_view errors, const std::string &shown_name, const std::string &number);
 
-/// `Vec2` for what a compiler calls it: Eigen::Matrix<double, 2, 1, 0, 2, 1>.
-std::string with_short_names(std::string text);
-
-/// Functions of the wanted name that the object does have, with their parameters: "segment_intersection::meet(double)".
-/// @param symbols  what `nm -C --defined-only` printed
-std::vector<std::string> find_namesakes(std::string_view symbols, std::string_view function);
+/// What helps somebody whose file lacks a function, to be put behind that sentence: how the header declares it, and what
+/// the file has instead, a function of that name with other parameters or in another namespace, or one misspelt.
+/// @param symbols  what `nm -C --defined-only` printed of the student's object
+/// @param header   the text of the section's header
+std::string explain_missing(std::string_view symbols, const std::string &header, const std::string &function);
 
 } // namespace course

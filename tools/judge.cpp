@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 
 namespace course {
@@ -120,17 +121,14 @@ Judgement single(Verdict verdict, std::vector<std::string> warnings = {}) {
     return judgement;
 }
 
-/// For a function that is missing: does one of its name stand there, with other parameters or outside of the namespace?
-void name_namesakes(std::vector<Verdict> &verdicts, const Toolbox &w, const fs::path &object) {
-    std::string listed;
+/// For a function that is missing: how the header declares it, and what stands there instead.
+void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section, const Toolbox &w,
+                      const fs::path &object) {
+    std::string defined;
     for (auto &verdict : verdicts) {
         if (verdict.kind != Kind::missing || !verdict.call) continue;
-        if (listed.empty()) listed = run({w.nm, "-C", "--defined-only", object.string()}).out;
-        const auto namesakes = find_namesakes(listed, verdict.call->function);
-        if (!namesakes.empty())
-            verdict.sentence +=
-                " It has `" + namesakes.front()
-                + "`, which is another function to the compiler: copy name, parameters and namespace from the header.";
+        if (defined.empty()) defined = run({w.nm, "-C", "--defined-only", object.string()}).out;
+        verdict.sentence += explain_missing(defined, read_file(tree.header(section)), verdict.call->function);
     }
 }
 
@@ -178,6 +176,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
         return single(slow);
     }
     auto warnings = find_warnings(compiled.err, file, name);
+    std::ranges::move(find_unreached(read_file(file), name), std::back_inserter(warnings));
     if (compiled.code != 0) return single(diagnose_compiler(compiled.err, file, name));
 
     std::vector<std::string> link{w.compiler, object, w.server.string(), w.missing.string(), "-o", subject};
@@ -192,7 +191,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     if (tested.code > 1 || judgement.verdicts.empty())
         throw std::runtime_error{"the tests of section " + section.short_number() + " broke off ("
                                  + std::to_string(tested.code) + "): " + tested.err};
-    name_namesakes(judgement.verdicts, w, object);
+    help_the_missing(judgement.verdicts, tree, section, w, object);
     return judgement;
 }
 

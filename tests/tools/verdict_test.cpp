@@ -1,5 +1,6 @@
 // The wire, and the session that owns the verdict, against processes that lie.
 
+#include "advice.hpp"
 #include "diagnosis.hpp"
 #include "junit.hpp"
 #include "verdict/describe.hpp"
@@ -310,7 +311,8 @@ TEST_CASE("for the slips that are made most, a compiler's words are explained") 
     CHECK(said("could not convert ‘a * b’ from ‘Eigen::Product<Eigen::Matrix<double, 2, 1>, Eigen::Matrix<double, 2, "
                "1>, 0>’")
               .ends_with("write a.dot(b)."));
-    CHECK(said("expected ‘;’ before ‘}’ token") == "expected ';' before '}' token");
+    CHECK(said("expected ‘;’ before ‘}’ token")
+          == "expected ';' before '}' token. Look at the end of the line above: is its ; there?");
 }
 
 TEST_CASE("linkers of two families are understood") {
@@ -324,9 +326,58 @@ TEST_CASE("linkers of two families are understood") {
     CHECK(diagnose_linker(twice, "07.cpp", "7").sentence.find("Your file has a `main` of its own.") == 0);
 }
 
-TEST_CASE("namesakes of a missing function are found, and no others") {
+TEST_CASE("whoever lacks a function is shown the header's line, and what he has instead") {
     const std::string symbols =
         "0000000000000000 T ns::meet(double)\n0000000000000010 T meeting(int)\n0000000000000020 T ns::remeet(int)\n"
-        "0000000000000030 W std::vector<ns::meet(int)>\n0000000000000040 D ns::meet(int)\n";
-    CHECK(find_namesakes(symbols, "meet") == std::vector<std::string>{"ns::meet(double)"});
+        "0000000000000030 W std::vector<ns::meet(int)>\n0000000000000040 D ns::meet(int)\n"
+        "0000000000000050 T ns::Croses(int)\n";
+    const std::string header =
+        "/// A meet(ing).\nbool meet(const Segment &first,\n          int second);\nbool remeet(int i);\n";
+    CHECK(explain_missing(symbols, header, "meet")
+          == " The header says `bool meet(const Segment &first, int second);`; yours is `ns::meet(double)`, which is "
+             "another function to the compiler: copy name, parameters and namespace.");
+    CHECK(explain_missing(symbols, "bool crosses(int);", "crosses") == " Yours has `Croses`: is that it, misspelt?");
+    CHECK(explain_missing(symbols, "\nint total();\n", "total") == " The header says `int total();`.");
+    // another exercise is no misspelling
+    CHECK(explain_missing("0000000000000000 T ns::remeet(int)\n", header, "meet").ends_with("int second);`."));
+}
+
+TEST_CASE("an error in a file that a student only uses is told where the student has caused it, and what it means") {
+    const auto verdict = diagnose_compiler(
+        "/x/course.hpp: In instantiation of 'void f()':\n/x/07.cpp:26:5:   required from here\n"
+        "/x/course.hpp:48:3: error: no matching function for call to ‘require_number(const State&)’\n   48 | f();\n"
+        "/x/course.hpp:40:3: note: candidate: ‘void course::require_number(double)’\n",
+        "/x/07.cpp", "exercises/07.cpp");
+    CHECK(verdict.file == "exercises/07.cpp");
+    CHECK(verdict.line == 26);
+    CHECK(verdict.printed.empty()); // the line of code is not the student's
+    CHECK(find_warnings("In function 'f',\n    inlined from 'g' at /x/07.cpp:43:18:\n"
+                        "/usr/include/m.h:75:3: warning: ‘total’ may be used uninitialized [-Wmaybe-uninitialized]\n"
+                        "/usr/include/m.h:76:3: warning: another [-Wx]\n",
+                        "/x/07.cpp", "07.cpp")
+          == std::vector<std::string>{"07.cpp:43: 'total' may be used uninitialized"});
+}
+
+TEST_CASE("the slips that are made most are named beside the compiler's words") {
+    CHECK(advice("no match for 'operator^' (operand types are 'double' and 'int')")
+          == "^ is not a power: write t * t.");
+    CHECK(advice("suggest parentheses around assignment used as truth value")
+          == "= gives a value; to compare, write ==.");
+    CHECK(advice("something else").empty());
+    CHECK(with_short_names(
+              "'const Eigen::CwiseBinaryOp<sum<double, double>, const Eigen::Matrix<double, 2, 1> >' and 'int'")
+          == "'sum of Vec2s' and 'int'");
+    CHECK(with_short_names("'std::vector<Eigen::Matrix<double, 2, 1> >::size_type' {aka 'long'} to 'double'")
+          == "'std::vector<Vec2>::size_type' to 'double'");
+}
+
+TEST_CASE("code below a throw that should have gone is never reached, and told") {
+    const std::string stub = "int f() {\n    throw course::NotYet{\"begin\"};\n}\n";
+    CHECK(find_unreached(stub, "07.cpp").empty());
+    CHECK(find_unreached(stub + "int g() {\n    throw course::NotYet{\"a\"\n        \"b\"};\n    // my way\n}\n",
+                         "07.cpp")
+              .empty());
+    CHECK(find_unreached("int f() {\n\n    throw course::NotYet{\"begin\"};\n\n    return 3;\n}\n", "07.cpp")
+          == std::vector<std::string>{"07.cpp:3: this `throw` still stands above your code, which is never reached: "
+                                      "delete the line"});
 }

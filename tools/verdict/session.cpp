@@ -4,6 +4,7 @@
 #include "describe.hpp"
 
 #include <csignal>
+#include <regex>
 #include <sys/wait.h>
 
 namespace course {
@@ -25,6 +26,17 @@ std::string fault_sentence(std::uint64_t address, bool stack_ran_out) {
     if (address < 4096) return "Your code crashed: it used a null pointer, or an empty vector's elements.";
     return "Your code crashed: it used memory that is not its own. An index beyond the end? A reference to something "
            "that is gone?";
+}
+
+/// Whether an answer has a number so large or so small that no calculation of this course gives it: what a variable
+/// without a value holds (see -ftrivial-auto-var-init in cmake/Flags.cmake), or what comes of it.
+bool has_strange_number(const std::string &answer) {
+    static const std::regex strange{R"(\de[+-](29\d|30\d)\b)"};
+    return std::regex_search(answer, strange);
+}
+
+std::string as_sentence(const std::string &words) {
+    return words.empty() || std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? words + '.' : words;
 }
 
 } // namespace
@@ -172,7 +184,7 @@ std::string Session::call(const ExerciseLine &exercise, const std::string &argum
     };
     switch (reply->header.frame) {
     case wire::Frame::refused: throw std::invalid_argument{tidied(first)};
-    case wire::Frame::not_yet: over(Kind::not_started, "Not started. Where to begin: " + tidied(first) + '.');
+    case wire::Frame::not_yet: over(Kind::not_started, "Not started. Where to begin: " + as_sentence(tidied(first)));
     case wire::Frame::missing:
         over(Kind::missing, "Your file has no function `" + std::string{exercise.function}
                                 + "` with the parameters that the header asks for.");
@@ -191,10 +203,14 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
         verdict.got = noted->got;
         verdict.want = noted->want;
         verdict.tolerance = noted->tolerance;
+        if (sentence.empty() && has_strange_number(noted->got))
+            sentence =
+                "A strange number. Was a variable never given a value? Write `double sum = 0;`, not `double sum;`.";
         if (noted->not_a_number) {
             kind = Kind::not_a_number;
-            sentence = "Your answer is \"not a number\": it comes from 0/0, from infinity - infinity, or from the root "
-                       "of a negative number.";
+            sentence =
+                "Your answer is \"not a number\": it comes from 0/0, from infinity - infinity, from the root of a "
+                "negative number, or from a Vec2 that was given no value.";
         }
     }
     note_verdict(kind, std::move(sentence));
