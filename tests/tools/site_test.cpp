@@ -307,7 +307,8 @@ TEST_CASE("a small course becomes a site") {
     const SmallBook book;
     const Finished made = book.make(
         "With $x^2$.\n\n```cpp\n//> A wall\n/// Where it stands.\nstruct Wall {\n    double start; ///< [m]\n};\n"
-        "\n/// How long it is [m].\ndouble length(const Wall &wall);\n```\n\nSee `length`.\n");
+        "\n/// How long it is [m].\ndouble length(const Wall &wall);\n```\n\n```cpp\nint reflection = "
+        "1;\n```\n\n```cpp\nint reflection = 1;\n```\n\nSee `length`.\n");
     INFO(made.err);
     REQUIRE(made.code == 0);
     const std::string chapter = book.made("chapter_07_wall_meeting.html"), index = book.made("index.html");
@@ -316,6 +317,7 @@ TEST_CASE("a small course becomes a site") {
     CHECK_THAT(chapter, ContainsSubstring("<span class=\"katex\">"));
     CHECK_THAT(chapter, ContainsSubstring("<span class=\"comment\">/// Where it stands.</span>\n"));
     CHECK_THAT(chapter, ContainsSubstring("<a class=\"code\" href=\"namespacewall__meeting.html#"));
+    CHECK_THAT(chapter, ContainsSubstring("</span> reflection = 1;\n")); // a variable is not the namespace of its name
     CHECK_THAT(chapter, ContainsSubstring("rel=\"prev\" href=\"chapter_06_reflection.html\""));
     CHECK(chapter.find("rel=\"next\"") == chapter.npos);
     CHECK_THAT(index, ContainsSubstring("rel=\"next\" href=\"chapter_06_reflection.html\""));

@@ -36,13 +36,15 @@ std::string interface_title(const Html &page) {
 
 /// A listing of Doxygen's, one `div` a line, as the `pre` that it is; with numbered lines if it is a whole file.
 std::string listing(const Element &fragment, const Interface *known, bool numbered) {
-    static const std::regex nothing{R"(<span class="comment"></span>)"};
+    // Doxygen takes a variable `motion` for the namespace of that name.
+    static const std::regex nothing{R"(<span class="comment"></span>)"},
+        space{R"re(<a class="code hl_namespace" href="[^"]*">([^<]*)</a>)re"};
     std::map<std::string, int> seen;
     std::string out = "<pre class=\"code" + std::string{numbered ? " numbered" : ""} + "\"><code>";
     int number = 0;
     for (const Element &line : fragment.children()) {
         if (!is_a(line, "div", "line")) continue; // what Doxygen would show when the mouse rests
-        std::string words = std::regex_replace(std::string{line.inner()}, nothing, "");
+        std::string words = std::regex_replace(std::regex_replace(std::string{line.inner()}, nothing, ""), space, "$1");
         if (words == " ") words.clear();
         if (known) words = linked(words, *known, seen);
         if (numbered) out += "<span class=\"line\" id=\"L" + std::to_string(++number) + "\">" + words + "</span>\n";
