@@ -131,18 +131,21 @@
 
   const split = (text) => text.toLowerCase().match(/[\p{L}\p{N}]+/gu) ?? [];
 
-  // Parts that have every word, as a stem or as the beginning of a word; the best first.
+  // Where a word stands, as a stem or as the beginning of a word; or, if it stands nowhere, one with a slip of the pen.
+  function places(term) {
+    const found = index.query((query) => {
+      query.term(term, { boost: 10 });
+      query.term(term, { wildcard: lunr.Query.wildcard.TRAILING, usePipeline: false });
+    });
+    return found.length > 0 || term.length < 5 ? found : index.query((query) => query.term(term, { editDistance: 1 }));
+  }
+
+  // Parts that have every word; the best first.
   function matches(terms) {
     let scores = null;
     for (const term of terms) {
-      const hits = new Map();
-      const query = (q) => {
-        q.term(term, { boost: 10 });
-        q.term(term, { wildcard: lunr.Query.wildcard.TRAILING, usePipeline: false });
-        if (term.length > 5) q.term(term, { editDistance: 1, boost: 0.1 });
-      };
-      for (const hit of index.query(query)) hits.set(hit.ref, hit.score + (scores?.get(hit.ref) ?? 0));
-      scores = scores === null ? hits : new Map([...hits].filter(([ref]) => scores.has(ref)));
+      const here = new Map(places(term).map(({ ref, score }) => [ref, score + (scores?.get(ref) ?? 0)]));
+      scores = scores === null ? here : new Map([...here].filter(([ref]) => scores.has(ref)));
     }
     return [...scores].sort((a, b) => b[1] - a[1]).map(([ref]) => searchIndex.documents[ref]);
   }

@@ -325,6 +325,13 @@ TEST_CASE("a small course becomes a site") {
     CHECK_THAT(book.made("source_chapters_07_wall_meeting_wall_meeting_hpp.html"),
                ContainsSubstring("<span class=\"line\" id=\"L8\"><span class=\"keyword\">struct </span>"
                                  "<a class=\"code\" href=\"structwall__meeting_1_1Wall.html\">Wall</a> {</span>\n"));
+    const std::string wall = book.made("namespacewall__meeting.html");
+    CHECK_THAT(wall, ContainsSubstring("<h1><code>wall_meeting</code></h1>"));
+    CHECK_THAT(wall, ContainsSubstring(
+                         "Interface of <a href=\"chapter_07_wall_meeting.html\">section 7</a>, from "
+                         "<a href=\"source_chapters_07_wall_meeting_wall_meeting_hpp.html\">wall_meeting.hpp</a>"));
+    CHECK(wall.find("More...") == wall.npos);
+    CHECK(wall.find("Detailed Description") == wall.npos);
     CHECK_THAT(book.made("search-index.js"), ContainsSubstring(R"("text":"With x². )"));
 }
 

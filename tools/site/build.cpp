@@ -73,6 +73,7 @@ class Builder {
         }
         const fs::path settings = work / "Doxyfile";
         write_file(settings, "@INCLUDE = " + quoted(tree.root / "docs" / "Doxyfile")
+                                 + "\nLAYOUT_FILE = " + quoted(tree.root / "docs" / "layout.xml")
                                  + "\nSTRIP_FROM_PATH = " + quoted(tree.root) + "\nOUTPUT_DIRECTORY = " + quoted(work)
                                  + "\nGENERATE_TAGFILE = " + quoted(work / "names.tag") + "\nINPUT =" + input + '\n');
         run_tool({tools.doxygen, settings.string()}, "Doxygen");

@@ -34,6 +34,13 @@ std::string interface_title(const Html &page) {
     return std::regex_match(words, found, reference) ? found[1].str() : "";
 }
 
+/// Without "More...", since the name before it leads there as well, and without a heading that says "Description".
+std::string without_repetitions(const std::string &contents) {
+    static const std::regex said{
+        R"re(\s*<a href="[^"]*">More\.\.\.</a>|<h2 class="groupheader">Detailed Description</h2>)re"};
+    return std::regex_replace(contents, said, "");
+}
+
 /// A listing of Doxygen's, one `div` a line, as the `pre` that it is; with numbered lines if it is a whole file.
 std::string listing(const Element &fragment, const Interface *known, bool numbered) {
     // Doxygen takes a variable `motion` for the namespace of that name.
@@ -59,11 +66,9 @@ Draft::Draft(std::string name, const std::string &doxygens_html) : own_name{std:
     const Html page{doxygens_html};
     own_title = interface_title(page);
     interface = !own_title.empty();
-    const std::string contents = contents_of(page, own_name, interface ? "contents" : "textblock");
-    static const std::regex more{R"re(\s*<a href="[^"]*">More\.\.\.</a>)re"}; // the name before it leads there as well
-    body =
-        Html{interface ? "<h1><code>" + escaped(own_title) + "</code></h1>\n" + std::regex_replace(contents, more, "")
-                       : contents};
+    std::string contents = contents_of(page, own_name, interface ? "contents" : "textblock");
+    if (interface) contents = "<h1><code>" + escaped(own_title) + "</code></h1>\n" + without_repetitions(contents);
+    body = Html{contents};
     if (const Element h1 = body.first([](const Element &e) { return e.name() == "h1"; }); h1.node)
         own_title = trimmed(h1.text());
 }

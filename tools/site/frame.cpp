@@ -30,9 +30,13 @@ std::string link(const std::string &address, const std::string &html) {
 
 } // namespace
 
-Frame::Frame(const Tree &tree, const std::map<std::string, Interface> &known_, std::vector<Entry> entries_,
+Frame::Frame(const Tree &tree_, const std::map<std::string, Interface> &known_, std::vector<Entry> entries_,
              std::string page)
-    : known{known_}, all_entries{std::move(entries_)}, page_template{std::move(page)}, sections{tree.sections()} {
+    : tree{tree_},
+      known{known_},
+      all_entries{std::move(entries_)},
+      page_template{std::move(page)},
+      sections{tree.sections()} {
     for (const auto &file : markdown_pages(tree))
         if (const std::string name = page_name(tree, file); name != "index" && !name.starts_with("chapter_"))
             others.emplace_back(name, name == "readme" ? "How to build it" : capital(name));
@@ -99,10 +103,9 @@ std::string Frame::above(const Draft &draft) const {
     if (draft.is_interface()) {
         const std::string space = draft.title().substr(0, draft.title().find("::"));
         for (const Section &section : sections)
-            if (section.slug() == space) {
-                const std::string folder = "chapter_" + section.name;
-                return "Interface of " + link(folder + ".html", "section " + section.short_number());
-            }
+            if (section.slug() == space)
+                return "Interface of " + link("chapter_" + section.name + ".html", "section " + section.short_number())
+                       + ", from " + link(page_name(tree, tree.header(section)) + ".html", section.slug() + ".hpp");
         return "Interface";
     }
     if (draft.name().starts_with("source_")) {

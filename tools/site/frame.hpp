@@ -27,6 +27,7 @@ class Frame {
     std::string outline(const Draft &draft) const;
     const Section *section_of(const std::string &name) const;
 
+    const Tree &tree;
     const std::map<std::string, Interface> &known;
     std::vector<Entry> all_entries;
     std::string page_template;
