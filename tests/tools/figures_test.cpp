@@ -350,6 +350,18 @@ TEST_CASE("a kept trace that is still true keeps its digits, one that is not is 
     CHECK(outdated(place.tree, place.section).empty());
 }
 
+TEST_CASE("the trace of a measurement is the kept one, which nothing measured later can contradict") {
+    const Place place;
+    fs::rename(place.tree.root / "plots/07_lines_rise.gp", place.tree.root / "plots/07_lines_measured_rise.gp");
+    place.write("plots/07_lines_measured_rise.tsv", Place::good_trace);
+    place.write("build/traces/07_lines/07_lines_measured_rise.tsv", "# t[s]\tx[m]\n0\t9\n1\t9\n");
+    CHECK(place.figure().is_measured());
+    place.write("build/plots/07_lines_measured_rise.svg", draw(place.figure()));
+    CHECK(publish(place.tree, place.section).size() == 1); // the figure, and never a trace
+    CHECK(place.read("plots/07_lines_measured_rise.tsv") == Place::good_trace);
+    CHECK(outdated(place.tree, place.section).empty());
+}
+
 TEST_CASE("a damaged kept trace is a difference, and publishing mends it") {
     const Place place;
     place.write("build/plots/07_lines_rise.svg", "<svg/>");

@@ -349,6 +349,12 @@ TEST_CASE("a mark without a title, a title given twice, and a chunk without code
     }
 }
 
+TEST_CASE("a benchmark beside the program is shown in the chapter as well") {
+    const Book book;
+    book.put("chapters/07_wall/bench.cpp", "//> What is measured\nint main() {}\n");
+    CHECK_THAT(book.check().text, ContainsSubstring("bench.cpp:1: the chunk \"What is measured\" is not shown"));
+}
+
 TEST_CASE("code above the first mark is found, where includes, namespaces and comments are none") {
     const Book book;
     SECTION("C++") {
