@@ -18,6 +18,7 @@ namespace {
 const Particle spark{.position = {3, 7}, .velocity = {-2, 5}, .age = 0.5, .life = 4};
 const std::optional<Particle> dead;
 const std::optional<int> no_shade;
+const std::optional<Pool> no_room;
 
 /// A particle that no other one is like.
 Particle numbered(int i) {
@@ -92,8 +93,8 @@ TEST_CASE("of several free slots it takes one", "[11.1]") {
 //> Full
 TEST_CASE("a full pool says so: it does not grow, and nobody has to go", "[11.1]") {
     const int size = GENERATE(1, 2, 5, 128);
-    CHECK_FALSE(start(pool_with_free(size, {}), spark).has_value());
-    CHECK_FALSE(start({}, spark).has_value()); // no slot at all
+    CHECK_THAT(start(pool_with_free(size, {}), spark), IsNear(no_room));
+    CHECK_THAT(start({}, spark), IsNear(no_room)); // no slot at all
 }
 
 //> 128 of them
@@ -110,14 +111,14 @@ TEST_CASE("128 particles fit into 128 slots, and not one more; a slot that is fr
         const auto is_it = [&](const std::optional<Particle> &slot) { return slot && same(*slot, numbered(i)); };
         CHECK(std::ranges::count_if(pool, is_it) == 1);
     }
-    CHECK_FALSE(start(pool, spark).has_value());
+    CHECK_THAT(start(pool, spark), IsNear(no_room));
 
     const std::size_t freed = GENERATE(0u, 77u, 127u);
     pool[freed].reset();
     const auto again = start(pool, spark);
     CHECK(again.has_value());
     CHECK(changed(pool, *again) == std::vector{int(freed)});
-    CHECK_FALSE(start(*again, spark).has_value());
+    CHECK_THAT(start(*again, spark), IsNear(no_room));
 }
 
 //>
