@@ -11,7 +11,7 @@ set xlabel 'particles'; set ylabel 'millions of them a second' offset 1,0
 set label 'slope −1' at 9e4,8 textcolor rgb DIM
 set label 'what memory can carry' at 6e3,230 textcolor rgb DIM
 plot ARG1 using 1:5 with lines lc rgb DIM lw 1 dt (5,4) notitle, \
-     (x > 1500 ? 3.5e5 / x : NaN) with lines lc rgb DIM lw 1 dt (2,4) notitle, \
+     (x > 1500 ? 3.7e5 / x : NaN) with lines lc rgb DIM lw 1 dt (2,4) notitle, \
      ARG1 using 1:2 with linespoints lt 6 title 'linear search', \
      ARG1 using 1:3 with linespoints lt 3 title 'free list', \
      ARG1 using 1:4 with linespoints lt 1 title 'swap and remove'
