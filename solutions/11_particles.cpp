@@ -133,17 +133,19 @@ struct Hit {
 static std::optional<Hit> next_wall(const Particle &particle, const std::vector<Wall> &walls, double time) {
     std::optional<Hit> first;
     for (const Wall &wall : walls) {
-        const double length = (wall.end - wall.start).norm();
-        const Vec2 along = (wall.end - wall.start) / length;
+        const Vec2 way = wall.end - wall.start;
+        const double length = way.norm();
+        const Vec2 along = way / length;
         const Vec2 normal{-along.y(), along.x()};
 
+        const Vec2 gap = particle.position - wall.start;
         const double closing = -particle.velocity.dot(normal);
-        const double distance = (particle.position - wall.start).dot(normal);
+        const double distance = gap.dot(normal);
         if (closing <= touching || distance < -touching) continue; // it leaves, or flies along, or is behind
 
         const double t = std::max(0.0, distance / closing);
         if (t > time || (first && t >= first->time)) continue;
-        const double s = (particle.position + t * particle.velocity - wall.start).dot(along);
+        const double s = gap.dot(along) + t * particle.velocity.dot(along);
         if (s >= -touching && s <= length + touching) first = Hit{t, normal, closing};
     }
     return first;
@@ -155,9 +157,10 @@ Particle fly(const Particle &particle, const std::vector<Wall> &walls, double re
     course::require_range(restitution, dt);
     course::require(restitution >= 0 && restitution <= 1, "restitution must be from 0 to 1", restitution);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
-    for (const auto &[start, end] : walls) {
-        course::require_range(start, end);
-        course::require((end - start).norm() >= 1e-3, "a wall's length [m] must be 1e-3 or more", (end - start).norm());
+    for (const Wall &wall : walls) {
+        course::require_range(wall.start, wall.end);
+        const Vec2 way = wall.end - wall.start;
+        course::require(way.norm() >= 1e-3, "a wall's length [m] must be 1e-3 or more", way.norm());
     }
 
     Particle now = particle;

@@ -515,10 +515,10 @@ TEST_CASE("seen from the emitter, a trail looks the same however fast it flies",
 }
 
 //> Erratum E11.9
-TEST_CASE("erratum E11.9: 1000 chances make 1000 velocities; in print there are 25 of them", "[11.6]") {
+TEST_CASE("erratum E11.9: 100 chances make 100 velocities; in print there are 25 of them", "[11.6]") {
     std::vector<double> across; // printed: a whole number from -2 to 2 along each axis, 5 · 5 pairs
-    for (int i = 0; i < 1000; ++i) across.push_back(trail(rocket, {0.5, 0.5, i / 1000.0, 0.5, 0.5}).velocity.x());
-    for (std::size_t i = 0; i < 1000; ++i) CHECK_THAT(across[i], IsNear(4 + 0.004 * double(i), rounding));
+    for (int i = 0; i < 100; ++i) across.push_back(trail(rocket, {0.5, 0.5, i / 100.0, 0.5, 0.5}).velocity.x());
+    for (std::size_t i = 0; i < 100; ++i) CHECK_THAT(across[i], IsNear(4 + 0.04 * double(i), rounding));
 }
 
 //>
@@ -930,13 +930,13 @@ TEST_CASE("dead is whose age has reached its life, exactly or more", "[11.9]") {
     CHECK_THAT(stays(5.1), IsNear(false));
 }
 
-//> Every pattern of ten
-TEST_CASE("whoever of ten is dead: the living are all there, and none moves without need", "[11.9]") {
-    for (int pattern = 0; pattern < 1024; ++pattern) {
-        std::vector<Particle> pool = row_of("abcdefghij");
-        for (std::size_t i = 0; i < 10; ++i)
+//> Every pattern of eight
+TEST_CASE("whoever of eight is dead: the living are all there, and none moves without need", "[11.9]") {
+    for (int pattern = 0; pattern < 256; ++pattern) {
+        std::vector<Particle> pool = row_of("abcdefgh");
+        for (std::size_t i = 0; i < 8; ++i)
             if (pattern >> i & 1) pool[i].age = pool[i].life;
-        check_renewed(pool, {}, 10);
+        check_renewed(pool, {}, 8);
     }
 }
 
