@@ -12,6 +12,7 @@
 #include <catch2/catch_test_case_info.hpp>
 #include <catch2/interfaces/catch_interfaces_registry_hub.hpp>
 #include <catch2/interfaces/catch_interfaces_testcase.hpp>
+#include <catch2/internal/catch_sharding.hpp>
 #include <catch2/reporters/catch_reporter_event_listener.hpp>
 #include <catch2/reporters/catch_reporter_registrars.hpp>
 
@@ -19,9 +20,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace {
 
@@ -90,9 +94,15 @@ nlohmann::json catalogue(const std::string &section) {
     return {{"section", section}, {"exercises", list}};
 }
 
+/// Which of the tests a process runs: one of several equal parts, in the order of the file.
+struct Part {
+    unsigned index = 0, of = 1;
+};
+
 /// A test that ran but was not heard of, or the other way round, is our mistake, and no student's.
-void add_missing_verdicts() {
-    for (const Catch::TestCaseInfo *test : Catch::getRegistryHub().getTestCaseRegistry().getAllInfos()) {
+void add_missing_verdicts(const Part &part) {
+    const auto &all = Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
+    for (const Catch::TestCaseInfo *test : Catch::createShard(all, part.of, part.index)) {
         if (std::any_of(verdicts.begin(), verdicts.end(), [&](const Verdict &v) { return v.test == test->name; }))
             continue;
         Verdict verdict;
@@ -103,6 +113,58 @@ void add_missing_verdicts() {
         verdicts.push_back(verdict);
         tell(verdicts.back());
     }
+}
+
+/// Runs the tests of a part, each against a subject of its own.
+void run_tests(Session &here, unsigned seed, const Part &part) {
+    session() = &here;
+    Catch::Session catch2;
+    auto &config = catch2.configData();
+    config.rngSeed = seed;
+    config.shardIndex = part.index;
+    config.shardCount = part.of;
+    config.defaultOutputFilename = "/dev/null"; // what Catch2 says is for nobody
+    config.allowZeroTests = true;
+    catch2.run();
+    add_missing_verdicts(part);
+}
+
+/// Writes verdicts to a file, a line of JSON each, as they come.
+void tell_file(std::ofstream &lines) {
+    tell = [&lines](const Verdict &verdict) {
+        lines << nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+    };
+}
+
+/// Runs all tests in as many processes as there are cores, up to four, and puts their verdicts together, in order. Each
+/// has children of its own, and so finds what a student's code has left behind.
+/// @return 0, or 3 if one of them has not come to its end
+int run_side_by_side(const std::string &subject, unsigned seed, const std::string &json) {
+    const std::vector<int> all = cores();
+    const unsigned workers = static_cast<unsigned>(std::min<std::size_t>(all.size(), 4));
+    const auto file_of = [&](unsigned worker) { return json + '.' + std::to_string(worker); };
+    std::vector<pid_t> processes;
+    for (unsigned worker = 0; worker < workers; ++worker) {
+        processes.push_back(::fork());
+        if (processes.back() != 0) continue;
+        std::ofstream lines{file_of(worker)};
+        tell_file(lines);
+        prepare_for_subjects(all[worker]);
+        Session here{subject, Patience{}};
+        run_tests(here, seed, {worker, workers});
+        lines.close();
+        ::_exit(0);
+    }
+    int code = 0;
+    std::ofstream lines{json};
+    for (unsigned worker = 0; worker < workers; ++worker) {
+        int status = 0;
+        if (processes[worker] < 0 || ::waitpid(processes[worker], &status, 0) < 0 || status != 0) code = 3;
+        if (std::ifstream part{file_of(worker)}; part.peek() != std::ifstream::traits_type::eof())
+            lines << part.rdbuf();
+        std::remove(file_of(worker).c_str());
+    }
+    return code;
 }
 
 /// Whether the verdicts are the ones that CI wants of this subject:
@@ -154,31 +216,15 @@ int main(int argc, char **argv) {
         std::cout << catalogue(std::filesystem::path{argv[0]}.filename().string()).dump(1) << '\n';
         return 0;
     }
-    std::ofstream lines;
-    if (json.empty()) tell = print;
-    else {
-        lines.open(json);
-        tell = [&](const Verdict &verdict) {
-            lines << nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
-                  << std::endl;
-        };
-    }
-
-    course::prepare_for_subjects();
+    if (!json.empty()) return run_side_by_side(subject, seed, json);
+    tell = print;
+    prepare_for_subjects(cores().front());
     // In CI the machine may be slow; but a wrong one may well hang, and will be no less wrong after a minute.
     Session here{subject, app.count("--expect") > 0 && !expect.starts_with("red") ? Patience{60, 600} : Patience{}};
-    session() = &here;
-    Catch::Session catch2;
-    auto &config = catch2.configData();
-    config.rngSeed = seed;
-    config.defaultOutputFilename = "/dev/null"; // what Catch2 says is for nobody
-    config.allowZeroTests = true;
-    catch2.run();
-    add_missing_verdicts();
+    run_tests(here, seed, {});
 
     const auto failed = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return !v.passed(); });
-    if (json.empty())
-        std::cout << verdicts.size() - static_cast<std::size_t>(failed) << " of " << verdicts.size() << " passed (seed "
-                  << seed << ")\n";
+    std::cout << verdicts.size() - static_cast<std::size_t>(failed) << " of " << verdicts.size() << " passed (seed "
+              << seed << ")\n";
     return as_expected(expect) ? 0 : 1;
 }

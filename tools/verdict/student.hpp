@@ -9,3 +9,19 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace course::at_hand {
+
+inline const Vec2 v;
+inline constexpr double c = 1;
+template <class... Types> constexpr int sizes = (static_cast<int>(sizeof(Types)) + ...);
+
+/// The types of the sums that every exercise writes: the compiler makes them once, here, not for every file.
+inline constexpr int made =
+    sizes<decltype(v + v), decltype(v - v), decltype(-v), decltype(c * v), decltype(v * c), decltype(v / c),
+          decltype(v + c * v), decltype(v - c * v), decltype(v + v * c), decltype(c * (v + v)), decltype((v + v) / c),
+          decltype((v - v) / c), decltype(v.dot(v)), decltype((v - v).dot(v)), decltype(v.norm()),
+          decltype((v - v).norm()), decltype(v.squaredNorm()), decltype((v - v).squaredNorm()), decltype(Vec2{v + v}),
+          decltype(Vec2{v - v}), decltype(Vec2{c * v}), decltype(Vec2{v + c * v}), decltype(Vec2{v / c})>;
+
+} // namespace course::at_hand

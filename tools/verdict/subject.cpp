@@ -1,5 +1,6 @@
 #include "subject.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -123,15 +124,28 @@ void reap() {
 
 } // namespace
 
-void prepare_for_subjects() {
+std::vector<int> cores() {
+    std::vector<int> all;
+#ifdef __linux__
+    cpu_set_t allowed;
+    if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0)
+        for (int core = 0; core < CPU_SETSIZE; ++core)
+            if (CPU_ISSET(static_cast<std::size_t>(core), &allowed)) all.push_back(core);
+    std::ranges::rotate(all, std::ranges::find(all, ::sched_getcpu()));
+#endif
+    if (all.empty()) all.push_back(-1);
+    return all;
+}
+
+void prepare_for_subjects([[maybe_unused]] int core) {
     std::signal(SIGPIPE, SIG_IGN);
 #ifdef __linux__
     if (!sanitized) ::prctl(PR_SET_DUMPABLE, 0); // the leak checker looks into us
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-    if (const int here = ::sched_getcpu(); here >= 0) {
+    if (core >= 0) {
         cpu_set_t one;
         CPU_ZERO(&one);
-        CPU_SET(static_cast<std::size_t>(here), &one);
+        CPU_SET(static_cast<std::size_t>(core), &one);
         ::sched_setaffinity(0, sizeof one, &one);
     }
 #endif

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <sys/types.h>
+#include <vector>
 
 namespace course {
 
@@ -55,6 +56,10 @@ class Subject {
 
 /// Once, in the process of the tests: a subject cannot look into it, its orphans come to it, a pipe that nobody reads
 /// does not kill it, and calls are quick because both sides share a core.
-void prepare_for_subjects();
+/// @param core  one of `cores()`
+void prepare_for_subjects(int core);
+
+/// The cores that we may run on, beginning with the one that we are on; a single -1 where nobody can tell.
+std::vector<int> cores();
 
 } // namespace course
