@@ -172,6 +172,28 @@ std::vector<Hint> hints(const Tree &tree, const Section &section) {
     return result;
 }
 
+namespace {
+
+/// The functions, types and constants that a chunk defines: what a line which is not indented names first before a
+/// bracket, after `struct`, or before a value.
+std::vector<std::string> defined_in(const Chunk &chunk) {
+    static const std::regex definition{R"(^[A-Za-z](?:[^(={]*[ &*])?(\w+)(?:\(| = |\{| \{).*)"};
+    std::vector<std::string> names;
+    for (const std::string &line : chunk.lines)
+        if (std::smatch found; std::regex_match(line, found, definition)) names.push_back(found[1]);
+    return names;
+}
+
+bool mentions(const std::vector<Chunk> &chunks, const std::string &name) {
+    const std::regex word{"\\b" + name + "\\b"};
+    for (const Chunk &chunk : chunks)
+        for (const std::string &line : chunk.lines)
+            if (std::regex_search(line, word)) return true;
+    return false;
+}
+
+} // namespace
+
 std::vector<Chunk> solution(const Tree &tree, const Section &section, std::string_view number) {
     const std::string own = "Solution " + std::string{number};
     const auto is_own = [&](const Chunk &chunk) { return chunk.title == own || chunk.title.starts_with(own + ":"); };
@@ -179,11 +201,14 @@ std::vector<Chunk> solution(const Tree &tree, const Section &section, std::strin
     if (std::none_of(chunks.begin(), chunks.end(), is_own))
         throw Complaint{"solutions/" + section.name + ".cpp has no solution of " + std::string{number}
                         + "; a line `//> " + own + ": ...` would begin it"};
-    // A helper that several share stands above all of them: one that comes later would give away another solution.
-    const auto last = std::find_if(chunks.rbegin(), chunks.rend(), is_own);
-    chunks.erase(last.base(), chunks.end());
-    std::erase_if(chunks, [&](const Chunk &chunk) { return !is_own(chunk) && !chunk.title.starts_with("Solution:"); });
-    return chunks;
+    // And the helpers above it that it uses, or that they use: what is for others would give away their solution.
+    std::vector<Chunk> shown;
+    for (auto chunk = chunks.rbegin(); chunk != chunks.rend(); ++chunk) {
+        const auto names = chunk->title.starts_with("Solution:") ? defined_in(*chunk) : std::vector<std::string>{};
+        const auto used = [&](const std::string &name) { return mentions(shown, name); };
+        if (is_own(*chunk) || std::any_of(names.begin(), names.end(), used)) shown.insert(shown.begin(), *chunk);
+    }
+    return shown;
 }
 
 namespace {

@@ -93,8 +93,8 @@ struct Reader {
             return ",;: \\"sv.find(sign) != ""sv.npos ? " " : std::string{sign};
         }
         if (name == "frac" || name == "dfrac" || name == "tfrac") {
-            const std::string above = argument();
-            return bracketed(above) + " / " + bracketed(argument());
+            const std::string above = argument(), below = argument();
+            return above == "1" && below == "2" ? "½" : bracketed(above) + " / " + bracketed(below);
         }
         if (name == "sqrt") return "√" + bracketed(argument());
         if (name == "begin" || name == "end") return argument(), "";

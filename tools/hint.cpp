@@ -4,6 +4,7 @@
 #include "chapter.hpp"
 #include "commands.hpp"
 #include "memory.hpp"
+#include "progress.hpp"
 #include "terminal.hpp"
 
 #include <iostream>
@@ -31,8 +32,17 @@ void print(const Hint &hint, int rung, int rungs) {
     std::cout << painted(Colour::bold, heading) << "\n\n" << hint.text << (hint.text.ends_with('\n') ? "\n" : "\n\n");
 }
 
+/// The first exercise that is not passed yet.
+FoundExercise next_exercise(const Tree &tree) {
+    const auto section = first_unfinished(tree);
+    if (!section) throw Complaint{"all exercises pass; name one to see its hints, as in: ./course hint 1.2"};
+    for (const Standing &standing : progress(tree, *section).standings)
+        if (standing.state != "passed") return {*section, standing.exercise};
+    throw Complaint{"all of section " + section->short_number() + " passed when it was checked last; check it anew"};
+}
+
 void show_hint(const Tree &tree, const HintOptions &options) {
-    const FoundExercise found = find_exercise(tree, options.exercise);
+    const FoundExercise found = options.exercise.empty() ? next_exercise(tree) : find_exercise(tree, options.exercise);
     const std::string &number = found.exercise.number, solution = "`./course solution " + number + "` shows ours.";
     const std::vector<Hint> rungs = rungs_of(tree, found);
     const int last = static_cast<int>(rungs.size());
@@ -57,7 +67,8 @@ void show_hint(const Tree &tree, const HintOptions &options) {
 void add_hint(CLI::App &app, const Tree &tree) {
     const auto options = std::make_shared<HintOptions>();
     CLI::App *command = app.add_subcommand("hint", "Show the next hint for an exercise: each time a little more");
-    command->add_option("exercise", options->exercise, "its number or its function")->required();
+    command->add_option("exercise", options->exercise,
+                        "its number or its function; nothing: the first that you have not finished");
     command->add_flag("--all", options->all, "all of them at once");
     command->add_flag("--again", options->again, "begin again with the first");
     command->footer("Example: ./course hint 7.2");

@@ -630,19 +630,22 @@ TEST_CASE("hints come with number, title and a text that a terminal can show") {
     CHECK(all[1].number == "7.2");
     CHECK(all[1].title == "which w");
     CHECK(all[1].text
-          == "One.\n\n- a * b, bold\n- |w| ≤ 1 / 2 and a page (wall.hpp)\n\nMore\n\nAn inner fold.\n\n    double x;\n");
+          == "One.\n\n- a * b, bold\n- |w| ≤ ½ and a page (wall.hpp)\n\nMore\n\nAn inner fold.\n\n    double x;\n");
 }
 
-TEST_CASE("a solution is the exercise's own chunks and the helpers, in the order of the file") {
+TEST_CASE("a solution is the exercise's own chunks and the helpers that it uses, in the order of the file") {
     const Book book;
+    REQUIRE(solution(book.tree, book.section, "7.1").size() == 1); // without the square, which it does not use
+    book.edit("solutions/07_wall.cpp", "(wall.end - wall.start).norm()", "square((wall.end - wall.start).x())");
     const std::vector<Chunk> chunks = solution(book.tree, book.section, "7.1");
 
     REQUIRE(chunks.size() == 2);
     CHECK(chunks[0].title == "Solution: a helper");
     CHECK(chunks[1].title == "Solution 7.1: a length");
-    CHECK(chunks[1].lines
-          == std::vector<std::string>{"//> Solution 7.1: a length",
-                                      "double length(const Wall &wall) { return (wall.end - wall.start).norm(); }"});
+    CHECK(
+        chunks[1].lines
+        == std::vector<std::string>{"//> Solution 7.1: a length",
+                                    "double length(const Wall &wall) { return square((wall.end - wall.start).x()); }"});
 }
 
 TEST_CASE("a helper that stands below a solution is not shown with it") {
