@@ -72,7 +72,9 @@ TEST_CASE("a particle starts in the only free slot, and nothing else changes", "
 
     Pool want = pool;
     want[std::size_t(slot)] = spark;
-    CHECK_THAT(start(pool, spark), IsNear(std::optional{want}));
+    const std::optional<Pool> after = start(pool, spark);
+    if (after) CHECK(after->size() == 5);
+    CHECK_THAT(after, IsNear(std::optional{want}));
 }
 
 //>
@@ -84,10 +86,11 @@ TEST_CASE("of several free slots it takes one", "[11.1]") {
 
     CHECK(after.has_value());
     CHECK(after->size() == 5);
-    const std::vector<int> slots = changed(pool, *after);
-    CHECK(slots.size() == 1);
-    CHECK(std::ranges::count(free, slots[0]) == 1);
-    CHECK_THAT((*after)[std::size_t(slots[0])], IsNear(std::optional{spark}));
+    const std::vector<int> slots_changed = changed(pool, *after);
+    CHECK(slots_changed.size() == 1);
+    const bool was_free = std::ranges::count(free, slots_changed[0]) == 1;
+    CHECK(was_free);
+    CHECK_THAT((*after)[std::size_t(slots_changed[0])], IsNear(std::optional{spark}));
 }
 
 //> Full
@@ -104,7 +107,8 @@ TEST_CASE("128 particles fit into 128 slots, and not one more; a slot that is fr
         const auto after = start(pool, numbered(i));
         CHECK(after.has_value());
         CHECK(after->size() == 128);
-        CHECK(changed(pool, *after).size() == 1);
+        const std::vector<int> slots_changed = changed(pool, *after);
+        CHECK(slots_changed.size() == 1);
         pool = *after;
     }
     for (int i = 0; i < 128; ++i) {
@@ -117,7 +121,9 @@ TEST_CASE("128 particles fit into 128 slots, and not one more; a slot that is fr
     pool[freed].reset();
     const auto again = start(pool, spark);
     CHECK(again.has_value());
-    CHECK(changed(pool, *again) == std::vector{int(freed)});
+    CHECK(again->size() == 128);
+    const std::vector<int> slots_changed = changed(pool, *again);
+    CHECK(slots_changed == std::vector{int(freed)});
     CHECK_THAT(start(*again, spark), IsNear(no_room));
 }
 
@@ -263,20 +269,22 @@ TEST_CASE("after n steps it is where the sum of all its velocities has taken it"
 //> At the edge
 TEST_CASE("erratum E11.5: what is killed at the edge is what is not drawn there", "[11.3]") {
     const World still{.gravity = 0, .wind = 0, .width = 640, .height = 480};
-    const auto lives_at = [&](double x, double y) { return step({{x, y}, {0, 0}, 0, 9}, still, 0.5).has_value(); };
-    CHECK_THAT(lives_at(639.5, 100), IsNear(true)); // the last column of pixels, from 639 to 640
-    CHECK_THAT(lives_at(640, 100), IsNear(false));  // printed: alive, and not drawn
-    CHECK_THAT(lives_at(640.5, 100), IsNear(false));
-    CHECK_THAT(lives_at(100, 479.5), IsNear(true));
-    CHECK_THAT(lives_at(100, 480), IsNear(false));
-    CHECK_THAT(lives_at(100, 480.5), IsNear(false));
-    CHECK_THAT(lives_at(0, 100), IsNear(true)); // the other two edges belong to the picture
-    CHECK_THAT(lives_at(100, 0), IsNear(true));
-    CHECK_THAT(lives_at(0, 0), IsNear(true));
-    CHECK_THAT(lives_at(-1e-9, 100), IsNear(false));
-    CHECK_THAT(lives_at(100, -1e-9), IsNear(false));
-    CHECK_THAT(lives_at(500, 100), IsNear(true)); // wider than high
-    CHECK_THAT(lives_at(100, 500), IsNear(false));
+    const auto rest = [](double x, double y, double age) { return Particle{{x, y}, {0, 0}, age, 9}; };
+    const auto step_at = [&](double x, double y) { return step(rest(x, y, 0), still, 0.5); };
+    const auto alive_at = [&](double x, double y) { return IsNear(std::optional{rest(x, y, 0.5)}, rounding); };
+    CHECK_THAT(step_at(639.5, 100), alive_at(639.5, 100)); // the last column of pixels, from 639 to 640
+    CHECK_THAT(step_at(640, 100), IsNear(dead));           // printed: alive, and not drawn
+    CHECK_THAT(step_at(640.5, 100), IsNear(dead));
+    CHECK_THAT(step_at(100, 479.5), alive_at(100, 479.5));
+    CHECK_THAT(step_at(100, 480), IsNear(dead));
+    CHECK_THAT(step_at(100, 480.5), IsNear(dead));
+    CHECK_THAT(step_at(0, 100), alive_at(0, 100)); // the other two edges belong to the picture
+    CHECK_THAT(step_at(100, 0), alive_at(100, 0));
+    CHECK_THAT(step_at(0, 0), alive_at(0, 0));
+    CHECK_THAT(step_at(-1e-9, 100), IsNear(dead));
+    CHECK_THAT(step_at(100, -1e-9), IsNear(dead));
+    CHECK_THAT(step_at(500, 100), alive_at(500, 100)); // wider than high
+    CHECK_THAT(step_at(100, 500), IsNear(dead));
 }
 
 //>
@@ -303,15 +311,13 @@ TEST_CASE("erratum E11.2: the printed example dies in frame 5, off the top, and 
 //> At its life's end
 TEST_CASE("it is dead as soon as its age has reached its life", "[11.3]") {
     const World still{.gravity = 0, .wind = 0, .width = 20, .height = 16};
-    const auto lives = [&](double age, double life, double dt) {
-        return step({{5, 5}, {0, 0}, age, life}, still, dt).has_value();
-    };
-    CHECK_THAT(lives(1, 2, 0.75), IsNear(true));
-    CHECK_THAT(lives(1, 2, 1), IsNear(false)); // exactly
-    CHECK_THAT(lives(1, 2, 1.25), IsNear(false));
-    CHECK_THAT(lives(2, 2, 0), IsNear(false)); // it was dead before
-    CHECK_THAT(lives(3, 2, 0), IsNear(false));
-    CHECK_THAT(lives(0, 2, 0), IsNear(true));
+    const auto aged = [](double age) { return Particle{{5, 5}, {0, 0}, age, 2}; };
+    CHECK_THAT(step(aged(1), still, 0.75), IsNear(std::optional{aged(1.75)}, rounding));
+    CHECK_THAT(step(aged(1), still, 1), IsNear(dead)); // exactly
+    CHECK_THAT(step(aged(1), still, 1.25), IsNear(dead));
+    CHECK_THAT(step(aged(2), still, 0), IsNear(dead)); // it was dead before
+    CHECK_THAT(step(aged(3), still, 0), IsNear(dead));
+    CHECK_THAT(step(aged(0), still, 0), IsNear(std::optional{aged(0)}, rounding));
 }
 
 //>
@@ -886,22 +892,31 @@ void check_renewed(const std::vector<Particle> &pool, const std::vector<Particle
 TEST_CASE("the worked example: the last one fills the gap, and nobody else moves", "[11.9]") {
     const std::vector<Particle> five = row_of("ab.de"); // the third of five is dead
     const Particle young{.position = {9, 9}, .velocity = {1, 1}, .age = 0, .life = 2};
+    CHECK(renew(five, {}, 8).size() == 4);
     CHECK_THAT(renew(five, {}, 8), IsNear(std::vector{five[0], five[1], five[4], five[3]}));
+    CHECK(renew(five, {young}, 8).size() == 5);
     CHECK_THAT(renew(five, {young}, 8), IsNear(std::vector{five[0], five[1], five[4], five[3], young}));
 }
 
 //>
 TEST_CASE("one that is dead does not fill a gap", "[11.9]") {
     const std::vector<Particle> row = row_of("a.c..");
+    CHECK(renew(row, {}, 5).size() == 2);
     CHECK_THAT(renew(row, {}, 5), IsNear(std::vector{row[0], row[2]}));
     const std::vector<Particle> other = row_of(".b.");
+    CHECK(renew(other, {}, 3).size() == 1);
     CHECK_THAT(renew(other, {}, 3), IsNear(std::vector{other[1]}));
+    const std::vector<Particle> three = row_of(".bc.e."); // the header's example
+    CHECK(renew(three, {}, 6).size() == 3);
+    CHECK_THAT(renew(three, {}, 6), IsNear(std::vector{three[4], three[1], three[2]}));
 }
 
 TEST_CASE("where nobody is dead nobody moves", "[11.9]") {
     const std::vector<Particle> row = row_of("abcdefg");
-    CHECK_THAT(renew(row, {}, 7), IsNear(row));
-    CHECK_THAT(renew(row, {}, 100), IsNear(row));
+    for (const int capacity : {7, 100}) {
+        CHECK(renew(row, {}, capacity).size() == 7);
+        CHECK_THAT(renew(row, {}, capacity), IsNear(row));
+    }
 }
 
 TEST_CASE("where all are dead the pool is empty, and new ones find room", "[11.9]") {
@@ -913,8 +928,11 @@ TEST_CASE("where all are dead the pool is empty, and new ones find room", "[11.9
 
 TEST_CASE("no more start than fit, and the first come first", "[11.9]") {
     const std::vector<Particle> row = row_of("ab"), young{numbered(50), numbered(60), numbered(70)};
+    CHECK(renew(row, young, 4).size() == 4);
     CHECK_THAT(renew(row, young, 4), IsNear(std::vector{row[0], row[1], young[0], young[1]}));
+    CHECK(renew(row, young, 2).size() == 2);
     CHECK_THAT(renew(row, young, 2), IsNear(row));
+    CHECK(renew(row_of("a."), young, 2).size() == 2);
     CHECK_THAT(renew(row_of("a."), young, 2), IsNear(std::vector{row[0], young[0]})); // the dead make room first
 }
 
@@ -924,10 +942,10 @@ TEST_CASE("a newborn goes in as it is, and its age is not looked at until the ne
 }
 
 TEST_CASE("dead is whose age has reached its life, exactly or more", "[11.9]") {
-    const auto stays = [](double age) { return renew({{{1, 2}, {3, 4}, age, 5}}, {}, 1).size() == 1; };
-    CHECK_THAT(stays(4.9), IsNear(true));
-    CHECK_THAT(stays(5), IsNear(false));
-    CHECK_THAT(stays(5.1), IsNear(false));
+    const auto aged = [](double age) { return std::vector{Particle{{1, 2}, {3, 4}, age, 5}}; };
+    CHECK_THAT(renew(aged(4.9), {}, 1), IsNear(aged(4.9)));
+    CHECK_THAT(renew(aged(5), {}, 1), IsNear(std::vector<Particle>{}));
+    CHECK_THAT(renew(aged(5.1), {}, 1), IsNear(std::vector<Particle>{}));
 }
 
 //> Every pattern of eight

@@ -44,9 +44,9 @@ std::optional<Pool> start(const Pool &pool, const Particle &particle);
 /// Nothing as soon as it is dead: `age` has reached `life`.
 /// Where a rounding decides between two neighbouring shades, either is right.
 /// @param age     [s], not negative
-/// @param life    all of it [s], positive, however many shades there are
-/// @param shades  at least 1
-/// @throws std::invalid_argument if a parameter is not as it must be, or not a number within ±1e5.
+/// @param life    all of it [s], positive; not the life of one shade
+/// @param shades  any whole number from 1
+/// @throws std::invalid_argument if a parameter is not as it must be, or if `age` or `life` is not a number within ±1e5.
 std::optional<int> shade(double age, double life, int shades);
 
 //> A step
@@ -117,8 +117,9 @@ struct Due {
 /// however it is cut into frames.
 /// @param rate   [1/s], not negative
 /// @param carry  what the frame before has left [1], from 0 up to, but without, 1
-/// @param dt     [s], not negative; `rate` times `dt` is at most 1e6
-/// @throws std::invalid_argument if a parameter is not as it must be, or not a number within ±1e5.
+/// @param dt     [s], not negative
+/// @throws std::invalid_argument if a parameter is not as it must be, or not a number within ±1e5, or if `rate` times
+///         `dt` is more than 1e6.
 Due due(double rate, double carry, double dt);
 
 //> Walls
@@ -134,12 +135,14 @@ struct Wall {
 /// than this towards it [m/s]; else it flies along.
 inline constexpr double touching = 1e-9;
 
-/// After so many bounces in one call a particle stays where it is until the call's time is over.
+/// After so many bounces in one call a particle stays where it is until the call's time is over. It keeps the velocity
+/// that its last bounce has given it.
 inline constexpr int most_bounces = 1000;
 
 /// The particle `dt` later and older. It flies straight on until it meets a wall: there the part of its velocity along
 /// the wall's normal changes its sign and becomes `restitution` times as large, and it flies on for the time that is
-/// left. No wall is jumped over, however long `dt` is. What is on a wall, and approaches it from the left, bounces at once.
+/// left. No wall is jumped over, however long `dt` is. What is within `touching` of a wall, on either side, and
+/// approaches it in the direction of its right side, bounces at once.
 /// Where two walls are met at once, both act, in either order, until it approaches neither.
 /// Whether a wall that is met in the very last instant, or within `touching` of its end, has turned it is left open.
 /// @param walls        as many as you like
@@ -152,7 +155,8 @@ Particle fly(const Particle &particle, const std::vector<Wall> &walls, double re
 //> A pool without gaps
 /// The pool without its dead, and with as many newborn as fit.
 /// Of n that live, whoever stands in one of the first n places stays there; the others move into the gaps, in any
-/// order. Behind them stand the newborn in their order, as they are, until there are `capacity` in all.
+/// order. Of a b c d e f let a, d and f be dead: then three live, b and c stay, and e moves, which makes e b c.
+/// Behind them stand the newborn in their order, as they are, until there are `capacity` in all.
 /// @param pool      at most `capacity` particles; dead are those whose age has reached their life
 /// @param capacity  not negative
 /// @throws std::invalid_argument for any particle as `require_particle` says, or if the capacity is negative, or less
