@@ -73,8 +73,8 @@ Schemes step(const Schemes &before, const Vec2 &acceleration, double dt);
 /// Far from the origin too: it is right to 1e-9 m for a square of a metre that is 1e5 m away.
 /// @param corners  in order, either way round [m]; sides that cross are not looked for
 /// @throws std::invalid_argument if there are fewer than three corners, if they lie on one line, or if a number is not
-///         within ±1e5. They lie on one line if the area is below 1e-12 of the square of the longest distance between
-///         two corners; between 1e-13 and 1e-11, either answer is right.
+///         within ±1e5. They lie on one line if the area, without its sign, is below 1e-12 of the square of the longest
+///         distance between two corners; between 1e-13 and 1e-11, either answer is right.
 Vec2 centroid(const std::vector<Vec2> &corners);
 
 //> Three looks at a motion
