@@ -213,8 +213,11 @@ function(finish_course)
   string(REGEX REPLACE "^," "" sections "${sections}")
   string(JOIN "\", \"" flags ${COURSE_LOOP})
   string(JOIN "\", \"" precompiled ${COURSE_LOOP_PCH})
+  set(link ${extra} ${COURSE_LOOP_LINK}) # a sanitizer's flags are the linker's, too
+  list(TRANSFORM link REPLACE "(.+)" "\"\\1\"")
+  string(JOIN ", " link ${link})
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/course.json CONTENT
-"{\n \"compiler\": \"${CMAKE_CXX_COMPILER}\",\n \"cmake\": \"${CMAKE_COMMAND}\",\n \"flags\": [\"${flags}\"],\n \"precompiled\": [\"${precompiled}\"],\n \"link\": \"${COURSE_LOOP_LINK}\",\n \"nm\": \"${CMAKE_NM}\",\n \"sections\": [${sections}\n ]\n}\n")
+"{\n \"compiler\": \"${CMAKE_CXX_COMPILER}\",\n \"cmake\": \"${CMAKE_COMMAND}\",\n \"flags\": [\"${flags}\"],\n \"precompiled\": [\"${precompiled}\"],\n \"link\": [${link}],\n \"nm\": \"${CMAKE_NM}\",\n \"sections\": [${sections}\n ]\n}\n")
 
   get_property(book GLOBAL PROPERTY course_book)
   add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/book.stamp

@@ -15,7 +15,10 @@ target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2 CLI11:
 set(CMAKE_REQUIRED_LINK_OPTIONS -fuse-ld=gold)
 check_cxx_source_compiles("int main() {}" COURSE_HAS_GOLD)
 unset(CMAKE_REQUIRED_LINK_OPTIONS)
-set(COURSE_LOOP_LINK $<$<BOOL:${COURSE_HAS_GOLD}>:-fuse-ld=gold>)
+set(COURSE_LOOP_LINK)
+if(COURSE_HAS_GOLD)
+  set(COURSE_LOOP_LINK -fuse-ld=gold)
+endif()
 
 # The precompiled header that stands before every student's file.
 separate_arguments(extra NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")

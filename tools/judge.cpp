@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
 #include <sstream>
 
 namespace course {
@@ -32,8 +31,8 @@ constexpr double longest_compilation = 8; // [s]; a finished solution takes unde
 
 /// How CMake compiles and links: what it left in course.json.
 struct Toolbox {
-    std::string compiler, cmake, link, nm;
-    std::vector<std::string> flags, precompiled; ///< the second: what puts the precompiled header before the file
+    std::string compiler, cmake, nm;
+    std::vector<std::string> link, flags, precompiled; ///< the last: what puts the precompiled header before a file
     fs::path server, missing;
 };
 
@@ -44,8 +43,8 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
         const auto json = nlohmann::json::parse(read_file(file));
         Toolbox w{json.at("compiler"),
                   json.at("cmake"),
-                  json.at("link"),
                   json.at("nm"),
+                  json.at("link"),
                   json.at("flags"),
                   json.at("precompiled"),
                   {},
@@ -176,11 +175,11 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
         return single(slow);
     }
     auto warnings = find_warnings(compiled.err, file, name);
-    std::ranges::move(find_unreached(read_file(file), name), std::back_inserter(warnings));
+    for (const std::string &unreached : find_unreached(read_file(file), name)) warnings.push_back(unreached);
     if (compiled.code != 0) return single(diagnose_compiler(compiled.err, file, name));
 
     std::vector<std::string> link{w.compiler, object, w.server.string(), w.missing.string(), "-o", subject};
-    if (!w.link.empty()) link.push_back(w.link);
+    link.insert(link.end(), w.link.begin(), w.link.end());
     if (const auto linked = run(link, {.deadline = longest_compilation}); linked.code != 0)
         return single(diagnose_linker(linked.err, name, section.short_number()), warnings);
 
