@@ -437,8 +437,8 @@ TEST_CASE("equal areas get equal shares", "[11.5]") {
     for (const Vec2 &v : velocities) {
         CHECK(v.norm() <= 3);
         const double turn = std::atan2(v.y(), v.x()) / (2 * pi) + 0.55;
-        const auto sector = std::size_t(6 * (turn - std::floor(turn))), ring = std::size_t(10 * v.squaredNorm() / 9);
-        ++counts[std::min<std::size_t>(ring, 9) * 6 + sector];
+        const auto sector = std::size_t(6 * (turn - std::floor(turn))), circle = std::size_t(10 * v.squaredNorm() / 9);
+        ++counts[std::min<std::size_t>(circle, 9) * 6 + sector];
     }
     // the sum of (count - expected)² / expected is near 59, and above 130 once in a million
     double chi_squared = 0;

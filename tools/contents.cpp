@@ -40,19 +40,19 @@ bool put_in_order(std::vector<std::string> &lines, const std::string &line, int 
 // Contents are a table or a list whose entries link to the chapters: `| 7 | [Segment ...](chapters/07_.../README.md) | 3 h |`.
 // An entry to come has no link, but its number, in the first cell or behind the bullet.
 
-const std::regex link{R"(\[([^\]]*)\]\(chapters/(\d\d)_[a-z0-9_]+/README\.md\))"};
+const std::regex chapter_link{R"(\[([^\]]*)\]\(chapters/(\d\d)_[a-z0-9_]+/README\.md\))"};
 const std::regex unlinked{R"(^(?:\||[-*])\s*(\d{1,2})\b.*)"};
 
 std::optional<int> number_of_entry(const std::string &line) {
     std::smatch found;
-    if (std::regex_search(line, found, link)) return std::stoi(found[2]);
+    if (std::regex_search(line, found, chapter_link)) return std::stoi(found[2]);
     return std::nullopt;
 }
 
 /// A line like `model` for the section: its number, title and link in the same places, and nothing in the others.
 std::string entry_like(const std::string &model, const Section &section, const std::string &title) {
     std::smatch old;
-    std::regex_search(model, old, link);
+    std::regex_search(model, old, chapter_link);
     static const std::regex numbered{R"(0?\d+\.? .*)"};
     const bool with_number = std::regex_match(old[1].str(), numbered);
     const std::string words = with_number ? section.short_number() + " " + title : title;
@@ -65,7 +65,7 @@ std::string entry_like(const std::string &model, const Section &section, const s
     std::string entry;
     for (std::sregex_iterator found{model.begin(), model.end(), cell}, end; found != end; ++found) {
         const std::string old_cell = (*found)[1];
-        if (std::regex_search(old_cell, link)) entry += "| " + reference + " ";
+        if (std::regex_search(old_cell, chapter_link)) entry += "| " + reference + " ";
         else if (std::smatch its; std::regex_match(old_cell, its, number) && std::stoi(its[1]) == std::stoi(old[2]))
             entry += "| " + section.short_number() + " ";
         else entry += old_cell.empty() ? "|" : "| ";

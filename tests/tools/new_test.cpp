@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char *book = "# The book\n\n## Contents\n\n| | chapter | minutes |\n|--:|:--|--:|\n"
+constexpr const char *a_book = "# The book\n\n## Contents\n\n| | chapter | minutes |\n|--:|:--|--:|\n"
                              "| 6 | [Reflection](chapters/06_reflection/README.md) | 60 |\n"
                              "| 7 | [Walls that meet](chapters/07_wall_meeting/README.md) | 90 |\n"
                              "| 8 | Collisions | to come |\n| 12 | Time | to come |\n\n| 8 | a table of its own |\n";
@@ -47,7 +47,7 @@ std::map<std::string, std::string> snapshot(const fs::path &root) {
 /// A small course that has what `new` needs.
 struct Author : SmallCourse {
     Author() {
-        write("book.md", book);
+        write("book.md", a_book);
         fs::create_directories(tree.root / "tools");
         fs::copy(fs::path{COURSE_ROOT} / "tools" / "skeleton", tree.root / "tools" / "skeleton",
                  fs::copy_options::recursive);
@@ -161,7 +161,7 @@ TEST_CASE("without a place for it in CMakeLists.txt or book.md, or with a title 
     refuses({"new", "13_springs", "--title", "two\nlines"}, "a title is one line");
     course.write("book.md", "# no contents\n");
     refuses({"new", "13_springs"}, "book.md link to no chapter yet");
-    course.write("book.md", book);
+    course.write("book.md", a_book);
     course.write("CMakeLists.txt", "project(x)\n");
     refuses({"new", "13_springs"}, "CMakeLists.txt has no line like section(07_segment_intersection)");
 }
@@ -177,11 +177,11 @@ TEST_CASE("a section's line comes where its number belongs") {
 }
 
 TEST_CASE("an entry of the contents comes where its number belongs, and one to come gives way to it") {
-    const std::string eight = with_entry(book, {"08_nt_collisions"}, "Collisions in n-t");
+    const std::string eight = with_entry(a_book, {"08_nt_collisions"}, "Collisions in n-t");
     CHECK_THAT(eight, ContainsSubstring("| 90 |\n| 8 | [Collisions in n-t](chapters/08_nt_collisions/README.md) | |\n| "
                                         "12 | Time | to come |\n\n| 8 | a table of its own |\n"));
     CHECK(eight.find("| 8 | Collisions | to come |") == std::string::npos);
-    CHECK_THAT(with_entry(book, {"01_motion"}, "Motion"),
+    CHECK_THAT(with_entry(a_book, {"01_motion"}, "Motion"),
                ContainsSubstring("|--:|:--|--:|\n| 1 | [Motion](chapters/01_motion/README.md) | |\n| 6 | "));
 
     const std::string list = "- [6 Reflection](chapters/06_reflection/README.md), an hour\n- 8 Collisions (to come)\n";

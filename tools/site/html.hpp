@@ -51,7 +51,7 @@ class Html {
 
   private:
     struct Free {
-        void operator()(GumboOutput *output) const { gumbo_destroy_output(&kGumboDefaultOptions, output); }
+        void operator()(GumboOutput *parsed) const { gumbo_destroy_output(&kGumboDefaultOptions, parsed); }
     };
     struct Change {
         std::size_t at, length;
