@@ -24,9 +24,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char *a_book = "# The book\n\n## Contents\n\n| | chapter | minutes |\n|--:|:--|--:|\n"
-                             "| 6 | [Reflection](chapters/06_reflection/README.md) | 60 |\n"
-                             "| 7 | [Walls that meet](chapters/07_wall_meeting/README.md) | 90 |\n"
-                             "| 8 | Collisions | to come |\n| 12 | Time | to come |\n\n| 8 | a table of its own |\n";
+                               "| 6 | [Reflection](chapters/06_reflection/README.md) | 60 |\n"
+                               "| 7 | [Walls that meet](chapters/07_wall_meeting/README.md) | 90 |\n"
+                               "| 8 | Collisions | to come |\n| 12 | Time | to come |\n\n| 8 | a table of its own |\n";
 
 /// What a new section consists of.
 const std::set<std::string> files_of_springs{
