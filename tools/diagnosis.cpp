@@ -193,9 +193,8 @@ std::vector<Defined> functions_in(std::string_view symbols) {
         const std::string whole = with_short_names(std::string{line.text.substr(19)});
         const std::size_t end = whole.find('(');
         if (end == whole.npos || whole.find('<') < end) continue;
-        const std::size_t space = whole.rfind("::", end);
-        functions.push_back(
-            {whole, whole.substr(space == whole.npos ? 0 : space + 2, end - (space == whole.npos ? 0 : space + 2))});
+        const std::size_t space = whole.rfind("::", end), begin = space == whole.npos ? 0 : space + 2;
+        functions.push_back({whole, whole.substr(begin, end - begin)});
     }
     return functions;
 }

@@ -123,11 +123,14 @@ Judgement single(Verdict verdict, std::vector<std::string> warnings = {}) {
 /// For a function that is missing: how the header declares it, and what stands there instead.
 void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section, const Toolbox &w,
                       const fs::path &object) {
-    std::string defined;
+    std::string defined, header; // read once, and only for somebody who lacks a function
     for (auto &verdict : verdicts) {
         if (verdict.kind != Kind::missing || !verdict.call) continue;
-        if (defined.empty()) defined = run({w.nm, "-C", "--defined-only", object.string()}).out;
-        verdict.sentence += explain_missing(defined, read_file(tree.header(section)), verdict.call->function);
+        if (defined.empty()) {
+            defined = run({w.nm, "-C", "--defined-only", object.string()}).out;
+            header = read_file(tree.header(section));
+        }
+        verdict.sentence += explain_missing(defined, header, verdict.call->function);
     }
 }
 
@@ -158,7 +161,8 @@ std::vector<std::string> compile_command(const Tree &tree, const Section &sectio
 Judgement judge(const Tree &tree, const Section &section, const fs::path &given, unsigned seed) {
     const fs::path file = fs::absolute(given).lexically_normal();
     const std::string name = tree.shown(file);
-    if (auto trouble = diagnose_text(read_file(file), name, section.short_number())) return single(*trouble);
+    const std::string text = read_file(file);
+    if (auto trouble = diagnose_text(text, name, section.short_number())) return single(*trouble);
 
     const Toolbox w = toolbox(tree, section);
     bring_up_to_date(tree, section, w);
@@ -175,7 +179,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
         return single(slow);
     }
     auto warnings = find_warnings(compiled.err, file, name);
-    for (const std::string &unreached : find_unreached(read_file(file), name)) warnings.push_back(unreached);
+    for (const std::string &unreached : find_unreached(text, name)) warnings.push_back(unreached);
     if (compiled.code != 0) return single(diagnose_compiler(compiled.err, file, name));
 
     std::vector<std::string> link{w.compiler, object, w.server.string(), w.missing.string(), "-o", subject};
