@@ -2,13 +2,13 @@
 include(CheckCXXSourceCompiles)
 
 add_library(course_verdict STATIC
-  ${PROJECT_SOURCE_DIR}/tools/verdict/session.cpp
-  ${PROJECT_SOURCE_DIR}/tools/verdict/subject.cpp
-  ${PROJECT_SOURCE_DIR}/tools/verdict/verdict.cpp)
+  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/session.cpp
+  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/subject.cpp
+  ${PROJECT_SOURCE_DIR}/tools/verdict/shared/verdict.cpp)
 target_include_directories(course_verdict PUBLIC ${PROJECT_SOURCE_DIR}/tools)
 target_link_libraries(course_verdict PUBLIC course_flags nlohmann_json::nlohmann_json)
 
-add_library(course_harness OBJECT ${PROJECT_SOURCE_DIR}/tools/verdict/harness.cpp) # the main of all section tests
+add_library(course_harness OBJECT ${PROJECT_SOURCE_DIR}/tools/verdict/tests/harness.cpp) # the main of all section tests
 target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2 CLI11::CLI11 course::gmp)
 
 # gold links in a third of the default linker's time, and comes with it.
@@ -35,8 +35,8 @@ else()
   set(COURSE_LOOP_PCH -include ${COURSE_PCH})
 endif()
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/loop)
-file(COPY_FILE ${PROJECT_SOURCE_DIR}/tools/verdict/student.hpp ${COURSE_PCH} ONLY_IF_DIFFERENT)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/verdict/student.hpp)
+file(COPY_FILE ${PROJECT_SOURCE_DIR}/tools/verdict/student/student.hpp ${COURSE_PCH} ONLY_IF_DIFFERENT)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/verdict/student/student.hpp)
 add_custom_command(OUTPUT ${compiled}
   COMMAND ${CMAKE_CXX_COMPILER} ${COURSE_LOOP} -x c++-header ${COURSE_PCH} -o ${compiled} -MD -MF ${compiled}.d
   DEPENDS ${COURSE_PCH}

@@ -9,8 +9,8 @@
 #include <catch2/matchers/catch_matchers_templated.hpp>
 
 #include "course.hpp"
-#include "verdict/mismatch.hpp"
-#include "verdict/remote.hpp"
+#include "verdict/tests/mismatch.hpp"
+#include "verdict/tests/remote.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,8 +1,8 @@
 // The `course` program: finds its tree, lets each command add itself, and says every error in one sentence.
 
-#include "commands.hpp"
-#include "nearest.hpp"
-#include "process.hpp"
+#include "commands/commands.hpp"
+#include "ground/nearest.hpp"
+#include "ground/process.hpp"
 
 #include <cstdlib>
 #include <iostream>

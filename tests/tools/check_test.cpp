@@ -1,8 +1,8 @@
 // `course check` as a command: one exercise alone; with --watch again whenever the file changes, again at Enter, and
 // gone at q. What it says of a file is in tests/verdicts.
 
-#include "files.hpp"
-#include "process.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 

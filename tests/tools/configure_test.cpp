@@ -1,7 +1,7 @@
 // What CMake says of a course that lacks a file, has one too many, or has its exercise deleted.
 
-#include "files.hpp"
-#include "process.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -17,10 +17,10 @@ machine() { # machine CLAIM: a new one, with everything installed, nothing built
     tree="$lab/frame by frame"
     build="$tree/build/default"
     bin=$lab/bin
-    mkdir -p "$tree/tools" "$tree/cmake" "$tree/chapters" "$bin" "$lab/sources" "$lab/usr/include/eigen3/Eigen/src/Core/util" \
+    mkdir -p "$tree/tools/setup" "$tree/tools/commands" "$tree/cmake" "$tree/chapters" "$bin" "$lab/sources" "$lab/usr/include/eigen3/Eigen/src/Core/util" \
         "$lab/usr/include/catch2" "$lab/usr/include/CLI" "$lab/usr/include/nlohmann/detail" "$lab/usr/include/x86_64-linux-gnu"
     cp "$checkout/course" "$tree/"
-    cp "$checkout"/tools/*.sh "$tree/tools/"
+    cp "$checkout"/tools/setup/*.sh "$tree/tools/setup/"
     echo '{}' >"$tree/CMakePresets.json"
     : >"$tree/CMakeLists.txt"
     : >"$tree/chapters/course.hpp"
@@ -207,7 +207,7 @@ is "$did" ''
 tool_leaves=0
 
 claim='a newer source builds the program again, and only that; standard output stays the command'"'"'s'
-touch -d '+2 seconds' "$tree/tools/new.cpp" 2>/dev/null || { sleep 1; touch "$tree/tools/new.cpp"; }
+touch -d '+2 seconds' "$tree/tools/commands/new.cpp" 2>/dev/null || { sleep 1; touch "$tree/tools/commands/new.cpp"; }
 course list
 is "$out" 'tool [list]'
 is "$did" 'build course-tool'

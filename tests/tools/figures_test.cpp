@@ -1,11 +1,11 @@
 // What can go wrong between a program's trace and a published figure, each with the sentence that says so.
 
-#include "commands.hpp"
-#include "figure.hpp"
-#include "files.hpp"
-#include "plots.hpp"
-#include "programs.hpp"
-#include "trace.hpp"
+#include "commands/commands.hpp"
+#include "figures/figure.hpp"
+#include "figures/section_figures.hpp"
+#include "figures/trace.hpp"
+#include "ground/files.hpp"
+#include "loop/programs.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -1,7 +1,7 @@
 // The one way in which `course` writes files: whole or not at all, and said in one sentence if not.
 
-#include "complaint.hpp"
-#include "files.hpp"
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>

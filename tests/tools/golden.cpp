@@ -3,8 +3,8 @@
 //     golden EXPECTED COMMAND...      fails with the first line that differs
 //     COURSE_GOLDEN=write golden ...  keeps what it prints now
 
-#include "files.hpp"
-#include "process.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
 
 #include <cstdlib>
 #include <iostream>

@@ -1,6 +1,6 @@
 // A student's process that does not play by the rules of the wire: MODE says how. See verdict_test.cpp.
 
-#include "verdict/wire.hpp"
+#include "verdict/shared/wire.hpp"
 
 #include <csignal>
 #include <unistd.h>

@@ -2,10 +2,10 @@
 
 #include "small_course.hpp"
 
-#include "complaint.hpp"
-#include "lock.hpp"
-#include "memory.hpp"
-#include "nearest.hpp"
+#include "ground/complaint.hpp"
+#include "ground/lock.hpp"
+#include "ground/nearest.hpp"
+#include "loop/memory.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

@@ -2,9 +2,9 @@
 
 #include "small_course.hpp"
 
-#include "complaint.hpp"
-#include "contents.hpp"
-#include "trace.hpp"
+#include "book/contents.hpp"
+#include "figures/trace.hpp"
+#include "ground/complaint.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

@@ -1,5 +1,5 @@
-#include "files.hpp"
-#include "process.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -7,7 +7,7 @@
 #include "site/table.hpp"
 #include "small_course.hpp"
 
-#include "complaint.hpp"
+#include "ground/complaint.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

@@ -2,9 +2,9 @@
 // For the tests of the `course` program: a course of two small sections, made anew for each test and never built, and
 // the program run in it.
 
-#include "files.hpp"
-#include "process.hpp"
-#include "tree.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
+#include "ground/tree.hpp"
 
 #include <cstdlib>
 #include <fstream>

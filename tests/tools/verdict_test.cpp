@@ -1,12 +1,12 @@
 // The wire, and the session that owns the verdict, against processes that lie.
 
-#include "advice.hpp"
-#include "diagnosis.hpp"
-#include "junit.hpp"
-#include "verdict/describe.hpp"
-#include "verdict/mismatch.hpp"
-#include "verdict/session.hpp"
-#include "verdict/wire.hpp"
+#include "loop/advice.hpp"
+#include "loop/diagnosis.hpp"
+#include "loop/junit.hpp"
+#include "verdict/shared/wire.hpp"
+#include "verdict/tests/describe.hpp"
+#include "verdict/tests/mismatch.hpp"
+#include "verdict/tests/session.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

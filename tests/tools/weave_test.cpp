@@ -1,10 +1,10 @@
 // `course weave` on a book of one small chapter, made anew for each test and spoilt in one way.
 
-#include "chapter.hpp"
-#include "commands.hpp"
-#include "files.hpp"
-#include "links.hpp"
-#include "markdown.hpp"
+#include "book/chapter.hpp"
+#include "book/links.hpp"
+#include "book/markdown.hpp"
+#include "commands/commands.hpp"
+#include "ground/files.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

@@ -1,7 +1,7 @@
 #include "site/addresses.hpp"
 
-#include "links.hpp"
-#include "weaving.hpp"
+#include "book/links.hpp"
+#include "book/weaver.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 #pragma once
 // Which files of the course are pages of its site, and what each is called there.
 
-#include "tree.hpp"
+#include "ground/tree.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "site/build.hpp"
 
-#include "complaint.hpp"
-#include "files.hpp"
-#include "process.hpp"
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
 #include "site/addresses.hpp"
 #include "site/doxygen_page.hpp"
 #include "site/draft.hpp"

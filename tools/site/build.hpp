@@ -1,5 +1,5 @@
 #pragma once
-#include "tree.hpp"
+#include "ground/tree.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,15 +1,15 @@
 #include "site/doxygen_page.hpp"
 
-#include "chunks.hpp"
-#include "complaint.hpp"
-#include "files.hpp"
-#include "lines.hpp"
-#include "links.hpp"
-#include "markdown.hpp"
+#include "book/chunks.hpp"
+#include "book/links.hpp"
+#include "book/markdown.hpp"
+#include "book/weaver.hpp"
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
+#include "ground/lines.hpp"
 #include "site/addresses.hpp"
 #include "site/html.hpp"
 #include "site/table.hpp"
-#include "weaving.hpp"
 
 #include <cstdlib>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 // From portable Markdown, as a forge shows it, to what Doxygen 1.9 reads.
 
-#include "tree.hpp"
+#include "ground/tree.hpp"
 
 #include <filesystem>
 #include <string>

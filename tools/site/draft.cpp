@@ -1,6 +1,6 @@
 #include "site/draft.hpp"
 
-#include "complaint.hpp"
+#include "ground/complaint.hpp"
 
 #include <regex>
 

@@ -1,9 +1,9 @@
 #pragma once
 // A page between Doxygen and the reader.
 
+#include "ground/tree.hpp"
 #include "site/html.hpp"
 #include "site/interface.hpp"
-#include "tree.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "site/entries.hpp"
 
-#include "lines.hpp"
+#include "ground/lines.hpp"
 #include "site/addresses.hpp"
 #include "site/table.hpp"
 

@@ -1,6 +1,6 @@
 #include "site/frame.hpp"
 
-#include "complaint.hpp"
+#include "ground/complaint.hpp"
 #include "site/addresses.hpp"
 
 namespace course {

@@ -1,6 +1,6 @@
 #include "site/interface.hpp"
 
-#include "complaint.hpp"
+#include "ground/complaint.hpp"
 
 #include <algorithm>
 #include <pugixml.hpp>

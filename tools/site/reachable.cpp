@@ -1,7 +1,7 @@
 #include "site/reachable.hpp"
 
-#include "complaint.hpp"
-#include "links.hpp"
+#include "book/links.hpp"
+#include "ground/complaint.hpp"
 #include "site/html.hpp"
 
 #include <regex>

@@ -1,6 +1,6 @@
 #include "site/search.hpp"
 
-#include "markdown.hpp"
+#include "book/markdown.hpp"
 
 namespace course {
 namespace {

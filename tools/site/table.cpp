@@ -1,6 +1,6 @@
 #include "site/table.hpp"
 
-#include "lines.hpp"
+#include "ground/lines.hpp"
 
 #include <regex>
 

@@ -1,0 +1,242 @@
+#include "book/chapter.hpp"
+
+#include "book/markdown.hpp"
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
+#include "ground/lines.hpp"
+
+#include <regex>
+#include <set>
+
+namespace course {
+namespace {
+
+/// How many of the fence's signs a line begins with, after blanks.
+std::size_t run_of(char sign, std::string_view line) {
+    const std::string_view text = without_blanks(line);
+    return std::min(text.find_first_not_of(sign), text.size());
+}
+
+class FenceReader {
+  public:
+    FenceReader(std::string_view text, const std::filesystem::path &path, Chapter &result)
+        : file{path}, lines{lines_of(text)}, chapter{result} {}
+
+    void read(cmark_node *root) {
+        each_node(root, [&](cmark_node *node) {
+            if (cmark_node_get_type(node) == CMARK_NODE_CODE_BLOCK || cmark_node_get_type(node) == CMARK_NODE_HTML_BLOCK
+                || cmark_node_get_type(node) == CMARK_NODE_PARAGRAPH || cmark_node_get_type(node) == CMARK_NODE_HEADING)
+                begins.insert(cmark_node_get_start_line(node));
+        });
+        each_node(root, [&](cmark_node *node) {
+            if (cmark_node_get_type(node) == CMARK_NODE_CODE_BLOCK) is_indented(node) ? lost_in(node) : fence(node);
+            if (cmark_node_get_type(node) == CMARK_NODE_HTML_BLOCK) lost_in(node);
+        });
+    }
+
+  private:
+    const Line &at(int line) const { return lines.at(static_cast<std::size_t>(line) - 1); }
+
+    /// Markdown also takes four blanks for code; cmark does not tell which kind it met, but only there is the first
+    /// line a part of the content.
+    bool is_indented(cmark_node *node) const {
+        const std::string_view line = at(cmark_node_get_start_line(node)).text;
+        const auto column = static_cast<std::size_t>(cmark_node_get_start_column(node) - 1);
+        const std::string code = literal(node);
+        const std::string_view before = line.substr(0, column);
+        return (before.ends_with("    ") || before.ends_with('\t')) && code.starts_with(line.substr(column));
+    }
+
+    void fence(cmark_node *node) {
+        Fence found;
+        found.line = cmark_node_get_start_line(node);
+        found.column = static_cast<std::size_t>(cmark_node_get_start_column(node) - 1);
+        const std::string_view opening = at(found.line).text.substr(found.column);
+        found.sign = opening.front();
+        found.length = run_of(found.sign, opening);
+        found.language = cmark_node_get_fence_info(node);
+        const std::string code = literal(node);
+        for (const Line &line : lines_of(code)) found.content.emplace_back(line.text);
+
+        // A fence without an end reaches to that of the text or of its quote; or it swallows the next one.
+        const int last = cmark_node_get_end_line(node);
+        if (last == found.line + static_cast<int>(found.content.size()) + 1 && closes(last, found)) found.end = last;
+        const int swallowed = opening_inside(found);
+        if (swallowed != 0) found.end = 0;
+        if (found.end == 0)
+            broken(found.line,
+                   "this fence has no end"
+                       + (swallowed != 0 ? " before the next one, in line " + std::to_string(swallowed) : "") + "; put "
+                       + std::string(found.length, found.sign) + " on a line of its own where its code ends.");
+        chapter.fences.push_back(std::move(found));
+    }
+
+    bool closes(int last, const Fence &fence) const {
+        if (last > static_cast<int>(lines.size()) || begins.contains(last)) return false;
+        const std::string_view line = without_blanks_behind(at(last).text);
+        const std::size_t before = line.find_last_not_of(fence.sign) + 1;
+        return line.size() - before >= fence.length;
+    }
+
+    /// The line in which the fence holds what can only be another fence; 0 if it holds none.
+    static int opening_inside(const Fence &fence) {
+        for (std::size_t i = 0; i < fence.content.size(); ++i)
+            if (run_of(fence.sign, fence.content[i]) >= fence.length) return fence.line + 1 + static_cast<int>(i);
+        return 0;
+    }
+
+    /// A listing that Markdown takes for something else.
+    void lost_in(cmark_node *node) {
+        int line = cmark_node_get_start_line(node);
+        const std::string text = literal(node);
+        for (const Line &content : lines_of(text)) {
+            if (run_of('`', content.text) >= 3 || run_of('~', content.text) >= 3) {
+                broken(line, cmark_node_get_type(node) == CMARK_NODE_HTML_BLOCK
+                                 ? "Markdown sees no fence here, but HTML; put an empty line above it."
+                                 : "Markdown sees no fence here, since it is indented by four blanks; take them out.");
+                return;
+            }
+            ++line;
+        }
+    }
+
+    void broken(int line, std::string message) { chapter.broken.push_back({file, line, std::move(message)}); }
+
+    const std::filesystem::path &file;
+    std::vector<Line> lines;
+    std::set<int> begins; ///< lines on which a block begins
+    Chapter &chapter;
+};
+
+bool is_html(cmark_node *node) { return cmark_node_get_type(node) == CMARK_NODE_HTML_BLOCK; }
+
+int count(const std::string &text, std::string_view word) {
+    int n = 0;
+    for (std::size_t at = 0; (at = text.find(word, at)) != text.npos; at += word.size()) ++n;
+    return n;
+}
+
+int folds_opened(const std::string &html) { return count(html, "<details") - count(html, "</details>"); }
+
+/// The piece of HTML that ends the fold which `start` opens; null if there is none.
+cmark_node *end_of_fold(cmark_node *start) {
+    int depth = folds_opened(literal(start));
+    cmark_node *node = start;
+    while (depth > 0 && (node = cmark_node_next(node)))
+        if (is_html(node)) depth += folds_opened(literal(node));
+    return node;
+}
+
+void find_open_folds(cmark_node *root, const std::filesystem::path &file, Chapter &chapter) {
+    each_node(root, [&](cmark_node *node) {
+        if (is_html(node) && folds_opened(literal(node)) > 0 && !end_of_fold(node))
+            chapter.broken.push_back({file, cmark_node_get_start_line(node),
+                                      "this fold has no end; put a line `</details>` below what it hides."});
+    });
+}
+
+std::string_view without_byte_order_mark(std::string_view text) { return text.substr(byte_order_mark(text).size()); }
+
+} // namespace
+
+Chapter read_chapter(std::string_view text, const std::filesystem::path &file) {
+    text = without_byte_order_mark(text);
+    const Document document = parse_markdown(text);
+    Chapter chapter;
+    FenceReader{text, file, chapter}.read(document.get());
+    if (chapter.broken.empty()) find_open_folds(document.get(), file, chapter);
+    return chapter;
+}
+
+std::vector<Hint> hints(const Tree &tree, const Section &section) {
+    static const std::regex summary{R"(<summary>\s*(\d+\.\d+), a hint: ([\s\S]*?)\s*</summary>([\s\S]*))"};
+    const std::string whole = read_file(tree.chapter(section));
+    const std::string_view text = without_byte_order_mark(whole);
+    const std::vector<Line> lines = lines_of(text);
+    const Document document = parse_markdown(text);
+
+    std::vector<Hint> result;
+    each_node(document.get(), [&](cmark_node *node) {
+        const std::string html = is_html(node) ? literal(node) : "";
+        std::smatch found;
+        if (!std::regex_search(html, found, summary)) return;
+        std::string body = found[3]; // what stands below it without an empty line
+        cmark_node *const end = end_of_fold(node);
+        const int last = end ? cmark_node_get_start_line(end) - 1 : static_cast<int>(lines.size());
+        for (int line = cmark_node_get_end_line(node); line < last; ++line)
+            (body += lines[static_cast<std::size_t>(line)].text) += '\n';
+        std::string title = plain_text(found[2].str());
+        if (title.ends_with('\n')) title.pop_back();
+        result.push_back({found[1], title, plain_text(body)});
+    });
+    return result;
+}
+
+namespace {
+
+/// The functions, types and constants that a chunk defines: what a line which is not indented names first before a
+/// bracket, after `struct`, or before a value.
+std::vector<std::string> defined_in(const Chunk &chunk) {
+    static const std::regex definition{R"(^[A-Za-z](?:[^(={]*[ &*])?(\w+)(?:\(| = |\{| \{).*)"};
+    std::vector<std::string> names;
+    for (const std::string &line : chunk.lines)
+        if (std::smatch found; std::regex_match(line, found, definition)) names.push_back(found[1]);
+    return names;
+}
+
+bool mentions(const std::vector<Chunk> &chunks, const std::string &name) {
+    const std::regex word{"\\b" + name + "\\b"};
+    for (const Chunk &chunk : chunks)
+        for (const std::string &line : chunk.lines)
+            if (std::regex_search(line, word)) return true;
+    return false;
+}
+
+} // namespace
+
+std::vector<Chunk> solution(const Tree &tree, const Section &section, std::string_view number) {
+    const std::string own = "Solution " + std::string{number};
+    const auto is_own = [&](const Chunk &chunk) { return chunk.title == own || chunk.title.starts_with(own + ":"); };
+    std::vector<Chunk> chunks = cut(tree.solution(section));
+    if (std::none_of(chunks.begin(), chunks.end(), is_own))
+        throw Complaint{"solutions/" + section.name + ".cpp has no solution of " + std::string{number}
+                        + "; a line `//> " + own + ": ...` would begin it"};
+    // And the helpers above it that it uses, or that they use: what is for others would give away their solution.
+    std::vector<Chunk> shown;
+    for (auto chunk = chunks.rbegin(); chunk != chunks.rend(); ++chunk) {
+        const auto names = chunk->title.starts_with("Solution:") ? defined_in(*chunk) : std::vector<std::string>{};
+        const auto used = [&](const std::string &name) { return mentions(shown, name); };
+        if (is_own(*chunk) || std::any_of(names.begin(), names.end(), used)) shown.insert(shown.begin(), *chunk);
+    }
+    return shown;
+}
+
+namespace {
+
+template <class Read> void each_match(std::string_view text, const std::regex &pattern, Read read) {
+    for (std::cregex_iterator found{text.data(), text.data() + text.size(), pattern}; found != std::cregex_iterator{};
+         ++found)
+        read(*found, 1 + static_cast<int>(std::count(text.data(), text.data() + found->position(), '\n')));
+}
+
+} // namespace
+
+std::vector<ListedExercise> exercise_table(std::string_view chapter) {
+    static const std::regex row{R"(\|[ \t]*(\d+\.\d+)[ \t]*\|[ \t]*`(\w+)`[^|\n]*\|[ \t]*(\w+)[ \t]*\|)"};
+    std::vector<ListedExercise> rows;
+    each_match(chapter, row, [&](const std::cmatch &found, int line) {
+        rows.push_back({found[1], found[2], found[3], line});
+    });
+    return rows;
+}
+
+std::vector<ListedExercise> declared_exercises(std::string_view header) {
+    static const std::regex declaration{R"re(COURSE_EXERCISE\(\s*"([^"]*)",\s*(\w+),\s*\w+,\s*(\w+))re"};
+    std::vector<ListedExercise> exercises;
+    each_match(header, declaration, [&](const std::cmatch &found, int line) {
+        exercises.push_back({found[1], found[3], found[2], line});
+    });
+    return exercises;
+}
+
+} // namespace course

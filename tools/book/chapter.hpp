@@ -1,0 +1,59 @@
+#pragma once
+// What stands in a chapter: its listings, hints, exercises. Markdown is read by cmark; nothing here guesses at it.
+
+#include "book/chunks.hpp"
+#include "book/finding.hpp"
+#include "ground/tree.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// A fenced block, in a quote or a list as well.
+struct Fence {
+    int line = 0;                     ///< of its opening, from 1
+    int end = 0;                      ///< of its closing; 0 if it has none
+    std::size_t column = 0;           ///< bytes before its opening
+    std::size_t length = 3;           ///< of the opening: "```" has 3
+    char sign = '`';                  ///< or '~'
+    std::string language;             ///< "cpp", "console"; what stands behind the opening
+    std::vector<std::string> content; ///< without what a quote or a list puts before each line
+};
+
+struct Chapter {
+    std::vector<Fence> fences;
+    std::vector<Finding> broken; ///< fences and folds without an end: what stands below them is not what it seems
+};
+
+/// Reads a chapter's text; findings will name `file`.
+Chapter read_chapter(std::string_view text, const std::filesystem::path &file);
+
+/// A fold `<summary>7.2, a hint: where to look</summary>`.
+struct Hint {
+    std::string number; ///< "7.2"
+    std::string title;  ///< "where to look"
+    std::string text;   ///< for a terminal, see plain_text
+};
+
+/// All hints of a chapter, in its order: an exercise's rungs one after the other.
+/// @throws Complaint if the chapter cannot be read.
+std::vector<Hint> hints(const Tree &tree, const Section &section);
+
+/// The chunks of the solution that belong to the exercise: those called `Solution 7.2` or `Solution 7.2: ...`, and the
+/// helpers called `Solution: ...`, which belong to all. In the order of the file, which is one that compiles.
+/// @throws Complaint if the solution cannot be read, or has no chunk for this exercise.
+std::vector<Chunk> solution(const Tree &tree, const Section &section, std::string_view number);
+
+/// One row of a chapter's exercise table, or one COURSE_EXERCISE line of a header.
+struct ListedExercise {
+    std::string number, function, tier;
+    int line = 0; ///< where it stands
+};
+std::vector<ListedExercise> exercise_table(std::string_view chapter);
+std::vector<ListedExercise> declared_exercises(std::string_view header);
+
+} // namespace course

@@ -1,0 +1,285 @@
+#include "book/weaver.hpp"
+
+#include "book/chapter.hpp"
+#include "book/chunks.hpp"
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
+#include "ground/lines.hpp"
+#include "ground/nearest.hpp"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<fs::path> files_in(const fs::path &folder, std::string_view start, std::string_view end) {
+    std::vector<fs::path> files;
+    if (fs::is_directory(folder))
+        for (const auto &entry : fs::directory_iterator{folder})
+            if (const std::string name = entry.path().filename().string();
+                name.starts_with(start) && name.ends_with(end))
+                files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<fs::path> figures(const Tree &tree, const Section &section) {
+    return files_in(tree.root / "plots", section.name + "_", ".gp");
+}
+
+} // namespace
+
+Page page_of(const Tree &tree, const Section &section) {
+    Page page{tree.chapter(section), {tree.header(section), tree.program(section), tree.solution(section)}, {}};
+    for (const fs::path &file : files_in(page.file.parent_path(), "", "pp")) // a benchmark, and what it measures
+        if (std::find(page.code.begin(), page.code.end(), file) == page.code.end()) page.code.push_back(file);
+    for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
+    page.whole = page.code;
+    page.code.push_back(tree.tests(section));
+    return page;
+}
+
+Page page_of_book(const Tree &tree) {
+    return {tree.root / "book.md", files_in(tree.root / "chapters", "", ".hpp"), {}};
+}
+
+namespace {
+
+/// What a fence is to hold, and where that comes from.
+struct Wanted {
+    std::vector<std::string> lines;
+    std::string title;                              ///< "the output", "A normal"
+    std::function<std::string(std::size_t)> source; ///< where its n-th line stands: "chapters/.../main.cpp:12"
+};
+
+class Weaver {
+  public:
+    Weaver(const Tree &tree_, const Page &page_, std::string_view text_, const Output &output_)
+        : tree{tree_}, page{page_}, text{text_}, output{output_} {}
+
+    Woven weave() {
+        const Chapter chapter = read_chapter(text, page.file);
+        find_chunks();
+        if (chapter.broken.empty()) weave_into(chapter);
+        else leave_alone(chapter);
+        std::sort(result.findings.begin(), result.findings.end());
+        return std::move(result);
+    }
+
+  private:
+    std::string name_of(const fs::path &file) const { return file.lexically_relative(tree.root).generic_string(); }
+    std::string place(const Chunk &chunk) const { return name_of(chunk.file) + ':' + std::to_string(chunk.line); }
+    void find(const fs::path &file, int line, std::string message) {
+        result.findings.push_back({file, line, std::move(message)});
+    }
+
+    void leave_alone(const Chapter &chapter) {
+        result.broken = true;
+        result.text = text;
+        result.findings.insert(result.findings.end(), chapter.broken.begin(), chapter.broken.end());
+    }
+
+    void weave_into(const Chapter &chapter) {
+        const std::size_t mark = byte_order_mark(text).size();
+        const std::vector<Line> lines = lines_of(text.substr(mark));
+        result.text = text.substr(0, mark);
+        std::size_t done = 0;
+        const auto keep_until = [&](std::size_t line) {
+            for (; done < line; ++done) (result.text += lines[done].text) += lines[done].end;
+        };
+        for (const Fence &fence : chapter.fences) {
+            const auto wanted = wanted_in(fence);
+            if (!wanted) continue;
+            keep_until(static_cast<std::size_t>(fence.line) - 1);
+            write(fence, *wanted, lines);
+            done = static_cast<std::size_t>(fence.end);
+        }
+        keep_until(lines.size());
+        find_unshown();
+    }
+
+    void find_chunks() {
+        for (const fs::path &file : page.code)
+            for (Chunk &chunk : cut(file)) {
+                if (chunk.lines.size() == 1)
+                    find(file, chunk.line,
+                         "the chunk \"" + chunk.title + "\" is empty; write its code below, or take the mark out.");
+                const auto [first, is_new] = chunks.try_emplace(chunk.title, chunk);
+                if (!is_new)
+                    find(file, chunk.line,
+                         "a chunk called \"" + chunk.title + "\" stands in " + place(first->second)
+                             + " already; give one of them another title.");
+            }
+        for (const fs::path &file : page.whole)
+            if (const auto finding = unmarked_code(file)) result.findings.push_back(*finding);
+    }
+
+    void find_unshown() {
+        for (const auto &[title, chunk] : chunks)
+            if (!shown.contains(title))
+                find(chunk.file, chunk.line,
+                     "the chunk \"" + title + "\" is not shown in " + name_of(page.file)
+                         + "; put a fence there whose first line is `" + chunk.lines.front()
+                         + "`, or take the title out of the mark if the code is to stay out.");
+    }
+
+    /// Nothing if the fence is not woven, or cannot be.
+    std::optional<Wanted> wanted_in(const Fence &fence) {
+        if (fence.content.empty()) return {};
+        if (fence.language == "console") return output_in(fence);
+        const auto title = mark_title(fence.content.front());
+        if (!title) return {};
+        ++result.listings;
+        return chunk_in(fence, *title);
+    }
+
+    std::optional<Wanted> chunk_in(const Fence &fence, const std::string &title) {
+        const int line = fence.line + 1;
+        if (title.empty())
+            return find(page.file, line, "this mark has no title; name the chunk that is to stand here."), std::nullopt;
+        const auto chunk = chunks.find(title);
+        if (chunk == chunks.end()) {
+            std::vector<std::string> titles;
+            for (const auto &each : chunks) titles.push_back(each.first);
+            return find(page.file, line,
+                        "there is no chunk called \"" + title + "\"; write that mark into the code, or correct it here."
+                            + did_you_mean(title, titles)),
+                   std::nullopt;
+        }
+        const auto [first, is_new] = shown.try_emplace(title, line);
+        if (!is_new)
+            find(page.file, line,
+                 "the chunk \"" + title + "\" is shown in line " + std::to_string(first->second)
+                     + " already; keep one of the two.");
+        const Chunk &found = chunk->second;
+        return Wanted{found.lines, '"' + title + '"', [this, found](std::size_t n) {
+                          return name_of(found.file) + ':' + std::to_string(found.line + static_cast<int>(n));
+                      }};
+    }
+
+    std::optional<Wanted> output_in(const Fence &fence) {
+        static const std::regex command{R"(\$ \./course run (\S+)\s*)"};
+        std::smatch found;
+        if (!std::regex_match(fence.content.front(), found, command)) return {};
+        ++result.outputs;
+        Wanted wanted{{fence.content.front()}, "this output", [name = found[1].str()](std::size_t) {
+                          return "what ./course run " + name + " prints";
+                      }};
+        const std::string printed = output(tree.section(found[1].str()));
+        for (const Line &line : lines_of(printed)) wanted.lines.emplace_back(line.text);
+        while (without_blanks(wanted.lines.back()).empty()) wanted.lines.pop_back();
+        return wanted;
+    }
+
+    /// Long enough for its code: a line that looks like a fence must not end it.
+    static std::size_t length_for(const Fence &fence, const std::vector<std::string> &code) {
+        std::size_t length = fence.length;
+        for (const std::string &line : code) {
+            const std::string_view seen = without_blanks(line);
+            length = std::max(length, std::min(seen.find_first_not_of(fence.sign), seen.size()) + 1);
+        }
+        return length;
+    }
+
+    void write(const Fence &fence, const Wanted &wanted, const std::vector<Line> &lines) {
+        const auto opening = static_cast<std::size_t>(fence.line) - 1,
+                   closing = static_cast<std::size_t>(fence.end) - 1;
+        const std::string_view end = lines[opening].end;
+        const std::string_view first = lines[opening + 1].text, inside = fence.content.front();
+        if (!first.ends_with(inside))
+            throw Complaint{name_of(page.file) + ':' + std::to_string(fence.line + 1)
+                            + ": write the start of this line with blanks instead of tabs, so that it can be woven."};
+        const std::string prefix{first.substr(0, first.size() - inside.size())}; // what a quote or a list wants there
+
+        const std::size_t longer = length_for(fence, wanted.lines) - fence.length;
+        const std::string_view old_closing = without_blanks_behind(lines[closing].text);
+        std::vector<std::string> block;
+        block.push_back(std::string{lines[opening].text}.insert(fence.column, longer, fence.sign));
+        for (const std::string &line : wanted.lines)
+            block.push_back(line.empty() ? std::string{without_blanks_behind(prefix)} : prefix + line);
+        block.push_back(std::string{longer == 0 ? lines[closing].text : old_closing}.append(longer, fence.sign));
+
+        compare(fence, wanted, block, lines);
+        for (std::size_t i = 0; i + 1 < block.size(); ++i) (result.text += block[i]) += end;
+        (result.text += block.back()) += lines[closing].end;
+    }
+
+    void compare(const Fence &fence, const Wanted &wanted, const std::vector<std::string> &block,
+                 const std::vector<Line> &lines) {
+        const auto opening = static_cast<std::size_t>(fence.line) - 1;
+        const auto old_size = static_cast<std::size_t>(fence.end - fence.line) + 1;
+        for (std::size_t i = 0; i < std::max(old_size, block.size()); ++i) {
+            const bool both = i < old_size && i < block.size();
+            const bool same_end = both && (i + 1 == block.size() || lines[opening + i].end == lines[opening].end);
+            if (same_end && lines[opening + i].text == block[i]) continue;
+            const std::size_t line = std::min(i, old_size - 1),
+                              in_source = std::clamp<std::size_t>(i, 1, wanted.lines.size()) - 1;
+            result.differences.push_back({page.file, fence.line + static_cast<int>(line),
+                                          wanted.title + " differs here from " + wanted.source(in_source)
+                                              + "; type ./course weave, or correct the code if the text is right."});
+            return;
+        }
+    }
+
+    const Tree &tree;
+    const Page &page;
+    std::string_view text;
+    const Output &output;
+    std::map<std::string, Chunk> chunks;
+    std::map<std::string, int> shown; ///< the line of the page where each is
+    Woven result;
+};
+
+} // namespace
+
+Woven weave(const Tree &tree, const Page &page, std::string_view text, const Output &output) {
+    return Weaver{tree, page, text, output}.weave();
+}
+
+std::vector<Finding> missing_parts(const Tree &tree, const Section &section) {
+    const fs::path chapter = tree.chapter(section), header = tree.header(section);
+    const std::string text = read_file(chapter);
+    const std::vector<ListedExercise> rows = exercise_table(text), declared = declared_exercises(read_file(header));
+    const std::vector<Hint> all_hints = hints(tree, section);
+    const std::vector<Chunk> solutions = cut(tree.solution(section));
+    std::vector<Finding> missing;
+
+    const auto same = [](const ListedExercise &a) {
+        return [&a](const ListedExercise &b) {
+            return a.number == b.number && a.function == b.function && a.tier == b.tier;
+        };
+    };
+    for (const ListedExercise &one : declared) {
+        const std::string row = "| " + one.number + " | `" + one.function + "`: ... | " + one.tier + " |";
+        if (std::none_of(rows.begin(), rows.end(), same(one)))
+            missing.push_back(
+                {header, one.line, "the chapter's table has no row for this exercise; write `" + row + "` there."});
+        if (std::none_of(all_hints.begin(), all_hints.end(),
+                         [&](const Hint &hint) { return hint.number == one.number; }))
+            missing.push_back({header, one.line,
+                               "the chapter has no hint for " + one.number + "; write a fold `<summary>" + one.number
+                                   + ", a hint: ...</summary>`."});
+        const std::string title = "Solution " + one.number;
+        if (std::none_of(solutions.begin(), solutions.end(),
+                         [&](const Chunk &c) { return c.title == title || c.title.starts_with(title + ":"); }))
+            missing.push_back(
+                {tree.solution(section), 1,
+                 "no chunk is the solution of " + one.number + "; write `//> " + title + ": ...` above it."});
+    }
+    for (const ListedExercise &row : rows)
+        if (std::none_of(declared.begin(), declared.end(), same(row)))
+            missing.push_back(
+                {chapter, row.line,
+                 "the header declares no exercise like this row; give both the same number, function and tier."});
+    for (const fs::path &figure : figures(tree, section))
+        if (const std::string svg = figure.stem().string() + ".svg"; text.find("/" + svg + ")") == text.npos)
+            missing.push_back(
+                {figure, 1,
+                 "the chapter does not show this figure; put `![what it shows](../../plots/" + svg + ")` there."});
+    return missing;
+}
+
+} // namespace course

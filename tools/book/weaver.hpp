@@ -1,0 +1,48 @@
+#pragma once
+// The code is the source: a chapter's listings and outputs are brought up to date from it, and what cannot be is told.
+
+#include "book/finding.hpp"
+#include "ground/tree.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// A chapter, or book.md, and the code that it shows.
+struct Page {
+    std::filesystem::path file;
+    std::vector<std::filesystem::path> code;  ///< every chunk of these stands on the page, once
+    std::vector<std::filesystem::path> whole; ///< those of them that are in chunks from their includes on
+};
+
+/// The chapter of a section: it shows header, program, solution, tests and the scripts of its figures.
+Page page_of(const Tree &tree, const Section &section);
+
+/// book.md, which may show what sections share: chapters/*.hpp.
+Page page_of_book(const Tree &tree);
+
+struct Woven {
+    std::string text;                 ///< of the page, as it should be; as it is if `broken`
+    std::vector<Finding> differences; ///< listings and outputs that were not so
+    std::vector<Finding> findings;    ///< what weaving cannot put right
+    bool broken = false;              ///< a fence or fold without an end: nothing was woven
+    int listings = 0, outputs = 0;
+};
+
+/// What the section's program prints.
+using Output = std::function<std::string(const Section &)>;
+
+/// Weaves a page's text: a fence whose first line is a mark `//> Title` gets the chunk of that title, a `console` fence
+/// whose first line is `$ ./course run N` what that program prints. Everything else stays, byte for byte.
+/// @throws Complaint if a code file cannot be read, or from `output`.
+Woven weave(const Tree &tree, const Page &page, std::string_view text, const Output &output);
+
+/// Exercises of the header without a row in the chapter's table, a hint, a solution; rows without an exercise; figures
+/// that the chapter does not show.
+std::vector<Finding> missing_parts(const Tree &tree, const Section &section);
+
+} // namespace course

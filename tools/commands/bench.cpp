@@ -1,0 +1,95 @@
+// `course bench`: what is claimed of the course's speed, measured on this machine, side by side in one run.
+
+#include "commands/commands.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
+#include "loop/judge.hpp"
+#include "loop/programs.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+
+namespace course {
+namespace {
+
+namespace fs = std::filesystem;
+
+double median(std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2];
+}
+
+/// What the command takes [s].
+double time_of(const std::vector<std::string> &command) {
+    const auto start = std::chrono::steady_clock::now();
+    if (const auto done = run(command); done.code > 1)
+        throw Complaint{"`" + command.front() + "` failed: " + done.err + done.out};
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Save to verdict, for a finished solution, against a bare compilation of the same file with the same flags.
+void bench_loop(const Tree &tree, const Section &section, int runs) {
+    const fs::path object = tree.build / "loop" / "bench.o", solution = tree.solution(section);
+    const std::vector<std::string> check{(tree.root / "course").string(), "check", section.name, "--file",
+                                         solution.string()};
+    const std::vector<std::string> nothing{(tree.root / "course").string(), "check", "--help"};
+    std::vector<double> bare, quick, whole, start;
+    time_of(check);                  // what a first run alone has to do
+    for (int i = 0; i < runs; ++i) { // in turns, so that a busy moment meets all of them
+        bare.push_back(time_of(compile_command(tree, section, solution, object, true)));
+        quick.push_back(time_of(compile_command(tree, section, solution, object)));
+        whole.push_back(time_of(check));
+        start.push_back(time_of(nothing));
+    }
+    fs::remove(object);
+    const auto line = [&](const char *what, const std::vector<double> &times) {
+        std::cout << std::left << std::setw(46) << what << std::right << std::fixed << std::setprecision(0)
+                  << std::setw(6) << 1e3 * median(times) << " ms   " << std::setprecision(2)
+                  << median(times) / median(bare) << '\n';
+    };
+    std::cout << "Section " << section.short_number() << ", its finished solution; medians of " << runs
+              << " runs, and their ratio to the first:\n";
+    line("bare compilation", bare);
+    line("the same, with the precompiled header", quick);
+    line("save to verdict: ./course check", whole);
+    line("of which the course program starts and reads", start);
+}
+
+/// Builds a section's benchmark, which is in no other target, and runs it: it prints a table, and writes its trace.
+void bench_program(const Tree &tree, const Section &section) {
+    const std::string target = section.name + "_bench";
+    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
+    if (built.code != 0)
+        throw Complaint{"the benchmark of " + section.name
+                        + " cannot be built: " + first_error(built.out + '\n' + built.err)};
+    const fs::path traces = tree.build / "bench";
+    fs::create_directories(traces);
+    std::cout << "This takes about a minute; let the machine do nothing else.\n" << std::flush;
+    if (run({(tree.build / target).string(), "--out", traces.string()}, {.quiet = false}).code != 0)
+        throw Leave{something_to};
+    std::cout << "The trace is in " << traces.string() << '\n';
+}
+
+} // namespace
+
+void add_bench(CLI::App &app, const Tree &tree) {
+    CLI::App *command = app.add_subcommand("bench", "Measure how fast the course is on this machine");
+    command->require_subcommand(1);
+    command->footer("Example: ./course bench loop 7");
+    auto section = std::make_shared<std::string>("7");
+    auto runs = std::make_shared<int>(15);
+    CLI::App *loop = command->add_subcommand("loop", "From saving a file to its verdict, against a bare compilation");
+    loop->add_option("section", *section, "the section whose solution is judged")->capture_default_str();
+    loop->add_option("--runs", *runs, "how often")->check(CLI::Range(1, 1000))->capture_default_str();
+    loop->footer("Example: ./course bench loop 7 --runs 31");
+    loop->callback([&tree, section, runs] { bench_loop(tree, tree.section(*section), *runs); });
+
+    CLI::App *particles =
+        command->add_subcommand("particles", "Three pools of particles, against the machine's memory");
+    particles->footer("Example: ./course bench particles");
+    particles->callback([&tree] { bench_program(tree, tree.section("particles")); });
+}
+
+} // namespace course

@@ -1,0 +1,283 @@
+// `course check`: the verdict on what a student has written.
+
+#include "commands/commands.hpp"
+#include "ground/files.hpp"
+#include "ground/terminal.hpp"
+#include "loop/catalogue.hpp"
+#include "loop/judge.hpp"
+#include "loop/junit.hpp"
+#include "loop/memory.hpp"
+#include "loop/progress.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <poll.h>
+#include <unistd.h>
+
+namespace course {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CheckOptions {
+    std::string what;  ///< section, or one of its exercises; empty: the first section that is not finished
+    std::string file;  ///< judge this one instead of the student's
+    std::string junit; ///< where to write the same for machines
+    unsigned seed = 2026;
+    bool watch = false;
+    bool verbose = false;
+};
+
+/// What the tests said of one exercise.
+struct Outcome {
+    Exercise exercise;
+    std::vector<Verdict> verdicts;
+
+    const Verdict *first_failure() const {
+        const auto found = std::find_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return !v.passed(); });
+        return found == verdicts.end() ? nullptr : &*found;
+    }
+    bool has(Kind kind) const {
+        return std::any_of(verdicts.begin(), verdicts.end(), [kind](const Verdict &v) { return v.kind == kind; });
+    }
+};
+
+std::vector<Outcome> by_exercise(const Tree &tree, const Section &section, const Judgement &judgement) {
+    std::vector<Outcome> outcomes;
+    for (auto &exercise : catalogue(tree, section)) {
+        Outcome outcome{std::move(exercise), {}};
+        std::copy_if(judgement.verdicts.begin(), judgement.verdicts.end(), std::back_inserter(outcome.verdicts),
+                     [&](const Verdict &v) { return v.exercise == outcome.exercise.number; });
+        outcomes.push_back(std::move(outcome));
+    }
+    return outcomes;
+}
+
+std::string tests(std::size_t count) { return std::to_string(count) + (count == 1 ? " test" : " tests"); }
+
+void print_failure(const Verdict &verdict) {
+    std::cout << "    " << painted(Colour::red, "✗") << ' ' << painted(Colour::bold, verdict.test);
+    if (verdict.kind != Kind::wrong) std::cout << "  " << painted(Colour::red, name_of(verdict.kind));
+    std::cout << '\n' << explain(verdict, 6);
+}
+
+/// An exercise in one line; what is wrong below it: the first failure whole, for one is mended at a time.
+void print(const Outcome &outcome, bool verbose) {
+    const auto &[exercise, verdicts] = outcome;
+    const Verdict *failure = outcome.first_failure();
+    const auto passed = static_cast<std::size_t>(
+        std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); }));
+    const std::string head = exercise.number + ' ' + exercise.function + ", " + exercise.tier;
+    if (failure == nullptr)
+        std::cout << painted(Colour::green, "✓ " + head) << ": " << tests(verdicts.size()) << " passed\n";
+    else if (failure->kind == Kind::not_started && passed == 0) {
+        std::cout << painted(Colour::dim, "· " + head) << ": " << (verbose ? failure->sentence : "not started") << '\n';
+        return;
+    } else
+        std::cout << painted(Colour::red, "✗ " + head) << ": " << passed << " of " << tests(verdicts.size())
+                  << " passed\n";
+
+    constexpr std::size_t most = 3; // claims beside the first: enough to guess from
+    std::size_t failures = 0;
+    for (const Verdict &verdict : verdicts) {
+        if (!verdict.passed()) ++failures;
+        if (failures > 1 && failure->kind == Kind::missing) continue; // said once
+        if (verdict.passed()) {
+            if (verbose) std::cout << "    " << painted(Colour::green, "✓") << ' ' << verdict.test << '\n';
+        } else if (failures == 1 || verbose) print_failure(verdict);
+        else if (failures <= 1 + most) std::cout << "    " << painted(Colour::red, "✗") << ' ' << verdict.test << '\n';
+    }
+    if (failures > 1 + most && !verbose && failure->kind != Kind::missing)
+        std::cout << painted(Colour::dim, "      and " + std::to_string(failures - 1 - most) + " more (-v shows all)")
+                  << '\n';
+}
+
+/// Whether all tests failed for one reason, which has nothing to do with any of them: the code never got as far.
+bool never_started(const Judgement &judgement) {
+    const auto &first = judgement.verdicts.front();
+    return !first.passed() && first.kind != Kind::missing && first.kind != Kind::not_started
+           && std::all_of(judgement.verdicts.begin(), judgement.verdicts.end(),
+                          [&](const Verdict &v) { return !v.call && v.sentence == first.sentence; });
+}
+
+/// Where the compiler or the linker stopped.
+void print_unbuilt(const Verdict &verdict, const std::string &name) {
+    std::cout << painted(Colour::red, "✗ " + name + ' ' + std::string{name_of(verdict.kind)}) << '\n';
+    std::cout << "    " << (verdict.file.empty() ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ")
+              << verdict.sentence << '\n';
+    for (const auto &line : verdict.printed) std::cout << "    " << line << '\n';
+    if (verdict.printed_more > 0)
+        std::cout << "    (" << verdict.printed_more << " more " << (verdict.printed_more == 1 ? "error" : "errors")
+                  << "; the first one first)\n";
+}
+
+void print_warnings(const std::vector<std::string> &warnings, bool verbose) {
+    constexpr std::size_t most = 5;
+    const std::size_t shown = verbose ? warnings.size() : std::min(most, warnings.size());
+    for (std::size_t i = 0; i < shown; ++i) std::cout << painted(Colour::yellow, "warning ") << warnings[i] << '\n';
+    if (warnings.size() > shown) std::cout << "  and " << warnings.size() - shown << " more warnings (-v shows all)\n";
+}
+
+void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
+    const auto open =
+        std::find_if(outcomes.begin(), outcomes.end(), [](const Outcome &o) { return o.first_failure() != nullptr; });
+    if (open == outcomes.end()) {
+        std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.")
+                  << " See your figures: ./course plot " << section.short_number() << " --mine\n";
+        return;
+    }
+    const auto &exercise = open->exercise;
+    const bool untouched = open->first_failure()->kind == Kind::not_started;
+    std::cout << "Next: " << exercise.number << ' ' << exercise.function << ". "
+              << (untouched ? "Where to begin: ./course hint " : "Stuck? ./course hint ") << exercise.number << '\n';
+}
+
+/// What is remembered of an exercise: how far it is from done.
+std::string state_of(const Outcome &outcome) {
+    const Verdict *failure = outcome.first_failure();
+    return std::string{name_of(failure == nullptr ? Kind::passed : failure->kind)};
+}
+
+/// The same, said of no test in particular.
+Verdict nameless(Verdict verdict, const std::string &heading) {
+    verdict.test = heading;
+    verdict.file.clear();
+    return verdict;
+}
+
+class Check {
+  public:
+    Check(const Tree &tree_, CheckOptions options_) : tree{tree_}, options{std::move(options_)} {
+        if (is_number_of_exercise(options.what)) only = find_exercise(tree, options.what).exercise;
+    }
+
+    int once() {
+        std::vector<std::pair<Section, std::vector<Verdict>>> judged;
+        int code = all_well;
+        for (const Section &section : chosen()) {
+            if (!judged.empty()) std::cout << '\n';
+            Judgement judgement = course::judge(tree, section, file_of(section), options.seed);
+            report(section, judgement);
+            if (only && judgement.judged())
+                std::erase_if(judgement.verdicts, [&](const Verdict &v) { return v.exercise != only->number; });
+            code = std::max(code, judgement.our_fault()    ? +our_fault
+                                  : judgement.all_passed() ? +all_well
+                                                           : +something_to);
+            judged.emplace_back(section, judgement.verdicts);
+        }
+        if (!options.junit.empty()) write_file(options.junit, junit(judged));
+        return code;
+    }
+
+    /// Again whenever the file changes; Enter for those whose disk tells no dates, q to leave.
+    void watch() {
+        const Section section = chosen().front();
+        if (!only) options.what = section.name; // and not the next one, when this is finished
+        for (;;) {
+            const std::string seen = look(section);
+            if (is_terminal(Stream::out)) std::cout << "\x1b[2J\x1b[H";
+            try {
+                once();
+            } catch (const Complaint &complaint) { // a file that is gone may come back
+                std::cout << complaint.what() << '\n';
+            }
+            std::cout << painted(Colour::dim, "Waiting for you to save. Enter: check again; q Enter: leave.")
+                      << std::endl;
+            if (!wait_for_change(section, seen)) return;
+        }
+    }
+
+  private:
+    std::vector<Section> chosen() const {
+        if (options.what == "all") return tree.sections();
+        if (!options.what.empty()) return {tree.section(options.what)};
+        if (const auto section = first_unfinished(tree)) return {*section};
+        return {tree.sections().back()};
+    }
+
+    fs::path file_of(const Section &section) const {
+        return options.file.empty() ? tree.written_exercise(section) : fs::path{options.file};
+    }
+
+    void report(const Section &section, const Judgement &judgement) {
+        const std::string name = options.file.empty() ? "exercises/" + section.name + ".cpp" : options.file;
+        print_warnings(judgement.warnings, options.verbose);
+        if (!judgement.judged()) {
+            print_unbuilt(judgement.verdicts.front(), name);
+            if (options.file.empty()) keep_in_mind(section, {}, judgement.verdicts.front().kind);
+            return;
+        }
+        auto outcomes = by_exercise(tree, section, judgement);
+        if (options.file.empty()) keep_in_mind(section, outcomes, Kind::passed);
+        if (only) std::erase_if(outcomes, [&](const Outcome &o) { return o.exercise.number != only->number; });
+        if (never_started(judgement)) print_failure(nameless(judgement.verdicts.front(), "no test could start:"));
+        else
+            for (const auto &outcome : outcomes) print(outcome, options.verbose);
+        if (only && outcomes.front().first_failure() == nullptr)
+            std::cout << "The whole section: ./course check " << section.short_number() << '\n';
+        else print_next(outcomes, section);
+    }
+
+    void keep_in_mind(const Section &section, const std::vector<Outcome> &outcomes, Kind of_all) const {
+        std::vector<ExerciseState> states;
+        for (const auto &outcome : outcomes) states.push_back({outcome.exercise.number, state_of(outcome)});
+        if (outcomes.empty())
+            for (const auto &exercise : catalogue(tree, section))
+                states.push_back({exercise.number, std::string{name_of(of_all)}});
+        remember(tree, section, states);
+    }
+
+    /// What changes when the file does.
+    std::string look(const Section &section) const {
+        std::error_code ignored;
+        const fs::path file = options.file.empty() ? tree.exercise(section) : fs::path{options.file};
+        const auto date = fs::last_write_time(file, ignored).time_since_epoch().count();
+        const auto size = fs::file_size(file, ignored);
+        return std::to_string(date) + ' ' + std::to_string(size);
+    }
+
+    bool wait_for_change(const Section &section, const std::string &seen) const {
+        constexpr int tenth = 100; // [ms] asking for a date costs a microsecond, and works on every disk
+        bool keys = true;
+        while (look(section) == seen) {
+            pollfd keyboard{STDIN_FILENO, POLLIN, 0};
+            if (::poll(&keyboard, keys ? 1 : 0, tenth) <= 0) continue;
+            std::string line;
+            if (!std::getline(std::cin, line)) keys = false;
+            else return line != "q";
+        }
+        return true;
+    }
+
+    const Tree &tree;
+    CheckOptions options;
+    std::optional<Exercise> only; ///< the one that was asked for, if not a whole section
+};
+
+} // namespace
+
+void add_check(CLI::App &app, const Tree &tree) {
+    auto options = std::make_shared<CheckOptions>();
+    CLI::App *command =
+        app.add_subcommand("check", "Say what is right, what is wrong and why in what you have written");
+    command->add_option(
+        "section", options->what,
+        "a section, by number, name or file, or one exercise: 7.2; \"all\"; nothing: the first section that is not "
+        "finished");
+    command->add_flag("-w,--watch", options->watch, "check again whenever you save");
+    command->add_flag("-v,--verbose", options->verbose, "show every test and every failure whole");
+    command->add_option("--file", options->file, "judge this file instead of the one in exercises/");
+    command->add_option("--junit", options->junit, "write the verdicts to this file as well, as JUnit XML");
+    command->add_option("--seed", options->seed, "for generated values; the same seed, the same values")
+        ->capture_default_str();
+    command->footer("Example: ./course check 7 --watch\nLeaves with 0 if all tests pass, 1 if not.");
+    command->callback([&tree, options] {
+        if (!options->file.empty() && options->what.empty())
+            throw Complaint{"--file needs a section to judge it by, as in: ./course check 7 --file " + options->file};
+        Check check{tree, *options};
+        if (options->watch) check.watch();
+        else if (const int code = check.once(); code != all_well) throw Leave{code};
+    });
+}
+
+} // namespace course

@@ -1,0 +1,32 @@
+#pragma once
+// The commands of `course`, one file each. Every one adds itself: name, help with an example, options, what it does.
+// A command leaves with its exit code by throwing `Leave`; returning means that all is well.
+
+#include "ground/complaint.hpp"
+#include "ground/tree.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace course {
+
+/// Ends the program with this exit code; everything has been said.
+struct Leave {
+    int code;
+};
+
+void add_check(CLI::App &app, const Tree &tree);
+void add_weave(CLI::App &app, const Tree &tree);
+void add_list(CLI::App &app, const Tree &tree);
+void add_hint(CLI::App &app, const Tree &tree);
+void add_solution(CLI::App &app, const Tree &tree);
+void add_reset(CLI::App &app, const Tree &tree);
+void add_run(CLI::App &app, const Tree &tree);
+void add_plot(CLI::App &app, const Tree &tree);
+void add_debug(CLI::App &app, const Tree &tree);
+void add_new(CLI::App &app, const Tree &tree);
+void add_draw(CLI::App &app, const Tree &tree);
+void add_publish(CLI::App &app, const Tree &tree);
+void add_bench(CLI::App &app, const Tree &tree);
+void add_site(CLI::App &app, const Tree &tree);
+
+} // namespace course

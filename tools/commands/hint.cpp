@@ -1,0 +1,78 @@
+// `course hint`: an exercise's hints, one rung at a time, as they stand in its chapter.
+
+#include "book/chapter.hpp"
+#include "commands/commands.hpp"
+#include "ground/terminal.hpp"
+#include "loop/catalogue.hpp"
+#include "loop/memory.hpp"
+#include "loop/progress.hpp"
+
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+namespace course {
+namespace {
+
+struct HintOptions {
+    std::string exercise;
+    bool all = false, again = false;
+};
+
+std::vector<Hint> rungs_of(const Tree &tree, const FoundExercise &found) {
+    std::vector<Hint> rungs;
+    for (Hint &hint : hints(tree, found.section))
+        if (hint.number == found.exercise.number) rungs.push_back(std::move(hint));
+    return rungs;
+}
+
+void print(const Hint &hint, int rung, int rungs) {
+    const std::string heading =
+        hint.number + ", hint " + std::to_string(rung) + " of " + std::to_string(rungs) + ": " + hint.title;
+    std::cout << painted(Colour::bold, heading) << "\n\n" << hint.text << (hint.text.ends_with('\n') ? "\n" : "\n\n");
+}
+
+/// The first exercise that is not passed yet.
+FoundExercise next_exercise(const Tree &tree) {
+    const auto section = first_unfinished(tree);
+    if (!section) throw Complaint{"all exercises pass; name one to see its hints, as in: ./course hint 1.2"};
+    for (const Standing &standing : progress(tree, *section).standings)
+        if (standing.state != "passed") return {*section, standing.exercise};
+    throw Complaint{"all of section " + section->short_number() + " passed when it was checked last; check it anew"};
+}
+
+void show_hint(const Tree &tree, const HintOptions &options) {
+    const FoundExercise found = options.exercise.empty() ? next_exercise(tree) : find_exercise(tree, options.exercise);
+    const std::string &number = found.exercise.number, solution = "`./course solution " + number + "` shows ours.";
+    const std::vector<Hint> rungs = rungs_of(tree, found);
+    const int last = static_cast<int>(rungs.size());
+    const int shown = options.again || options.all ? 0 : rungs_shown(tree, number);
+
+    if (last == 0) {
+        std::cout << number << " has no hints: what it needs stands in its chapter. " << solution << '\n';
+    } else if (shown >= last) {
+        std::cout << "You have seen all hints of " << number << "; `./course hint " << number
+                  << " --all` shows them again. " << solution << '\n';
+    } else {
+        const int until = options.all ? last : shown + 1;
+        for (int rung = shown; rung < until; ++rung) print(rungs[static_cast<std::size_t>(rung)], rung + 1, last);
+        remember_rungs(tree, number, until);
+        if (until == last) std::cout << "That was the last one. " << solution << '\n';
+        else std::cout << "The next one: ./course hint " << number << '\n';
+    }
+}
+
+} // namespace
+
+void add_hint(CLI::App &app, const Tree &tree) {
+    const auto options = std::make_shared<HintOptions>();
+    CLI::App *command = app.add_subcommand("hint", "Show the next hint for an exercise: each time a little more");
+    command->add_option("exercise", options->exercise,
+                        "its number or its function; nothing: the first that you have not finished");
+    command->add_flag("--all", options->all, "all of them at once");
+    command->add_flag("--again", options->again, "begin again with the first");
+    command->footer("Example: ./course hint 7.2");
+    command->callback([&tree, options] { show_hint(tree, *options); });
+}
+
+} // namespace course

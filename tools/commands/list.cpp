@@ -1,0 +1,87 @@
+// `course list`: what there is to do, and how far the student is. Remembered, not run again.
+
+#include "commands/commands.hpp"
+#include "ground/files.hpp"
+#include "ground/terminal.hpp"
+#include "loop/progress.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace course {
+namespace {
+
+/// The chapter's first line without its mark, "7 Segment intersection".
+std::string title(const Tree &tree, const Section &section) {
+    std::istringstream chapter{read_file(tree.chapter(section))};
+    std::string line;
+    std::getline(chapter, line);
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    return line.starts_with("# ") ? line.substr(2) : section.name;
+}
+
+Colour colour(const std::string &state) {
+    if (state == "passed") return Colour::green;
+    return state == "not started" || state == "not checked" ? Colour::dim : Colour::red;
+}
+
+void print(const Tree &tree, const Section &section, const Progress &progress) {
+    std::cout << painted(Colour::bold, title(tree, section)) << ": " << progress.passed() << " of "
+              << progress.standings.size() << " passed\n";
+    std::size_t longest = 0;
+    for (const Standing &s : progress.standings) longest = std::max(longest, s.exercise.function.size());
+    for (const auto &[exercise, state] : progress.standings)
+        std::cout << "  " << std::left << std::setw(6) << exercise.number << std::setw(11) << exercise.tier
+                  << std::setw(static_cast<int>(longest) + 2) << exercise.function << painted(colour(state), state)
+                  << '\n';
+
+    const std::string file = "exercises/" + section.name + ".cpp", number = section.short_number();
+    if (!progress.there)
+        std::cout << "  " << file << " is not there; `./course reset " << number << "` brings the empty one back.\n";
+    if (progress.changed) std::cout << "  " << file << " has changed since the last check.\n";
+}
+
+/// What to do about the first exercise that is not passed.
+std::string next_step(const Section &section, const Progress &progress) {
+    const auto open = std::find_if(progress.standings.begin(), progress.standings.end(),
+                                   [](const Standing &s) { return s.state != "passed"; });
+    const std::string number = section.short_number();
+    if (!progress.there) return "./course reset " + number;
+    if (progress.changed || open == progress.standings.end()) return "./course check " + number;
+    const auto &[exercise, state] = *open;
+    if (state == "does not compile" || state == "does not link")
+        return "./course check " + number + " (it " + state + ')';
+    if (state != "not started")
+        return "./course check " + number + " (" + exercise.number + ": " + state + "; ./course hint " + exercise.number
+               + " helps)";
+    return exercise.number + ", `" + exercise.function + "`, in exercises/" + section.name
+           + ".cpp; then ./course check " + number;
+}
+
+void list(const Tree &tree) {
+    std::string next;
+    for (const Section &section : tree.sections()) {
+        if (!is_built(tree, section)) {
+            std::cout << painted(Colour::bold, title(tree, section)) << ": not built yet\n\n";
+            if (next.empty()) next = "./course, which builds it";
+            continue;
+        }
+        const Progress so_far = progress(tree, section);
+        print(tree, section, so_far);
+        std::cout << '\n';
+        if (next.empty() && (!so_far.finished() || so_far.changed || !so_far.there)) next = next_step(section, so_far);
+    }
+    std::cout << (next.empty() ? "All exercises are passed.\n" : "Next: " + next + '\n');
+}
+
+} // namespace
+
+void add_list(CLI::App &app, const Tree &tree) {
+    app.add_subcommand("list", "Show all sections and exercises, how they stand, and the next step")
+        ->footer("Nothing is run: the states are those of the last check.\n\nExample: ./course list")
+        ->callback([&tree] { list(tree); });
+}
+
+} // namespace course

@@ -1,0 +1,166 @@
+// `course new`: a section's files from tools/skeleton/, its line in CMakeLists.txt, and its place in book.md.
+
+#include "book/contents.hpp"
+#include "commands/commands.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <regex>
+#include <set>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+/// What C++ or its libraries call something else already; a section's name becomes a namespace.
+const std::set<std::string_view> taken{
+    "alignas",   "alignof",   "and",       "asm",      "auto",    "bitand",  "bitor",    "bool",     "break",
+    "case",      "catch",     "char",      "class",    "compl",   "concept", "const",    "continue", "decltype",
+    "default",   "delete",    "do",        "double",   "else",    "enum",    "explicit", "export",   "extern",
+    "false",     "float",     "for",       "friend",   "goto",    "if",      "inline",   "int",      "long",
+    "mutable",   "namespace", "new",       "noexcept", "not",     "nullptr", "operator", "or",       "private",
+    "protected", "public",    "register",  "requires", "return",  "short",   "signed",   "sizeof",   "static",
+    "struct",    "switch",    "template",  "this",     "throw",   "true",    "try",      "typedef",  "typeid",
+    "typename",  "union",     "unsigned",  "using",    "virtual", "void",    "volatile", "while",    "xor",
+    "course",    "std",       "subject",   "pull",     "abs",     "clock",   "div",      "drem",     "exp",
+    "fork",      "gamma",     "index",     "link",     "log",     "pause",   "pipe",     "pow",      "rand",
+    "random",    "read",      "remainder", "remove",   "rename",  "round",   "select",   "signal",   "sleep",
+    "time",      "wait",      "write"};
+
+std::string lower(std::string text) {
+    for (char &c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// "13_springs"; says the right form of anything else.
+void require_well_formed(const std::string &name) {
+    static const std::regex form{R"(\d\d_[a-z][a-z0-9]*(_[a-z0-9]+)*)"}, nearly{R"((\d{1,2})[ _.-]*([a-z].*))"};
+    if (std::regex_match(name, form)) {
+        const std::string slug = name.substr(3);
+        if (taken.contains(slug))
+            throw Complaint{
+                "`" + slug
+                + "` is a word of C++ or of a library already, and the name becomes a namespace; add a word to it, as "
+                + name + "_chapter"};
+        if (name.starts_with("00")) throw Complaint{"sections are counted from 01, so there is no " + name};
+        return;
+    }
+    std::string better;
+    if (std::smatch found; better = lower(name), std::regex_match(better, found, nearly)) {
+        better = std::string(2 - found[1].str().size(), '0') + found[1].str() + "_"
+                 + std::regex_replace(found[2].str(), std::regex{"[^a-z0-9]+"}, "_");
+    }
+    const std::string offer = std::regex_match(better, form) ? better : "13_springs";
+    throw Complaint{"`" + name
+                    + "` is not the name of a section: that is two digits, an underscore, and small letters, as in "
+                    + offer};
+}
+
+void require_new(const Tree &tree, const Section &section) {
+    int next = 1;
+    for (const Section &other : tree.sections()) next = std::max(next, other.number() + 1);
+    const std::string free = next < 100 ? "; the next free number is " + std::to_string(next) : "";
+    for (const Section &other : tree.sections()) {
+        if (other.number() == section.number())
+            throw Complaint{"section " + section.short_number() + " is there already: " + other.name + free};
+        if (other.slug() == section.slug())
+            throw Complaint{"there is a section of that name already: " + other.name + "; choose another name"};
+    }
+}
+
+/// The skeleton is written as section 99, "Skeleton": these become the new one's number, name and title.
+std::string renamed(const std::string &text, const Section &section, const std::string &title) {
+    static const std::regex own{R"(99_skeleton|\b99\b|skeleton|Skeleton)"};
+    const std::map<std::string, std::string> becomes{{"99_skeleton", section.name},
+                                                     {"99", section.short_number()},
+                                                     {"skeleton", section.slug()},
+                                                     {"Skeleton", title}};
+    std::string result;
+    auto rest = text.begin();
+    for (std::sregex_iterator found{text.begin(), text.end(), own}, end; found != end; ++found) {
+        result.append(rest, text.begin() + found->position()).append(becomes.at(found->str()));
+        rest = text.begin() + found->position() + found->length();
+    }
+    return result.append(rest, text.end());
+}
+
+/// Every file of the new section, and what is to stand in it.
+std::map<fs::path, std::string> files_of(const Tree &tree, const Section &section, const std::string &title) {
+    const fs::path skeleton = tree.root / "tools" / "skeleton";
+    std::map<fs::path, std::string> files;
+    for (const auto &entry : fs::recursive_directory_iterator{skeleton}) {
+        if (!entry.is_regular_file()) continue;
+        const fs::path inside = entry.path().lexically_relative(skeleton);
+        const bool published = inside.extension() == ".svg" || inside.extension() == ".tsv"; // numbers, 99 among them
+        const std::string text = read_file(entry.path());
+        files[tree.root / renamed(inside.generic_string(), section, title)] =
+            published ? text : renamed(text, section, title);
+    }
+    files[tree.stub(section)] = files.at(tree.exercise(section)); // the empty one, for `reset`
+    return files;
+}
+
+std::string default_title(const Section &section) {
+    std::string title = section.slug();
+    std::replace(title.begin(), title.end(), '_', ' ');
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    return title;
+}
+
+void make(const Tree &tree, const std::string &name, std::string title) {
+    require_well_formed(name);
+    const Section section{name};
+    require_new(tree, section);
+    const fs::path list = tree.root / "CMakeLists.txt", book = tree.root / "book.md";
+    const std::string old_contents = read_file(book);
+    if (title.empty()) title = title_to_come(old_contents, section.number());
+    if (title.empty()) title = default_title(section);
+    if (title.find_first_of("\r\n\\|[]") != std::string::npos)
+        throw Complaint{"a title is one line without any of \\ | [ ], as in --title \"" + default_title(section)
+                        + "\""};
+
+    std::map<fs::path, std::string> files = files_of(tree, section, title);
+    for (const auto &[file, text] : files)
+        if (fs::exists(fs::symlink_status(file)))
+            throw Complaint{tree.shown(file)
+                            + " is there already, and nothing is overwritten: move it away, or choose another name"};
+    const std::string listed = with_section(read_file(list), section);
+    const std::string contents = with_entry(old_contents, section, title);
+
+    const Undisturbed all_or_none;
+    for (const auto &[file, text] : files) write_file(file, text);
+    write_file(book, contents);
+    write_file(list, listed);
+    for (const auto &[file, text] : files) std::cout << "  " << tree.shown(file) << '\n';
+    const std::string number = section.short_number();
+    std::cout << "These files make a section that builds and is tested; write yours over them, test by test.\n"
+              << "It has its line in CMakeLists.txt and its place in book.md.\n\n"
+              << "Next:\n"
+              << "  ./course                 builds it\n"
+              << "  ./course check " << number << "        says \"not started\"\n"
+              << "  ./course weave " << number
+              << "        brings its chapter up to date when you have changed its code\n"
+              << "  ./course publish " << number << "      does so with its figures\n";
+}
+
+} // namespace
+
+void add_new(CLI::App &app, const Tree &tree) {
+    struct Options {
+        std::string name, title;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App *command = app.add_subcommand("new", "Write the skeleton of a new section");
+    command->add_option("name", options->name, "two digits and a name, which becomes a C++ namespace")->required();
+    command->add_option(
+        "--title", options->title,
+        "of the chapter; if it is not given, book.md's of a section to come, or one made from the name");
+    command->footer("Nothing that exists is overwritten.\n\nExample: ./course new 13_springs --title \"Springs\"");
+    command->callback([&tree, options] { make(tree, options->name, options->title); });
+}
+
+} // namespace course

@@ -1,0 +1,62 @@
+// `course reset`: the empty exercise again. What the student wrote is kept.
+
+#include "commands/commands.hpp"
+#include "ground/files.hpp"
+#include "ground/terminal.hpp"
+#include "loop/memory.hpp"
+
+#include <iostream>
+#include <memory>
+
+namespace course {
+namespace {
+
+std::string name_of(const Tree &tree, const std::filesystem::path &file) {
+    return file.lexically_relative(tree.root).generic_string();
+}
+
+void reset(const Tree &tree, const std::string &words, bool yes) {
+    const Section section = tree.section(words);
+    const std::string file = name_of(tree, tree.exercise(section)), number = section.short_number();
+    if (words.find('.') != std::string::npos && words.find_first_not_of("0123456789.") == std::string::npos)
+        throw Complaint{"`reset` brings back a whole section, not one exercise of it: ./course reset " + number};
+
+    const std::string empty = read_file(tree.stub(section));
+    if (!std::filesystem::exists(tree.exercise(section))) {
+        write_file(tree.exercise(section), empty);
+        std::cout << file << " is back, with nothing done yet.\n";
+        return;
+    }
+    if (read_file(tree.exercise(section)) == empty) {
+        std::cout << file << " is the empty one already.\n";
+        return;
+    }
+    if (!yes && !can_ask())
+        throw Complaint{"`reset` asks before it replaces " + file
+                        + ", and there is no terminal to ask on; ./course reset " + number
+                        + " --yes does it, and keeps a copy"};
+    if (!yes && !ask("Replace " + file + " by the empty one? Yours is kept in .course/kept.")) {
+        std::cout << "Nothing has changed.\n";
+        return;
+    }
+    const std::filesystem::path copy = keep_copy(tree, section);
+    write_file(tree.exercise(section), empty);
+    std::cout << file << " is the empty one again. Yours is kept: " << name_of(tree, copy) << '\n';
+}
+
+} // namespace
+
+void add_reset(CLI::App &app, const Tree &tree) {
+    struct Options {
+        std::string section;
+        bool yes = false;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App *command = app.add_subcommand("reset", "Bring back a section's empty exercises; yours are kept as a copy");
+    command->add_option("section", options->section, "its number, name or file")->required();
+    command->add_flag("--yes", options->yes, "do not ask");
+    command->footer("The copy goes to .course/kept/, under a name with date and time.\n\nExample: ./course reset 7");
+    command->callback([&tree, options] { reset(tree, options->section, options->yes); });
+}
+
+} // namespace course

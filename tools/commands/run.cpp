@@ -1,0 +1,45 @@
+// `course run`: a section's program, the reference's or the student's. Its output goes through unchanged.
+
+#include "commands/commands.hpp"
+#include "ground/lock.hpp"
+#include "loop/programs.hpp"
+
+#include <iostream>
+#include <memory>
+
+namespace course {
+namespace {
+
+void run_section(const Tree &tree, const Section &section, Whose whose) {
+    const std::filesystem::path traces =
+        whose == Whose::student ? student_traces(tree, section) : reference_traces(tree, section);
+    const Lock lock{tree};
+    const Ran ran = run_program(tree, section, whose, traces);
+    std::cout << ran.finished.out << std::flush;
+    std::cerr << ran.finished.err;
+    if (ran.trouble.empty()) {
+        std::cerr << "The traces of its figures are in " << traces.string() << '\n';
+        return;
+    }
+    std::cerr << "course: " << ran.trouble << '\n';
+    throw Leave{whose == Whose::student ? something_to : our_fault};
+}
+
+} // namespace
+
+void add_run(CLI::App &app, const Tree &tree) {
+    struct Options {
+        std::string section;
+        bool mine = false;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App *command = app.add_subcommand("run", "Run a section's program, and print its worked examples");
+    command->add_option("section", options->section, "its number, name or file")->required();
+    command->add_flag("--mine", options->mine, "with your functions instead of ours");
+    command->footer("Example: ./course run 7 --mine");
+    command->callback([&tree, options] {
+        run_section(tree, tree.section(options->section), options->mine ? Whose::student : Whose::reference);
+    });
+}
+
+} // namespace course

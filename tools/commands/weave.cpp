@@ -1,0 +1,133 @@
+// course weave: brings the listings and outputs of the book up to date, or says where they are not.
+#include "book/weaver.hpp"
+
+#include "book/links.hpp"
+#include "commands/commands.hpp"
+#include "ground/files.hpp"
+#include "ground/lock.hpp"
+#include "ground/process.hpp"
+#include "loop/programs.hpp"
+
+#include <iostream>
+#include <map>
+#include <memory>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double longest_program = 20; // [s] programs take a tenth of a second; a hang should not cost a minute
+
+struct WeaveOptions {
+    std::vector<std::string> sections;
+    bool check = false;
+};
+
+/// What the section's program prints, if it is built from the code as it stands.
+std::string output_of(const Tree &tree, const Section &section) {
+    const Lock no_build_meanwhile{tree};
+    const fs::path program = program_binary(tree, section, Whose::reference);
+    const std::string name = "the program of " + section.name;
+    if (!fs::exists(program))
+        throw Complaint{name + " is not built, so its output cannot be woven; ./course builds it."};
+    for (const fs::path &code : {tree.header(section), tree.program(section), tree.solution(section)})
+        if (fs::last_write_time(code) > fs::last_write_time(program))
+            throw Complaint{name + " is older than " + code.lexically_relative(tree.root).generic_string()
+                            + "; ./course builds it anew."};
+
+    const fs::path traces = tree.build / "weave" / section.name;
+    fs::create_directories(traces);
+    const Finished finished =
+        run({program.string(), "--out", traces.string()}, {.deadline = longest_program, .folder = traces});
+    if (finished.timed_out)
+        throw Complaint{name + " was stopped after 20 s; ./course run " + section.short_number()
+                        + " runs it without weaving."};
+    if (finished.code != 0)
+        throw Complaint{name + " stopped with exit code " + std::to_string(finished.code) + "; ./course run "
+                        + section.short_number() + " shows what it says."};
+    return finished.out;
+}
+
+std::string counted(int n, const std::string &thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
+
+class Command {
+  public:
+    Command(const Tree &tree_, bool check_) : tree{tree_}, check{check_} {}
+
+    void section(const Section &section) {
+        const bool readable = page(page_of(tree, section));
+        if (check && readable) add(missing_parts(tree, section));
+        ++chapters;
+    }
+
+    /// What is about no section: the book's front page, and the links of the pages beside it.
+    void root() {
+        if (fs::exists(tree.root / "book.md")) page(page_of_book(tree));
+        for (const auto &entry : fs::directory_iterator{tree.root})
+            if (check && entry.path().extension() == ".md" && entry.path().filename() != "book.md")
+                add(dead_links(entry.path(), tree.root));
+    }
+
+    void finish() {
+        std::sort(findings.begin(), findings.end());
+        for (const Finding &finding : findings)
+            std::cout << name_of(finding.file) << ':' << finding.line << ": " << finding.message << '\n';
+        if (!findings.empty()) throw Leave{something_to};
+        if (!changed)
+            std::cout << counted(chapters, "chapter") << ", " << counted(listings, "listing") << ", "
+                      << counted(outputs, "output") << ": as the code says\n";
+    }
+
+  private:
+    std::string name_of(const fs::path &file) const { return file.lexically_relative(tree.root).generic_string(); }
+    void add(const std::vector<Finding> &more) { findings.insert(findings.end(), more.begin(), more.end()); }
+
+    /// Whether the page could be read, with all its fences.
+    bool page(const Page &page) {
+        const Woven woven = weave(tree, page, read_file(page.file), [this](const Section &section) {
+            const auto known = printed.find(section.name);
+            return known != printed.end() ? known->second : printed[section.name] = output_of(tree, section);
+        });
+        add(woven.findings);
+        if (woven.broken) return false;
+        if (check) {
+            add(woven.differences);
+            add(dead_links(page.file, tree.root));
+        } else if (write_file(page.file, woven.text)) {
+            changed = true;
+            std::cout << "woven: " << name_of(page.file) << ", "
+                      << counted(static_cast<int>(woven.differences.size()), "block") << " changed\n";
+        }
+        listings += woven.listings;
+        outputs += woven.outputs;
+        return true;
+    }
+
+    const Tree &tree;
+    const bool check;
+    std::map<std::string, std::string> printed; ///< by section: each program runs once
+    std::vector<Finding> findings;
+    int chapters = 0, listings = 0, outputs = 0;
+    bool changed = false;
+};
+
+} // namespace
+
+void add_weave(CLI::App &app, const Tree &tree) {
+    const auto options = std::make_shared<WeaveOptions>();
+    CLI::App *command = app.add_subcommand("weave", "Bring the book's listings and outputs up to date from the code");
+    command->add_option("section", options->sections, "Their chapters only; without any, the whole book");
+    command->add_flag("--check", options->check,
+                      "Change nothing: say what is out of date, is missing, or leads nowhere");
+    command->footer("Example: ./course weave 7\n         ./course weave --check");
+    command->callback([&tree, options] {
+        std::vector<Section> sections;
+        for (const std::string &words : options->sections) sections.push_back(tree.section(words));
+        Command weave{tree, options->check};
+        for (const Section &section : sections.empty() ? tree.sections() : sections) weave.section(section);
+        if (sections.empty()) weave.root();
+        weave.finish();
+    });
+}
+
+} // namespace course

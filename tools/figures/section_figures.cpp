@@ -1,0 +1,119 @@
+#include "figures/section_figures.hpp"
+
+#include "figures/trace.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
+#include "loop/programs.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<fs::path> files_in(const fs::path &folder) {
+    std::vector<fs::path> files;
+    for (const auto &entry : fs::directory_iterator{folder}) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+fs::path published(const Figure &figure, const char *kind) { return fs::path{figure.script}.replace_extension(kind); }
+
+std::string in_plots(const fs::path &file) { return "plots/" + file.filename().string(); }
+
+/// How the kept trace differs from today's; "" if it does not.
+std::string difference_of(const Figure &figure) {
+    const fs::path kept = published(figure, ".tsv");
+    const Trace now = read_trace(figure.trace, figure.trace.filename().string());
+    return difference(read_trace(kept, in_plots(kept)), now, in_plots(kept));
+}
+
+/// Whether there is no kept trace, or none that is still true.
+bool is_outdated(const Figure &figure) {
+    try {
+        return !difference_of(figure).empty();
+    } catch (const TraceFault &) {
+        return true;
+    }
+}
+
+/// A measurement is never the same twice, so its trace is kept, and no program writes it.
+fs::path trace_of(const Tree &tree, const Section &section, const fs::path &script) {
+    if (script.filename().string().starts_with(section.name + "_measured_"))
+        return fs::path{script}.replace_extension(".tsv");
+    return reference_traces(tree, section) / (script.stem().string() + ".tsv");
+}
+
+} // namespace
+
+std::vector<Figure> figures_of(const Tree &tree, const Section &section) {
+    std::vector<Figure> figures;
+    for (const fs::path &file : files_in(tree.root / "plots"))
+        if (file.extension() == ".gp" && file.filename().string().starts_with(section.name + "_"))
+            figures.push_back({file, trace_of(tree, section, file), {}});
+    return figures;
+}
+
+fs::path drawn(const Tree &tree, const Figure &figure) { return tree.build / "plots" / (figure.name() + ".svg"); }
+
+void draw_figures(const Tree &tree, const Section &section) {
+    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", section.name + "_figures"});
+    if (built.code == 0) return;
+    const std::string printed = built.out + '\n' + built.err;
+    std::istringstream lines{printed};
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("course: ")) throw Complaint{line.substr(8)}; // `course draw` has said it
+    const std::string error = first_error(printed);
+    throw Complaint{"the figures of " + section.name
+                    + " cannot be drawn: " + (error.empty() ? "see cmake --build " + tree.build.string() : error)};
+}
+
+std::vector<fs::path> publish(const Tree &tree, const Section &section) {
+    std::vector<fs::path> changed;
+    const auto put = [&](const fs::path &file, const std::string &text) {
+        if (write_file(file, text)) changed.push_back(file);
+    };
+    for (const Figure &figure : figures_of(tree, section)) {
+        put(published(figure, ".svg"), read_file(drawn(tree, figure)));
+        if (is_outdated(figure))
+            put(published(figure, ".tsv"), rounded(read_trace(figure.trace, figure.trace.filename().string())));
+    }
+    return changed;
+}
+
+std::vector<std::string> outdated(const Tree &tree, const Section &section) {
+    std::vector<std::string> found;
+    for (const Figure &figure : figures_of(tree, section)) {
+        for (const char *kind : {".svg", ".tsv"})
+            if (!fs::exists(published(figure, kind)))
+                found.push_back(in_plots(published(figure, kind)) + " is not there");
+        if (!fs::exists(published(figure, ".tsv"))) continue;
+        try {
+            if (const std::string text = difference_of(figure); !text.empty()) found.push_back(text);
+        } catch (const TraceFault &fault) {
+            found.push_back(fault.what());
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> strays(const Tree &tree) {
+    const std::vector<Section> sections = tree.sections();
+    std::vector<std::string> found;
+    for (const fs::path &file : files_in(tree.root / "plots")) {
+        const std::string name = file.filename().string();
+        if (name == "style.gp" || !(name.ends_with(".gp") || name.ends_with(".svg") || name.ends_with(".tsv")))
+            continue;
+        const bool known = std::any_of(sections.begin(), sections.end(),
+                                       [&](const Section &section) { return name.starts_with(section.name + "_"); });
+        if (!known) found.push_back("plots/" + name + " belongs to no section: name it NN_slug_<figure>, or remove it");
+        else if (!fs::exists(fs::path{file}.replace_extension(".gp")))
+            found.push_back("plots/" + name + " has no script: write plots/" + file.stem().string()
+                            + ".gp, or remove it");
+    }
+    return found;
+}
+
+} // namespace course

@@ -1,0 +1,81 @@
+#include "ground/files.hpp"
+
+#include "ground/complaint.hpp"
+#include "ground/process.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace course {
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path &path) {
+    std::ifstream file{path, std::ios::binary};
+    if (!file || fs::is_directory(path))
+        throw Complaint{"cannot read " + path.string() + ": is it there, and yours to read?"};
+    return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+namespace {
+
+[[noreturn]] void refuse(const fs::path &path, int error) {
+    const std::string where = "cannot write " + path.string() + ": ";
+    if (error == ENOSPC || error == EDQUOT || error == EFBIG)
+        throw Complaint{where + "the disk is full; make some room and try again. The old file is as it was."};
+    throw Complaint{where + std::strerror(error) + "; make " + path.parent_path().string()
+                    + " writable, or run this as its owner."};
+}
+
+/// Everything or an error number.
+int write_all(int file, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = ::write(file, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
+}
+
+/// What a new file may be opened with, unless the old one says otherwise.
+mode_t mode_for(const fs::path &path) {
+    struct stat old {};
+    if (::stat(path.c_str(), &old) == 0) return old.st_mode & 07777;
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+}
+
+} // namespace
+
+bool write_file(const fs::path &wanted, std::string_view text) {
+    std::error_code ignored;
+    fs::path path = wanted;
+    for (int links = 0; links < 40 && fs::is_symlink(path, ignored); ++links) // keep the link, write what it names
+        path = path.parent_path() / fs::read_symlink(path, ignored);
+    if (fs::is_regular_file(path, ignored) && read_file(path) == text) return false;
+
+    std::error_code trouble;
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), trouble);
+    if (trouble) refuse(path, trouble.value());
+
+    const Undisturbed by_signals;                  // Ctrl-C in between would leave the draft lying about
+    std::string draft = path.string() + ".XXXXXX"; // in the same folder, so that the rename is one step
+    const int file = ::mkstemp(draft.data());
+    if (file < 0) refuse(path, errno);
+    int error = write_all(file, text);
+    if (::fchmod(file, mode_for(path)) != 0 && error == 0) error = errno;
+    if (::close(file) != 0 && error == 0) error = errno;
+    if (error == 0 && std::rename(draft.c_str(), path.c_str()) != 0) error = errno;
+    if (error == 0) return true;
+    ::unlink(draft.c_str());
+    refuse(path, error);
+}
+
+} // namespace course

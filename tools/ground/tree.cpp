@@ -1,0 +1,118 @@
+#include "ground/tree.hpp"
+
+#include "book/contents.hpp"
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
+#include "ground/nearest.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <sstream>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+/// "Segment intersection" and "segment-intersection" mean segment_intersection.
+std::string plain(std::string_view words) {
+    std::string result{words};
+    for (char &c : result) {
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        if (c == ' ' || c == '-') c = '_';
+    }
+    return result;
+}
+
+/// Whether a path leads to a file or folder of the section: exercises/07_x.cpp, chapters/07_x/, plots/07_x_y.gp.
+bool leads_to(const fs::path &path, const Section &section) {
+    return std::any_of(path.begin(), path.end(), [&](const fs::path &part) {
+        const std::string stem = part.stem().string();
+        return stem == section.name || stem.starts_with(section.name + "_");
+    });
+}
+
+std::string listed(const std::vector<Section> &sections) {
+    std::string result;
+    for (std::size_t i = 0; i < sections.size(); ++i)
+        result += (i == 0 ? "" : i + 1 == sections.size() ? " or " : ", ") + sections[i].name;
+    return result;
+}
+
+/// " Did you mean `07_segment_intersection`?": the section whose name or a word of its name is nearest to what was
+/// typed; for a number, the nearest number.
+std::string did_you_mean_section(const std::string &typed, const std::vector<Section> &sections) {
+    Section best = sections.front();
+    if (!typed.empty() && std::isdigit(static_cast<unsigned char>(typed[0])) != 0 && typed.size() < 5) {
+        const auto away = [wanted = std::stoi(typed)](const Section &s) { return std::abs(s.number() - wanted); };
+        for (const Section &s : sections)
+            if (away(s) < away(best)) best = s;
+    } else {
+        std::vector<std::string> words;
+        for (const Section &s : sections) {
+            words.insert(words.end(), {s.name, s.slug()});
+            std::istringstream parts{s.slug()};
+            for (std::string part; std::getline(parts, part, '_');) words.push_back(part);
+        }
+        const std::string word = nearest(typed, words);
+        if (word.empty()) return "";
+        for (const Section &s : sections)
+            if (s.name.find(word) != std::string::npos) best = s;
+    }
+    return " Did you mean `" + best.name + "`?";
+}
+
+} // namespace
+
+std::vector<Section> Tree::sections() const {
+    static const std::regex line{R"(^[ \t]*section\([ \t]*(\d\d_[a-z][a-z0-9_]*)[ \t]*\))"};
+    std::vector<Section> result;
+    std::istringstream text{read_file(root / "CMakeLists.txt")};
+    for (std::string row; std::getline(text, row);)
+        if (std::smatch found; std::regex_search(row, found, line)) result.push_back({found[1]});
+    return result;
+}
+
+Section Tree::section(std::string_view words) const {
+    const std::vector<Section> all = sections();
+    if (all.empty())
+        throw Complaint{"CMakeLists.txt names no section; a line like section(07_segment_intersection) does"};
+
+    static const std::regex number{R"(0*(\d{1,2})(\.\d+)?)"};
+    std::vector<Section> meant;
+    const auto those = [&](const auto &fits) {
+        if (meant.empty()) std::copy_if(all.begin(), all.end(), std::back_inserter(meant), fits);
+    };
+    const std::string typed{words}, part = plain(words);
+    if (std::smatch found; std::regex_match(typed, found, number)) {
+        those([&](const Section &s) { return s.short_number() == found[1]; });
+    } else if (!part.empty()) {
+        those([&](const Section &s) { return part == s.name || part == s.slug() || leads_to(typed, s); });
+        those([&](const Section &s) { return s.name.find(part) != std::string::npos; });
+    }
+    if (meant.size() == 1) return meant.front();
+    if (meant.size() > 1)
+        throw Complaint{"`" + typed + "` may be " + listed(meant) + ": type its number, or more of its name"};
+    if (std::smatch found; std::regex_match(typed, found, number)) {
+        const fs::path book = root / "book.md";
+        const std::string title = fs::exists(book) ? title_to_come(read_file(book), std::stoi(found[1])) : "";
+        if (!title.empty())
+            throw Complaint{"section " + found[1].str() + ", " + title
+                            + ", is still to come; `./course list` shows those that are here"};
+    }
+    throw Complaint{"there is no section `" + typed + "`." + did_you_mean_section(part, all)
+                    + " `./course list` shows them all"};
+}
+
+std::string Tree::shown(const fs::path &file) const {
+    const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(root.lexically_normal());
+    return inside.empty() || *inside.begin() == ".." ? file.string() : inside.generic_string();
+}
+
+fs::path Tree::written_exercise(const Section &s) const {
+    if (fs::exists(exercise(s))) return exercise(s);
+    throw Complaint{exercise(s).lexically_relative(root).generic_string() + " is not there; `./course reset "
+                    + s.short_number() + "` brings the empty one back."};
+}
+
+} // namespace course

@@ -1,0 +1,81 @@
+#include "loop/catalogue.hpp"
+
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
+#include "ground/nearest.hpp"
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+namespace course {
+namespace {
+
+std::filesystem::path file_of(const Tree &tree, const Section &section) {
+    return tree.build / "catalogue" / (section.name + ".json");
+}
+
+std::string numbers(const std::vector<Exercise> &exercises) {
+    std::string result;
+    for (const Exercise &e : exercises) result += (result.empty() ? "" : ", ") + e.number;
+    return result;
+}
+
+/// "7.2" in a section that is there: the exercise, or which ones there are.
+FoundExercise by_number(const Tree &tree, const std::string &number) {
+    const Section section = tree.section(number);
+    const std::vector<Exercise> exercises = catalogue(tree, section);
+    for (const Exercise &e : exercises)
+        if (e.number == number) return {section, e};
+    throw Complaint{"there is no exercise " + number + "; section " + section.short_number() + " has "
+                    + numbers(exercises)};
+}
+
+FoundExercise by_function(const Tree &tree, const std::string &word) {
+    std::vector<std::string> functions;
+    for (const Section &section : tree.sections()) {
+        if (!is_built(tree, section)) continue;
+        for (const Exercise &e : catalogue(tree, section)) {
+            if (e.function == word) return {section, e};
+            functions.push_back(e.function);
+        }
+    }
+    throw Complaint{"there is no exercise `" + word + "`." + did_you_mean(word, functions)
+                    + " An exercise is named by its number, as 7.2, or its function; `./course list` shows them all"};
+}
+
+} // namespace
+
+bool is_built(const Tree &tree, const Section &section) { return std::filesystem::exists(file_of(tree, section)); }
+
+std::vector<Exercise> catalogue(const Tree &tree, const Section &section) {
+    const std::filesystem::path file = file_of(tree, section);
+    if (!is_built(tree, section)) throw Complaint{section.name + " is not built yet: type ./course, which builds all"};
+    const auto found = nlohmann::json::parse(read_file(file), nullptr, false);
+    std::vector<Exercise> result;
+    try {
+        for (const auto &e : found.at("exercises")) result.push_back({e.at("number"), e.at("tier"), e.at("function")});
+    } catch (const nlohmann::json::exception &) {
+        throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes it anew"};
+    }
+    return result;
+}
+
+bool is_number_of_exercise(const std::string &words) {
+    static const std::regex number{R"(\d+\.\d+)"};
+    return std::regex_match(words, number);
+}
+
+FoundExercise find_exercise(const Tree &tree, std::string_view words) {
+    const std::string typed{words};
+    if (is_number_of_exercise(typed)) return by_number(tree, typed.substr(typed.find_first_not_of('0')));
+
+    static const std::regex whole{R"(0*(\d+))"};
+    if (std::regex_match(typed, whole)) {
+        const Section section = tree.section(typed);
+        throw Complaint{"which exercise of section " + section.short_number() + "? It has "
+                        + numbers(catalogue(tree, section))};
+    }
+    return by_function(tree, typed);
+}
+
+} // namespace course

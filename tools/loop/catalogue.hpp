@@ -1,0 +1,35 @@
+#pragma once
+#include "ground/tree.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// One exercise, as its section's tests know it.
+struct Exercise {
+    std::string number;   ///< "7.2"
+    std::string tier;     ///< core, stretch or challenge
+    std::string function; ///< "crosses"
+};
+
+/// Whether there is a catalogue: a section that has just come with an update is not built yet.
+bool is_built(const Tree &tree, const Section &section);
+
+/// The exercises of a section, in order: what its tests printed when they were built.
+/// @throws Complaint if the section is not built yet.
+std::vector<Exercise> catalogue(const Tree &tree, const Section &section);
+
+/// Whether these words can only mean an exercise: "7.2".
+bool is_number_of_exercise(const std::string &words);
+
+/// The exercise meant by "7.2" or by a function's name, with its section.
+/// @throws Complaint offering the nearest one.
+struct FoundExercise {
+    Section section;
+    Exercise exercise;
+};
+FoundExercise find_exercise(const Tree &tree, std::string_view words);
+
+} // namespace course

@@ -1,0 +1,39 @@
+#pragma once
+// What a compiler and a linker print, as one thing to mend.
+
+#include "verdict/shared/verdict.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// Says what is wrong with a file before any compiler sees it: nothing in it, or no text.
+/// @param number  of the section, for the way back
+std::optional<Verdict> diagnose_text(std::string_view text, const std::string &shown_name, const std::string &number);
+
+/// The first error, with its line of code; how many more there are.
+/// @param errors  what the compiler printed
+/// @param file, shown_name  the student's file, and how to call it
+Verdict diagnose_compiler(std::string_view errors, const std::filesystem::path &file, const std::string &shown_name);
+
+/// Warnings, one line each, without those that only explain another.
+std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
+                                       const std::string &shown_name);
+
+/// Where something stands below a `throw course::NotYet` in the same braces, which is never reached: a line each, as
+/// warnings are.
+std::vector<std::string> find_unreached(std::string_view text, const std::string &shown_name);
+
+/// An own `main`, a helper that is declared and never defined, something defined twice.
+Verdict diagnose_linker(std::string_view errors, const std::string &shown_name, const std::string &number);
+
+/// What helps somebody whose file lacks a function, to be put behind that sentence: how the header declares it, and what
+/// the file has instead, a function of that name with other parameters or in another namespace, or one misspelt.
+/// @param symbols  what `nm -C --defined-only` printed of the student's object
+/// @param header   the text of the section's header
+std::string explain_missing(std::string_view symbols, const std::string &header, const std::string &function);
+
+} // namespace course

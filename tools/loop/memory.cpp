@@ -1,0 +1,105 @@
+#include "loop/memory.hpp"
+
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
+
+#include <cstdint>
+#include <ctime>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+using nlohmann::json;
+
+fs::path progress_file(const Tree &tree) { return tree.memory() / "progress.json"; }
+fs::path hints_file(const Tree &tree) { return tree.memory() / "hints.json"; }
+
+/// The object in the file; an empty one if there is none, or it is broken.
+json load(const fs::path &path) {
+    json found;
+    try {
+        found = json::parse(read_file(path), nullptr, false);
+    } catch (const Complaint &) { // not there, or not ours to read
+    }
+    return found.is_object() ? found : json::object();
+}
+
+void store(const fs::path &path, const json &memory) {
+    try {
+        write_file(path, memory.dump(2, ' ', false, json::error_handler_t::replace) + '\n');
+    } catch (const Complaint &complaint) {
+        std::cerr << "course: this is not remembered: " << complaint.what() << '\n';
+    }
+}
+
+std::string word(const json &object, const char *key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::string now(const char *format, bool utc) {
+    const std::time_t seconds = std::time(nullptr);
+    std::ostringstream text;
+    std::tm parts{};
+    text << std::put_time(utc ? ::gmtime_r(&seconds, &parts) : ::localtime_r(&seconds, &parts), format);
+    return text.str();
+}
+
+} // namespace
+
+void remember(const Tree &tree, const Section &section, const std::vector<ExerciseState> &states) {
+    json progress = load(progress_file(tree));
+    json &memories = progress[section.name];
+    if (!memories.is_object()) memories = json::object();
+    const std::string file = fingerprint(tree.exercise(section)), when = now("%Y-%m-%dT%H:%M:%SZ", true);
+    for (const ExerciseState &s : states) memories[s.number] = {{"state", s.state}, {"file", file}, {"when", when}};
+    store(progress_file(tree), progress);
+}
+
+std::map<std::string, Memory> recall(const Tree &tree, const Section &section) {
+    const json progress = load(progress_file(tree));
+    std::map<std::string, Memory> result;
+    const auto memories = progress.find(section.name);
+    if (memories == progress.end() || !memories->is_object()) return result;
+    for (const auto &[number, memory] : memories->items())
+        if (!word(memory, "state").empty()) // a memory that is no object has no words
+            result[number] = {word(memory, "state"), word(memory, "file"), word(memory, "when")};
+    return result;
+}
+
+int rungs_shown(const Tree &tree, const std::string &number) {
+    const json hints = load(hints_file(tree));
+    const auto found = hints.find(number);
+    return found != hints.end() && found->is_number_unsigned() && *found < 1000 ? found->get<int>() : 0;
+}
+
+void remember_rungs(const Tree &tree, const std::string &number, int shown) {
+    json hints = load(hints_file(tree));
+    hints[number] = shown < 0 ? 0u : static_cast<unsigned>(shown);
+    store(hints_file(tree), hints);
+}
+
+std::string fingerprint(const fs::path &file) {
+    if (!fs::is_regular_file(file)) return "";
+    std::uint64_t hash = 0xcbf29ce484222325; // FNV-1a: no secret, only a change
+    for (char c : read_file(file)) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    std::ostringstream digits;
+    digits << std::hex << std::setfill('0') << std::setw(16) << hash;
+    return digits.str();
+}
+
+fs::path keep_copy(const Tree &tree, const Section &section) {
+    const fs::path folder = tree.memory() / "kept";
+    const std::string name = section.name + now("-%Y-%m-%d-%H%M%S", false);
+    fs::path copy = folder / (name + ".cpp");
+    for (int more = 2; fs::exists(copy); ++more) copy = folder / (name + '-' + std::to_string(more) + ".cpp");
+    write_file(copy, read_file(tree.exercise(section)));
+    return copy;
+}
+
+} // namespace course

@@ -1,0 +1,45 @@
+#pragma once
+// What the course remembers of its student, in <root>/.course/: how each exercise stood when it was last judged, how
+// many rungs of its hints have been shown, and copies of files that `reset` replaced.
+// All of it may be missing or broken: then nothing is remembered, and nothing fails.
+
+#include "ground/tree.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// How an exercise stands: "passed", "not started", or whatever the verdict called it.
+struct ExerciseState {
+    std::string number; ///< "7.2"
+    std::string state;
+};
+
+/// What is remembered of one exercise.
+struct Memory {
+    std::string state;
+    std::string file; ///< fingerprint of the student's file at that time
+    std::string when; ///< UTC, "2026-11-21T10:04:55Z"
+};
+
+/// Remembers how these exercises stand, with the student's file as it is now; others stay as they were.
+/// A folder that cannot be written costs the memory, and a line on stderr, but not the command.
+void remember(const Tree &tree, const Section &section, const std::vector<ExerciseState> &states);
+
+/// What is remembered of a section's exercises, by number.
+std::map<std::string, Memory> recall(const Tree &tree, const Section &section);
+
+/// How many rungs of an exercise's hints have been shown.
+int rungs_shown(const Tree &tree, const std::string &number);
+void remember_rungs(const Tree &tree, const std::string &number, int shown);
+
+/// Sixteen digits that change when a file does; "" if there is none.
+std::string fingerprint(const std::filesystem::path &file);
+
+/// Copies the student's file to .course/kept/, under a name with date and time that no other copy has.
+/// @return where the copy is
+std::filesystem::path keep_copy(const Tree &tree, const Section &section);
+
+} // namespace course

@@ -1,0 +1,141 @@
+#include "loop/programs.hpp"
+
+#include "ground/complaint.hpp"
+#include "loop/diagnosis.hpp"
+
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <regex>
+#include <sstream>
+
+namespace course {
+namespace fs = std::filesystem;
+
+fs::path reference_traces(const Tree &tree, const Section &section) { return tree.build / "traces" / section.name; }
+
+fs::path student_traces(const Tree &tree, const Section &section) {
+    return tree.build / "mine" / "traces" / section.name;
+}
+
+fs::path program_binary(const Tree &tree, const Section &section, Whose whose) {
+    return tree.build / (whose == Whose::student ? "mine" : "chapters") / section.name;
+}
+
+std::string said_of(const Finished &finished, const std::string &trace) {
+    std::istringstream lines{finished.err};
+    for (std::string line; std::getline(lines, line);)
+        for (const std::string kind : {"not started: ", "error: "})
+            if (line.starts_with(kind + trace + ": ")) return kind + line.substr(kind.size() + trace.size() + 2);
+    return "";
+}
+
+std::string first_error(const std::string &printed) {
+    static const std::regex undefined{R"(undefined reference to [`'](.*)')"};
+    static const std::array marks{undefined, std::regex{"multiple definition of"}, std::regex{"error: "},
+                                  std::regex{R"(^[^ ]+:\d+:\d+: )"}}; // a compiler that speaks another language
+    for (const std::regex &mark : marks) {
+        std::istringstream lines{printed};
+        for (std::string line; std::getline(lines, line);) {
+            if (!std::regex_search(line, mark)) continue;
+            if (std::smatch found; std::regex_search(line, found, undefined))
+                return found[1].str() + " is not defined; has its name or its signature changed?";
+            return line;
+        }
+    }
+    return "";
+}
+
+namespace {
+
+std::string last_line(const std::string &text) {
+    const auto end = text.find_last_not_of(" \r\n");
+    if (end == std::string::npos) return "";
+    const auto start = text.find_last_of('\n', end);
+    return text.substr(start + 1, end - start); // npos + 1 is 0
+}
+
+/// How a student's program ended, if not well. A part that could not run has said so itself: chapters/program.hpp.
+std::string student_trouble(const Section &section, const Finished &finished, double deadline) {
+    const std::string check = "`./course check " + section.short_number() + "`";
+    if (finished.timed_out)
+        return "your program was stopped after " + std::to_string(std::lround(deadline)) + " s, it would not end; "
+               + check + " says which function it is in";
+    if (finished.code > 128)
+        return "your program " + meaning_of_signal(finished.code - 128) + "; " + check + " says in which function";
+    if (finished.code == 0) return "";
+    const auto says = [&](const char *kind) { return finished.err.find(kind) != std::string::npos; };
+    if (finished.code == 1 && says("error: "))
+        return "some parts of the program failed, because one of your functions threw; " + check + " shows which";
+    if (finished.code == 1 && says("not started: "))
+        return "some parts of the program need functions that are not started; " + check + " shows which";
+    const std::string said = last_line(finished.err);
+    return "your program left with exit code " + std::to_string(finished.code)
+           + (said.empty() ? " and without a word" : ", and its last words were \"" + said + "\"") + "; " + check
+           + " shows what is wrong";
+}
+
+/// An empty folder, so that no trace of an earlier run is taken for one of this run.
+void empty_folder(const fs::path &folder) {
+    std::error_code trouble;
+    fs::remove_all(folder, trouble);
+    fs::create_directories(folder, trouble);
+    if (trouble)
+        throw Complaint{"cannot write " + folder.string() + ": " + trouble.message()
+                        + "; make the build folder writable, or run this as its owner."};
+}
+
+Finished build(const Tree &tree, const std::string &target) {
+    return run({"cmake", "--build", tree.build.string(), "--target", target});
+}
+
+/// What keeps a student's program from being built, in the words of `course check`.
+std::string student_error(const Tree &tree, const Section &section, const std::string &printed) {
+    const fs::path file = tree.exercise(section);
+    const std::string name = file.lexically_relative(tree.root).generic_string();
+    Verdict verdict = diagnose_compiler(printed, file, name);
+    if (verdict.line == 0) verdict = diagnose_linker(printed, name, section.short_number());
+    return (verdict.line == 0 ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ") + verdict.sentence;
+}
+
+/// Starts what follows with limits, so that a function gone wild cannot take the machine with it: no core file, files
+/// of 100 MB, 4 GB of memory. (An address sanitizer reserves more than there is, and must not be limited.)
+#if defined(__SANITIZE_ADDRESS__)
+constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; exec \"$@\"";
+#else
+constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; ulimit -v 4000000 2>/dev/null; exec \"$@\"";
+#endif
+
+Ran run_student(const Tree &tree, const Section &section, const fs::path &traces, double deadline) {
+    tree.written_exercise(section);
+    if (const Finished built = build(tree, section.name + "_mine"); built.code != 0)
+        return {
+            false, {}, "your program cannot be built: " + student_error(tree, section, built.out + '\n' + built.err)};
+    empty_folder(traces);
+    const std::string program = program_binary(tree, section, Whose::student).string();
+    const Finished finished = run({"sh", "-c", limited, "sh", program, "--out", traces.string()},
+                                  {.quiet = true, .deadline = deadline, .folder = traces});
+    return {true, finished, student_trouble(section, finished, deadline)};
+}
+
+Ran run_reference(const Tree &tree, const Section &section, const fs::path &traces) {
+    if (const Finished built = build(tree, section.name); built.code != 0)
+        return {false,
+                {},
+                "the program of " + section.name + " cannot be built: " + first_error(built.out + '\n' + built.err)};
+    std::error_code ignored;
+    fs::create_directories(traces, ignored); // the program says so if it cannot write
+    const Finished finished = run({program_binary(tree, section, Whose::reference).string(), "--out", traces.string()});
+    if (finished.code == 0) return {true, finished, ""};
+    return {true, finished, "the program of " + section.name + " left with exit code " + std::to_string(finished.code)};
+}
+
+} // namespace
+
+Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs::path &traces, double deadline) {
+    const fs::path folder = fs::absolute(traces);
+    return whose == Whose::student ? run_student(tree, section, folder, deadline)
+                                   : run_reference(tree, section, folder);
+}
+
+} // namespace course

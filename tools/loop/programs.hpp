@@ -1,0 +1,46 @@
+#pragma once
+// A section's program, the reference's or the student's: where it is, building it, running it, and what it did, in one
+// sentence. `course run` and `course plot` share this.
+
+#include "ground/process.hpp"
+#include "ground/tree.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace course {
+
+/// Whose functions a section's program is linked with.
+enum class Whose { reference, student };
+
+/// Where the reference's program writes its traces, one `NN_slug_<figure>.tsv` for each figure.
+std::filesystem::path reference_traces(const Tree &tree, const Section &section);
+
+/// The same for the student's program; it is emptied before each run.
+std::filesystem::path student_traces(const Tree &tree, const Section &section);
+
+/// Where the built program is.
+std::filesystem::path program_binary(const Tree &tree, const Section &section, Whose whose);
+
+/// What became of a program that was built and run.
+struct Ran {
+    bool started = false; ///< false if it could not be built
+    Finished finished;    ///< exit code and what it printed, if it was started
+    std::string trouble;  ///< one sentence with its remedy; empty if all went well
+};
+
+/// Builds the program where its sources are newer and runs it with `--out traces`, the student's with limits and for
+/// at most `deadline` [s].
+/// What a student's file does (not compile, hang, crash, stop early) is told in `trouble`. The caller holds the Lock.
+/// @throws Complaint if the exercise is not there, if a folder cannot be written, or if cmake is missing.
+Ran run_program(const Tree &tree, const Section &section, Whose whose, const std::filesystem::path &traces,
+                double deadline = 10);
+
+/// What the program said of the part that writes this trace: "not started: ..." or "error: ...", without the part's
+/// name; "" if it said nothing.
+std::string said_of(const Finished &finished, const std::string &trace);
+
+/// The first error of a compiler or linker in what a build printed, shortened to one line; "" if there is none.
+std::string first_error(const std::string &printed);
+
+} // namespace course

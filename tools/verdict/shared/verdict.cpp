@@ -1,0 +1,177 @@
+#include "verdict/shared/verdict.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+namespace course {
+
+namespace {
+constexpr std::array<std::string_view, 16> names = {
+    "passed",
+    "wrong",
+    "not started",
+    "does not compile",
+    "does not link",
+    "function missing",
+    "threw",
+    "crashed",
+    "out of memory",
+    "too long",
+    "ended the program",
+    "not a number",
+    "answered out of turn",
+    "left a process",
+    "printed too much",
+    "no verdict",
+};
+static_assert(names.size() == static_cast<std::size_t>(Kind::no_verdict) + 1);
+} // namespace
+
+std::string_view name_of(Kind kind) { return names.at(static_cast<std::size_t>(kind)); }
+
+void to_json(nlohmann::json &json, const Verdict &v) {
+    json = {{"exercise", v.exercise}, {"test", v.test},       {"kind", name_of(v.kind)},       {"sentence", v.sentence},
+            {"got", v.got},           {"want", v.want},       {"tolerance", v.tolerance},      {"file", v.file},
+            {"line", v.line},         {"printed", v.printed}, {"printed_more", v.printed_more}};
+    if (v.call)
+        json["call"] = {{"function", v.call->function},
+                        {"arguments", v.call->arguments},
+                        {"before", v.call->before},
+                        {"answer", v.call->answer}};
+}
+
+void from_json(const nlohmann::json &json, Verdict &v) {
+    const std::string kind = json.at("kind");
+    const auto found = std::find(names.begin(), names.end(), kind);
+    v.kind = found == names.end() ? Kind::no_verdict : static_cast<Kind>(found - names.begin());
+    json.at("exercise").get_to(v.exercise);
+    json.at("test").get_to(v.test);
+    json.at("sentence").get_to(v.sentence);
+    json.at("got").get_to(v.got);
+    json.at("want").get_to(v.want);
+    json.at("tolerance").get_to(v.tolerance);
+    json.at("file").get_to(v.file);
+    json.at("line").get_to(v.line);
+    json.at("printed").get_to(v.printed);
+    json.at("printed_more").get_to(v.printed_more);
+    if (const auto call = json.find("call"); call != json.end())
+        v.call = Call{call->at("function"), call->at("arguments"), call->at("before"), call->at("answer")};
+}
+
+std::string explain(const Verdict &v, int indent) {
+    const std::string margin(static_cast<std::size_t>(indent), ' ');
+    std::string text;
+    const auto say = [&](const std::string &line) { text += margin + line + '\n'; };
+
+    if (!v.sentence.empty()) say(v.sentence);
+    const bool nothing_to_see = v.kind == Kind::not_started || v.kind == Kind::missing; // no input is to blame
+    if (v.call && !nothing_to_see) {
+        say("call  " + v.call->function + "()" + (v.call->arguments.empty() ? "" : " with")
+            + (v.call->before == 0 ? "" : "   (call " + std::to_string(v.call->before + 1) + " of this test)"));
+        for (const auto &argument : v.call->arguments) say("        " + argument);
+        if (!v.call->answer.empty() && v.call->answer != v.got) say("gave  " + v.call->answer);
+    }
+    if (!v.got.empty()) say("got   " + v.got);
+    if (!v.want.empty()) say("want  " + v.want + (v.tolerance.empty() ? "" : " ± " + v.tolerance));
+    if (!v.file.empty() && !nothing_to_see) say("see   " + v.file + ':' + std::to_string(v.line));
+    if (!v.printed.empty()) {
+        say("It printed:");
+        for (const auto &line : v.printed) say("  | " + line);
+        if (v.printed_more > 0)
+            say("  | … and " + std::to_string(v.printed_more) + (v.printed_more == 1 ? " more line" : " more lines"));
+    }
+    return text;
+}
+
+namespace {
+
+/// Bytes of the well-formed UTF-8 character that `text` begins with; 0 if it is none.
+std::size_t utf8_length(std::string_view text) {
+    const auto byte = static_cast<unsigned char>(text.front());
+    const std::size_t length = byte < 0x80                   ? 1
+                               : byte >= 0xC2 && byte < 0xE0 ? 2
+                               : byte >= 0xE0 && byte < 0xF0 ? 3
+                               : byte >= 0xF0 && byte < 0xF5 ? 4
+                                                             : 0;
+    if (length == 0 || length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) return 0;
+    return length;
+}
+
+std::string tidy_line(std::string_view line) {
+    constexpr int most = 160; // characters: two lines of a terminal
+    std::string text;
+    for (int shown = 0; !line.empty(); ++shown) {
+        if (shown == most) return text + "…";
+        const std::size_t length = utf8_length(line);
+        const bool control = length == 1 && (static_cast<unsigned char>(line.front()) < 0x20 || line.front() == 0x7F);
+        const bool c1 = length == 2 && line[0] == '\xC2' && static_cast<unsigned char>(line[1]) < 0xA0; // control, too
+        if (length == 0 || control || c1) text += line.front() == '\t' ? " " : "?";
+        else text += line.substr(0, length);
+        line.remove_prefix(length == 0 ? 1 : length);
+    }
+    return text;
+}
+
+} // namespace
+
+namespace {
+
+/// What a library says of a check that failed, without the name of the function, which fills the screen.
+std::string short_assertion(std::string_view line) {
+    const std::size_t at = line.find(" Assertion "), place = line.find(": ", line.find('/')),
+                      name = line.rfind('/', place);
+    if (at == line.npos || name == line.npos) return std::string{line};
+    return std::string{line.substr(name + 1, place - name)} + std::string{line.substr(at)};
+}
+
+} // namespace
+
+std::string meaning_of_signal(int signal) {
+    switch (signal) {
+    case SIGSEGV:
+    case SIGBUS:
+        return "crashed: it used memory that is not its own; an index beyond the end, a null pointer, or a function "
+               "that calls itself for ever";
+    case SIGABRT: return "was stopped by an uncaught exception, a failed assertion or a call of abort()";
+    case SIGFPE: return "crashed: it divided a whole number by zero";
+    case SIGILL:
+        return "crashed: it came to the end of a function without `return`, or to an instruction that this machine "
+               "lacks";
+    case SIGXFSZ: return "wrote too much, and was stopped; does it write in a loop that does not end?";
+    case SIGKILL: return "was killed from outside: it used up its memory or its time";
+    default: return "crashed (signal " + std::to_string(signal) + ", " + ::strsignal(signal) + ')';
+    }
+}
+
+std::string meaning_of_assertion(std::string_view printed) {
+    const std::size_t at = printed.find(" Assertion ");
+    if (at == printed.npos) return {};
+    const std::string_view said = printed.substr(at, printed.find('\n', at) - at);
+    const auto says = [&](std::string_view words) { return said.find(words) != said.npos; };
+    if (says("__n < this->size()") || says("index < size()")) return "an index beyond the end";
+    if (says("_M_is_engaged()")) return "the value of an empty std::optional";
+    if (says("!this->empty()")) return "an element of an empty vector";
+    if (says("!(__hi < __lo)")) return "std::clamp with its low end above its high end";
+    return "see below";
+}
+
+std::pair<std::vector<std::string>, std::size_t> tidy(std::string_view printed, std::size_t lines) {
+    std::vector<std::string> shown;
+    std::size_t more = 0;
+    while (!printed.empty()) {
+        const std::size_t end = std::min(printed.find('\n'), printed.size());
+        if (shown.size() < lines) shown.push_back(tidy_line(short_assertion(printed.substr(0, end))));
+        else ++more;
+        printed.remove_prefix(std::min(end + 1, printed.size()));
+    }
+    return {std::move(shown), more};
+}
+
+} // namespace course

@@ -1,0 +1,159 @@
+// Runs beside a student's code, in the student's process: reads calls, makes them, answers.
+// Compiled once for each section, whose header COURSE_SECTION names. All of it has internal linkage, and reading,
+// writing and leaving are bare system calls: nothing that a student defines, a `struct Server` or a global variable
+// `write`, can take their place.
+
+#include "verdict/student/missing.hpp"
+#include "verdict/student/serve.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cxxabi.h>
+#include <iostream>
+#include <new>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <typeinfo>
+#include <unistd.h>
+
+namespace {
+
+using namespace course::wire;
+#ifdef __linux__
+long system_write(int file, const void *data, std::size_t size) { return ::syscall(SYS_write, file, data, size); }
+long system_read(int file, void *data, std::size_t size) { return ::syscall(SYS_read, file, data, size); }
+[[noreturn]] void system_exit(int code) {
+    for (;;) ::syscall(SYS_exit_group, code);
+}
+#else
+long system_write(int file, const void *data, std::size_t size) { return ::write(file, data, size); }
+long system_read(int file, void *data, std::size_t size) { return ::read(file, data, size); }
+[[noreturn]] void system_exit(int code) { ::_exit(code); }
+#endif
+
+/// Whoever calls us has gone, or a student has closed the pipe: there is nobody to tell.
+void write_all(const char *data, std::size_t size) {
+    while (size > 0) {
+        const long written = system_write(reply_fd, data, size);
+        if (written <= 0) system_exit(pipe_is_gone);
+        data += written;
+        size -= static_cast<std::size_t>(written);
+    }
+}
+
+bool read_all(void *data, std::size_t size) {
+    char *to = static_cast<char *>(data);
+    while (size > 0) {
+        const long got = system_read(request_fd, to, size);
+        if (got <= 0) return false;
+        to += got;
+        size -= static_cast<std::size_t>(got);
+    }
+    return true;
+}
+
+std::uint32_t call_number = 0;
+
+void answer(Frame frame, const Writer &payload) {
+    const Header header{frame, call_number, static_cast<std::uint32_t>(payload.bytes.size())};
+    Writer message;
+    message.raw(&header, sizeof header);
+    message.bytes += payload.bytes;
+    write_all(message.bytes.data(), message.bytes.size());
+}
+
+void answer(Frame frame, std::string_view first, std::string_view second = {}) {
+    Writer payload;
+    payload.put(first);
+    payload.put(second);
+    answer(frame, payload);
+}
+
+/// The name of the exception in flight: `std::out_of_range`, `int`.
+std::string thrown_type() {
+    const std::type_info *type = abi::__cxa_current_exception_type();
+    if (type == nullptr) return "something unknown";
+    int status = 0;
+    char *name = abi::__cxa_demangle(type->name(), nullptr, nullptr, &status);
+    std::string text = status == 0 ? name : type->name();
+    std::free(name);
+    return text;
+}
+
+void make_call(const std::string &request) {
+    Reader in{request};
+    const auto exercise = in.take<std::uint32_t>();
+    if (!in.ok() || exercise >= exercises) system_exit(pipe_is_gone);
+    try {
+        Writer out;
+        served[exercise](in, out);
+        std::cout.flush(); // the student may have taken it off stdio
+        answer(Frame::result, out);
+    } catch (const course::Missing &) {
+        answer(Frame::missing, "");
+    } catch (const course::NotYet &hint) {
+        answer(Frame::not_yet, hint.what());
+    } catch (const std::invalid_argument &refusal) {
+        answer(Frame::refused, refusal.what());
+    } catch (const std::bad_alloc &) {
+        answer(Frame::no_memory, "");
+    } catch (const std::exception &error) {
+        answer(Frame::threw, thrown_type(), error.what());
+    } catch (const char *text) {
+        answer(Frame::threw, thrown_type(), text);
+    } catch (int number) {
+        answer(Frame::threw, thrown_type(), std::to_string(number));
+    } catch (...) {
+        answer(Frame::threw, thrown_type());
+    }
+}
+
+/// Says which kind of crash this is before it happens: from outside, a null pointer and a recursion without end look alike.
+void on_crash(int signal, siginfo_t *info, void *) {
+    const auto fault = reinterpret_cast<std::uintptr_t>(info->si_addr);
+    rlimit stack{};
+    ::getrlimit(RLIMIT_STACK, &stack);
+    const std::uintptr_t depth = reinterpret_cast<std::uintptr_t>(::environ) - fault; // the stack grows down from there
+    const bool ran_out = depth > stack.rlim_cur / 2 && depth < stack.rlim_cur + (1u << 20);
+    const struct {
+        Header header;
+        std::uint64_t fault;
+        std::uint32_t ran_out;
+    } message{{Frame::crashed, call_number, 12}, fault, ran_out};
+    write_all(reinterpret_cast<const char *>(&message), sizeof(Header) + 12);
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+}
+
+char handlers_stack[64 << 10]; // the handler's own: the student's may be what ran out
+
+/// Before the student's global objects: their crashes and their printing count as well.
+__attribute__((constructor(101))) void prepare() {
+    std::setvbuf(stdout, nullptr, _IONBF, 0); // what was printed before a crash is what the student looks for
+    stack_t own{};
+    own.ss_sp = handlers_stack;
+    own.ss_size = sizeof handlers_stack;
+    ::sigaltstack(&own, nullptr);
+    struct sigaction action {};
+    action.sa_sigaction = on_crash;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+    for (const int signal : {SIGSEGV, SIGBUS}) ::sigaction(signal, &action, nullptr);
+}
+
+} // namespace
+
+int main() {
+    Writer hello;
+    hello.put(exercises);
+    answer(Frame::hello, hello);
+    Header header;
+    std::string request;
+    while (read_all(&header, sizeof header) && header.frame == Frame::call && header.size <= largest_frame) {
+        request.resize(header.size);
+        if (!read_all(request.data(), request.size())) break;
+        call_number = header.call;
+        make_call(request);
+    }
+    system_exit(0); // no destructors: a student's may hang, and the verdict is complete
+}

@@ -1,0 +1,77 @@
+#pragma once
+// Values as a student reads them: (4, -2) m, {from (0, 0) m, to (4, 3) m}, nothing, [1, 2, 3].
+
+#include "verdict/shared/wire.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// The shortest text that reads back as the same number, or `digits` significant ones.
+inline std::string describe_number(double x, int digits = 0) {
+    if (std::isnan(x)) return "not a number";
+    if (std::isinf(x)) return x < 0 ? "-infinity" : "infinity";
+    std::array<char, 64> text{};
+    const auto end = digits == 0 ? std::to_chars(text.begin(), text.end(), x)
+                                 : std::to_chars(text.begin(), text.end(), x, std::chars_format::general, digits);
+    return {text.begin(), end.ptr};
+}
+
+/// "a [m], b [m/s]" in parts, without blanks around them; `"1"` and `""` are no unit.
+inline std::vector<std::string> split_list(std::string_view list) {
+    std::vector<std::string> parts;
+    while (!list.empty()) {
+        const std::size_t comma = std::min(list.find(','), list.size());
+        std::string_view part = list.substr(0, comma);
+        while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+        while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
+        parts.emplace_back(part);
+        list.remove_prefix(std::min(comma + 1, list.size()));
+    }
+    return parts;
+}
+
+inline std::string with_unit(std::string text, std::string_view unit) {
+    return unit.empty() || unit == "1" ? text : text + ' ' + std::string{unit};
+}
+
+/// @param digits  significant digits of a number; 0: as many as it has
+template <class T> std::string describe(const T &value, std::string_view unit = {}, int digits = 0) {
+    if constexpr (std::is_same_v<T, bool>) {
+        return value ? "true" : "false";
+    } else if constexpr (std::is_same_v<T, int>) {
+        return with_unit(std::to_string(value), unit);
+    } else if constexpr (std::is_same_v<T, double>) {
+        return with_unit(describe_number(value, digits), unit);
+    } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
+        return with_unit('(' + describe_number(value.x(), digits) + ", " + describe_number(value.y(), digits) + ')',
+                         unit);
+    } else if constexpr (wire::is_optional<T>) {
+        return value ? describe(*value, unit, digits) : "nothing";
+    } else if constexpr (wire::is_vector<T>) {
+        constexpr std::size_t shown = 12;
+        std::string text = "[";
+        for (std::size_t i = 0; i < value.size() && i < shown; ++i)
+            text += (i == 0 ? "" : ", ") + describe<typename T::value_type>(value[i], {}, digits);
+        if (value.size() > shown) text += ", … " + std::to_string(value.size()) + " in all";
+        return with_unit(text + ']', value.empty() ? "" : unit);
+    } else {
+        static_assert(wire::Fields<T>);
+        const auto names = split_list(T::field_names), units = split_list(T::field_units);
+        std::string text;
+        std::size_t i = 0;
+        const auto add = [&](const auto &field) {
+            text += (i == 0 ? "" : ", ") + names[i] + ' ' + describe(field, i < units.size() ? units[i] : "", digits);
+            ++i;
+        };
+        std::apply([&](const auto &...field) { (add(field), ...); }, value.fields());
+        return '{' + text + '}';
+    }
+}
+
+} // namespace course

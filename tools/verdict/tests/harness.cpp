@@ -1,0 +1,230 @@
+// The main of a section's tests: runs them against a subject, a program with a student's code in it, and says what it saw.
+//
+//     07_segment_intersection SUBJECT               what a student reads
+//     07_segment_intersection SUBJECT --json FILE   the same for the `course` program, one verdict a line
+//     07_segment_intersection --catalogue           the section's exercises, as JSON
+//
+// Catch2 finds the tests and runs them. What it would print is never looked at: the session owns the verdict.
+
+#include "verdict/tests/session.hpp"
+
+#include <catch2/catch_session.hpp>
+#include <catch2/catch_test_case_info.hpp>
+#include <catch2/interfaces/catch_interfaces_registry_hub.hpp>
+#include <catch2/interfaces/catch_interfaces_testcase.hpp>
+#include <catch2/internal/catch_sharding.hpp>
+#include <catch2/reporters/catch_reporter_event_listener.hpp>
+#include <catch2/reporters/catch_reporter_registrars.hpp>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace course;
+
+bool all_cases = false;
+std::vector<Verdict> verdicts;
+std::function<void(const Verdict &)> tell = [](const Verdict &) {};
+
+std::string exercise_of(const Catch::TestCaseInfo &test) {
+    return test.tags.empty() ? "?" : std::string{test.tags.front().original};
+}
+
+/// Hears what happens in the tests, and passes it to the session.
+class Listener : public Catch::EventListenerBase {
+  public:
+    using EventListenerBase::EventListenerBase;
+    static std::string getDescription() { return "verdicts for students"; }
+
+    void testCaseStarting(const Catch::TestCaseInfo &test) override { session()->begin(exercise_of(test), test.name); }
+    void assertionStarting(const Catch::AssertionInfo &) override { session()->note({}); }
+
+    void assertionEnded(const Catch::AssertionStats &stats) override {
+        const auto &result = stats.assertionResult;
+        if (result.isOk()) return;
+        const auto where = result.getSourceInfo();
+        session()->fail(Kind::wrong, sentence(result), where.file, static_cast<int>(where.line));
+    }
+
+    void testCaseEnded(const Catch::TestCaseStats &stats) override {
+        const auto &asserted = stats.totals.assertions;
+        auto verdict = session()->end(asserted.total() > asserted.skipped && asserted.skipped == 0);
+        tell(verdict);
+        verdicts.push_back(std::move(verdict));
+    }
+
+  private:
+    static std::string sentence(const Catch::AssertionResult &result) {
+        switch (result.getResultType()) {
+        case Catch::ResultWas::DidntThrowException:
+            return "Your code accepted input that the header says it refuses with std::invalid_argument.";
+        case Catch::ResultWas::ThrewException: return thrown(std::string{result.getMessage()});
+        case Catch::ResultWas::ExpressionFailed:
+            if (std::string{result.getTestMacroName()}.ends_with("_THAT")) return {}; // got and want say it
+            return "This does not hold: " + std::string{result.getExpression()}
+                   + (result.getExpandedExpression() == result.getExpression()
+                          ? ""
+                          : ", that is " + result.getExpandedExpression());
+        default: return std::string{result.getMessage()};
+        }
+    }
+    static std::string thrown(const std::string &what) {
+        if (what == "bad optional access") return "Your code answered \"nothing\" where there is something.";
+        return "Your code refused this input with std::invalid_argument (" + what + "), but the header accepts it.";
+    }
+};
+
+nlohmann::json catalogue(const std::string &section) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const ExerciseLine *exercise : exercise_lines())
+        list.push_back({{"number", exercise->number},
+                        {"tier", exercise->tier},
+                        {"function", exercise->function},
+                        {"arguments", exercise->arguments},
+                        {"result", exercise->unit}});
+    return {{"section", section}, {"exercises", list}};
+}
+
+/// Which of the tests a process runs: one of several equal parts, in the order of the file.
+struct Part {
+    unsigned index = 0, of = 1;
+};
+
+/// A test that ran but was not heard of, or the other way round, is our mistake, and no student's.
+void add_missing_verdicts(const Part &part) {
+    const auto &all = Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
+    for (const Catch::TestCaseInfo *test : Catch::createShard(all, part.of, part.index)) {
+        if (std::any_of(verdicts.begin(), verdicts.end(), [&](const Verdict &v) { return v.test == test->name; }))
+            continue;
+        Verdict verdict;
+        verdict.exercise = exercise_of(*test);
+        verdict.test = test->name;
+        verdict.kind = Kind::no_verdict;
+        verdict.sentence = "This test did not run: a mistake of ours, not of yours.";
+        verdicts.push_back(verdict);
+        tell(verdicts.back());
+    }
+}
+
+/// Runs the tests of a part, each against a subject of its own.
+void run_tests(Session &here, unsigned seed, const Part &part) {
+    session() = &here;
+    Catch::Session catch2;
+    auto &config = catch2.configData();
+    config.rngSeed = seed;
+    config.shardIndex = part.index;
+    config.shardCount = part.of;
+    config.defaultOutputFilename = "/dev/null"; // what Catch2 says is for nobody
+    config.allowZeroTests = true;
+    catch2.run();
+    add_missing_verdicts(part);
+}
+
+/// Writes verdicts to a file, a line of JSON each, as they come.
+void tell_file(std::ofstream &lines) {
+    tell = [&lines](const Verdict &verdict) {
+        lines << nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+    };
+}
+
+/// Runs all tests in as many processes as there are cores, up to four, and puts their verdicts together, in order. Each
+/// has children of its own, and so finds what a student's code has left behind.
+/// @return 0, or 3 if one of them has not come to its end
+int run_side_by_side(const std::string &subject, unsigned seed, const std::string &json) {
+    const std::vector<int> all = cores();
+    const unsigned workers = static_cast<unsigned>(std::min<std::size_t>(all.size(), 4));
+    const auto file_of = [&](unsigned worker) { return json + '.' + std::to_string(worker); };
+    std::vector<pid_t> processes;
+    for (unsigned worker = 0; worker < workers; ++worker) {
+        processes.push_back(::fork());
+        if (processes.back() != 0) continue;
+        std::ofstream lines{file_of(worker)};
+        tell_file(lines);
+        prepare_for_subjects(all[worker]);
+        Session here{subject, Patience{}};
+        run_tests(here, seed, {worker, workers});
+        lines.close();
+        ::_exit(0);
+    }
+    int code = 0;
+    std::ofstream lines{json};
+    for (unsigned worker = 0; worker < workers; ++worker) {
+        int status = 0;
+        if (processes[worker] < 0 || ::waitpid(processes[worker], &status, 0) < 0 || status != 0) code = 3;
+        if (std::ifstream part{file_of(worker)}; part.peek() != std::ifstream::traits_type::eof())
+            lines << part.rdbuf();
+        std::remove(file_of(worker).c_str());
+    }
+    return code;
+}
+
+/// Whether the verdicts are the ones that CI wants of this subject:
+///   all, none (nothing started), red:7.2 (not all of that exercise passes), only:7.2 (all of it does, and nothing else is started).
+bool as_expected(const std::string &expect) {
+    const std::size_t colon = std::min(expect.find(':'), expect.size());
+    const std::string what = expect.substr(0, colon), exercise = colon < expect.size() ? expect.substr(colon + 1) : "";
+    const auto passed = [](const Verdict &v) { return v.passed(); };
+    const auto untouched = [](const Verdict &v) { return v.kind == Kind::not_started; };
+    const auto of_it = [&](const Verdict &v) { return v.exercise == exercise; };
+    const bool sound = !verdicts.empty() && std::none_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) {
+        return v.kind == Kind::no_verdict;
+    });
+    const bool known = exercise.empty() || std::any_of(verdicts.begin(), verdicts.end(), of_it);
+    const auto all = [&](auto &&holds) {
+        return sound && known && std::all_of(verdicts.begin(), verdicts.end(), holds);
+    };
+    if (what == "all") return all(passed);
+    if (what == "none") return all(untouched);
+    if (what == "only") return all([&](const Verdict &v) { return of_it(v) ? v.passed() : untouched(v); });
+    return what == "red" && sound && known && !all([&](const Verdict &v) { return !of_it(v) || v.passed(); });
+}
+
+void print(const Verdict &verdict) {
+    std::cout << (verdict.passed() ? "passed  " : "FAILED  ") << verdict.exercise << "  " << verdict.test << '\n';
+    if (!verdict.passed()) std::cout << "        " << name_of(verdict.kind) << '\n' << explain(verdict, 8);
+}
+
+} // namespace
+
+CATCH_REGISTER_LISTENER(Listener)
+
+int course::cases(int full) { return all_cases ? full : full / 100; }
+
+int main(int argc, char **argv) {
+    CLI::App app{"Tests of one section, run against a program with a student's code in it."};
+    std::string subject, json, expect = "all";
+    bool list = false;
+    unsigned seed = 2026;
+    app.add_option("subject", subject, "the program with the code to judge");
+    app.add_option("--json", json, "write each verdict as a line of JSON to this file");
+    app.add_option("--seed", seed, "for generated values")->capture_default_str();
+    app.add_option("--expect", expect, "leave with 0 if the verdicts are so: all, none, red:7.2, only:7.2");
+    app.add_flag("--all-cases", all_cases, "every generated case, instead of a hundredth");
+    app.add_flag("--catalogue", list, "list the exercises as JSON, and leave");
+    CLI11_PARSE(app, argc, argv);
+
+    if (list) {
+        std::cout << catalogue(std::filesystem::path{argv[0]}.filename().string()).dump(1) << '\n';
+        return 0;
+    }
+    if (!json.empty()) return run_side_by_side(subject, seed, json);
+    tell = print;
+    prepare_for_subjects(cores().front());
+    // In CI the machine may be slow; but a wrong one may well hang, and will be no less wrong after a minute.
+    Session here{subject, app.count("--expect") > 0 && !expect.starts_with("red") ? Patience{60, 600} : Patience{}};
+    run_tests(here, seed, {});
+
+    const auto failed = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return !v.passed(); });
+    std::cout << verdicts.size() - static_cast<std::size_t>(failed) << " of " << verdicts.size() << " passed (seed "
+              << seed << ")\n";
+    return as_expected(expect) ? 0 : 1;
+}

@@ -1,0 +1,67 @@
+#pragma once
+// Gives COURSE_EXERCISE its meaning for tests: a function of the same name in `subject`, which calls the student's.
+// Include it before the section's header. It takes types only, so the tests link without anybody's implementation.
+
+#include "verdict/tests/channel.hpp"
+#include "verdict/tests/describe.hpp"
+
+namespace course {
+
+template <auto F> class Remote;
+
+template <class Result, class... Arguments, Result (*F)(Arguments...)> class Remote<F> {
+  public:
+    Remote(std::string_view number, std::string_view tier, std::string_view function, std::string_view arguments,
+           std::string_view unit)
+        : exercise{.number = number,
+                   .tier = tier,
+                   .function = function,
+                   .arguments = arguments,
+                   .unit = unit,
+                   .describe_arguments = &describe_all,
+                   .describe_result = &describe_one,
+                   .index = static_cast<std::uint32_t>(exercise_lines().size())} {
+        exercise_lines().push_back(&exercise);
+    }
+    Remote(const Remote &) = delete;
+    Remote &operator=(const Remote &) = delete;
+
+    Result operator()(const std::type_identity_t<std::decay_t<Arguments>> &...arguments) const {
+        wire::Writer request;
+        (request.put(arguments), ...);
+        const std::string answer = call(exercise, request.bytes);
+        wire::Reader reader{answer};
+        auto result = reader.take<Result>();
+        if (!reader.finished()) answered_nonsense();
+        return result;
+    }
+
+  private:
+    static std::vector<std::string> describe_all(const ExerciseLine &exercise, std::string_view bytes) {
+        wire::Reader reader{bytes};
+        std::vector<std::string> lines;
+        const auto named = split_list(exercise.arguments);
+        const auto add = [&](const auto &value) {
+            const std::string name = lines.size() < named.size() ? named[lines.size()] : "?";
+            const std::size_t bracket = name.find(" [");
+            const std::string unit = bracket == name.npos ? "" : name.substr(bracket + 2, name.size() - bracket - 3);
+            lines.push_back(name.substr(0, bracket) + " = " + describe(value, unit));
+        };
+        const std::tuple<std::decay_t<Arguments>...> values{reader.take<std::decay_t<Arguments>>()...};
+        std::apply([&](const auto &...value) { (add(value), ...); }, values);
+        return lines;
+    }
+
+    static std::string describe_one(const ExerciseLine &exercise, std::string_view bytes) {
+        constexpr int digits = 9;
+        wire::Reader reader{bytes};
+        return describe(reader.take<Result>(), exercise.unit, digits);
+    }
+
+    ExerciseLine exercise;
+};
+
+} // namespace course
+
+#define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
+    static const course::Remote<&section::function> function{number, #tier, #function, arguments, unit};

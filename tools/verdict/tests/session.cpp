@@ -1,0 +1,266 @@
+#include "verdict/tests/session.hpp"
+
+#include "course.hpp"
+#include "verdict/tests/describe.hpp"
+
+#include <csignal>
+#include <regex>
+#include <sys/wait.h>
+
+namespace course {
+namespace {
+
+std::string seconds(double time) { return describe_number(time, 2) + " s"; }
+
+std::string leave_sentence(int code, bool before_main) {
+    return "Your code ended the program"
+           + std::string{before_main ? " before the first test, in the constructor of a global variable" : ""}
+           + " (exit code " + std::to_string(code)
+           + "). An exercise gives its answer back with `return`; it never calls exit().";
+}
+
+std::string fault_sentence(std::uint64_t address, bool stack_ran_out) {
+    if (stack_ran_out)
+        return "Your code crashed: a function called itself, again and again, until the stack was full. When does it "
+               "stop?";
+    if (address < 4096) return "Your code crashed: it used a null pointer, or an empty vector's elements.";
+    return "Your code crashed: it used memory that is not its own. An index beyond the end? A reference to something "
+           "that is gone?";
+}
+
+/// Whether an answer has a number so large or so small that no calculation of this course gives it: what a variable
+/// without a value holds (see -ftrivial-auto-var-init in cmake/Flags.cmake), or what comes of it.
+bool has_strange_number(const std::string &answer) {
+    static const std::regex strange{R"(\de[+-](29\d|30\d)\b)"};
+    return std::regex_search(answer, strange);
+}
+
+std::string as_sentence(const std::string &words) {
+    return words.empty() || std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? words + '.' : words;
+}
+
+} // namespace
+
+Session *&session() {
+    static Session *only = nullptr;
+    return only;
+}
+
+Session::Session(std::filesystem::path subject_, Patience patience_)
+    : program{std::move(subject_)}, patience{patience_} {}
+
+void Session::begin(std::string exercise, std::string test) {
+    const double spent = std::chrono::duration<double>(Clock::now() - started).count();
+    constexpr double least = 0.2; // [s] a hundred times what working code takes
+    const bool hurry = exercise == hung || spent > 2 * patience.all;
+    allowed = hurry ? least : std::clamp((patience.all - lost) / 5, least, patience.a_case);
+    deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(allowed));
+    verdict = {};
+    verdict.exercise = std::move(exercise);
+    verdict.test = std::move(test);
+    calls = 0;
+    last_result.clear();
+    last_exercise = nullptr;
+    noted.reset();
+}
+
+void Session::note_verdict(Kind kind, std::string sentence) {
+    if (!verdict.passed()) return;
+    verdict.kind = kind;
+    verdict.sentence = std::move(sentence);
+    if (last_exercise == nullptr || !greeted) return;
+    verdict.call = Call{std::string{last_exercise->function},
+                        last_exercise->describe_arguments(*last_exercise, last_arguments), static_cast<int>(calls) - 1,
+                        last_result.empty() ? "" : last_exercise->describe_result(*last_exercise, last_result)};
+}
+
+void Session::over(Kind kind, std::string sentence) {
+    note_verdict(kind, std::move(sentence));
+    throw CaseOver{};
+}
+
+/// The process has ended by itself: what does the way it ended say?
+void Session::judge_end(int status, bool before_main) {
+    const std::string where = before_main ? "Before the first test, in the constructor of a global variable: " : "";
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ)
+        note_verdict(Kind::printed_too_much, where + "Your code printed more than " + std::to_string(print_limit >> 20)
+                                                 + " MB and was stopped: does it print in a loop that does not end?");
+    else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+        note_verdict(Kind::too_long, where + "Your code used two minutes of computing time.");
+    else if (WIFSIGNALED(status))
+        note_verdict(Kind::crashed, where + "Your code " + meaning_of_signal(WTERMSIG(status)) + '.');
+    else if (WIFEXITED(status) && WEXITSTATUS(status) == 127 && before_main)
+        note_verdict(Kind::no_verdict, "The program with your code cannot be started: " + program.string());
+    else if (WIFEXITED(status) && WEXITSTATUS(status) == wire::pipe_is_gone)
+        note_verdict(Kind::out_of_turn,
+                     where + "Your code closed a file that it had not opened, and its answer was lost.");
+    else note_verdict(Kind::left, leave_sentence(WEXITSTATUS(status), before_main));
+}
+
+/// No answer: because of time, because the process is gone, or because it said something that is none.
+void Session::over_in_silence() {
+    const bool before_main = !greeted;
+    if (subject->silence == Subject::Silence::late) {
+        hung = verdict.exercise;
+        lost += allowed;
+        over(Kind::too_long, before_main ? "Your code starts before the first test, in the constructor of a global "
+                                           "variable, and does not come to an end."
+                                         : "Your code gave no answer within " + seconds(allowed)
+                                               + ": look for a loop that does not end.");
+    }
+    if (subject->silence == Subject::Silence::nonsense) answered_nonsense();
+    const auto status = subject->finish(Clock::now() + std::chrono::milliseconds{500});
+    if (!status) over(Kind::out_of_turn, "Your code closed a file that it had not opened, and its answer was lost.");
+    judge_end(*status, before_main);
+    throw CaseOver{};
+}
+
+void Session::answered_nonsense() {
+    last_result.clear();
+    over(Kind::out_of_turn,
+         "Something else than your function's result came back. Does your code start another process, or write to a "
+         "file descriptor that it has not opened?");
+}
+
+void Session::start() {
+    greeted = false;
+    subject = std::make_unique<Subject>(program);
+    const auto hello = subject->receive(deadline);
+    if (!hello && !(subject->silence == Subject::Silence::nonsense)) over_in_silence();
+    if (!hello || hello->header.frame == wire::Frame::crashed) {
+        subject->finish(Clock::now() + std::chrono::milliseconds{100});
+        over(Kind::crashed, "Before the first test, in the constructor of a global variable: your code crashed.");
+    }
+    wire::Reader reader{hello->payload};
+    if (hello->header.frame != wire::Frame::hello || reader.take<std::uint32_t>() != exercise_lines().size()
+        || !reader.finished())
+        over(Kind::no_verdict,
+             "The program with your code serves other exercises than these tests ask for: build it anew.");
+    greeted = true;
+}
+
+std::string Session::call(const ExerciseLine &exercise, const std::string &arguments) {
+    if (!verdict.passed()) throw CaseOver{};
+    if (never_starts) {
+        const auto [test, of] = std::pair{verdict.test, verdict.exercise};
+        verdict = *never_starts;
+        verdict.test = test;
+        verdict.exercise = of;
+        throw CaseOver{};
+    }
+    if (!subject) {
+        try {
+            start();
+        } catch (const CaseOver &) {
+            never_starts = verdict;
+            throw;
+        }
+    }
+
+    last_exercise = &exercise;
+    last_arguments = arguments;
+    last_result.clear();
+    ++calls;
+    wire::Writer request;
+    request.put(exercise.index);
+    request.bytes += arguments;
+    const auto reply = subject->send(calls, request.bytes, deadline) ? subject->receive(deadline) : std::nullopt;
+    if (!reply) over_in_silence();
+    if (reply->header.call != calls) answered_nonsense();
+
+    wire::Reader in{reply->payload};
+    if (reply->header.frame == wire::Frame::result) return last_result = reply->payload;
+    if (reply->header.frame == wire::Frame::crashed) {
+        std::uint64_t address = 0;
+        in.raw(&address, sizeof address);
+        const auto ran_out = in.take<std::uint32_t>();
+        over(Kind::crashed, fault_sentence(address, ran_out != 0));
+    }
+    const auto first = in.take<std::string>(), second = in.take<std::string>();
+    if (!in.finished()) answered_nonsense();
+    const auto tidied = [](const std::string &text) {
+        const auto lines = tidy(text, 1).first;
+        return lines.empty() ? std::string{} : lines.front();
+    };
+    switch (reply->header.frame) {
+    case wire::Frame::refused: throw std::invalid_argument{tidied(first)};
+    case wire::Frame::not_yet: over(Kind::not_started, "Not started. Where to begin: " + as_sentence(tidied(first)));
+    case wire::Frame::missing:
+        over(Kind::missing, "Your file has no function `" + std::string{exercise.function}
+                                + "` with the parameters that the header asks for.");
+    case wire::Frame::no_memory:
+        over(Kind::no_memory, "Your code asked for more than " + std::to_string(memory_limit >> 20)
+                                  + " MB of memory: does a loop add to a vector without an end?");
+    case wire::Frame::threw:
+        over(Kind::threw, "Your code threw " + tidied(first) + (second.empty() ? "" : ": " + tidied(second))
+                              + ". An exercise throws nothing but std::invalid_argument, and only for bad input.");
+    default: answered_nonsense();
+    }
+}
+
+void Session::fail(Kind kind, std::string sentence, const std::string &file, int line) {
+    if (verdict.passed() && noted) {
+        verdict.got = noted->got;
+        verdict.want = noted->want;
+        verdict.tolerance = noted->tolerance;
+        if (sentence.empty() && has_strange_number(noted->got))
+            sentence =
+                "A strange number. Was a variable never given a value? Write `double sum = 0;`, not `double sum;`.";
+        if (noted->not_a_number) {
+            kind = Kind::not_a_number;
+            sentence =
+                "Your answer is \"not a number\": it comes from 0/0, from infinity - infinity, from the root of a "
+                "negative number, or from a Vec2 that was given no value.";
+        }
+    }
+    note_verdict(kind, std::move(sentence));
+    if (verdict.file.empty()) {
+        verdict.file = file;
+        verdict.line = line;
+    }
+}
+
+Verdict Session::end(bool asserted_something) {
+    if (verdict.passed() && !asserted_something)
+        note_verdict(Kind::no_verdict, "This test asserts nothing: a mistake of ours, not of yours.");
+    if (subject && verdict.passed()) {
+        const auto status = subject->finish(std::max(deadline, Clock::now() + std::chrono::milliseconds{100}));
+        if (!status)
+            note_verdict(Kind::too_long,
+                         "Your code answered, but its process did not come to an end: has it started a thread?");
+        else if (!WIFEXITED(*status)) judge_end(*status, false);
+        else if (subject->said_more()) try {
+                answered_nonsense();
+            } catch (const CaseOver &) {}
+        if (subject->left_processes())
+            note_verdict(Kind::left_process, "Your code started another process and left it running. An exercise "
+                                             "computes a value, and starts nothing.");
+    }
+    if (subject && !verdict.passed()) {
+        const std::string printed = subject->printed();
+        std::tie(verdict.printed, verdict.printed_more) = tidy(printed);
+        const std::string meaning = verdict.kind == Kind::crashed ? meaning_of_assertion(printed) : "";
+        if (!meaning.empty())
+            verdict.sentence = "Your code was stopped by a check of the library that it uses: " + meaning + '.';
+    }
+    if (never_starts && never_starts->printed.empty()) never_starts->printed = verdict.printed;
+    subject.reset();
+    return std::move(verdict);
+}
+
+std::string call(const ExerciseLine &exercise, const std::string &arguments) {
+    return session()->call(exercise, arguments);
+}
+void answered_nonsense() { session()->answered_nonsense(); }
+void note_mismatch(const Mismatch &mismatch) { session()->note(mismatch); }
+bool is_last_result(std::string_view bytes) {
+    return session()->last_exercise != nullptr && session()->last_result == bytes;
+}
+std::string_view last_unit() { return session()->last_exercise->unit; }
+
+std::vector<const ExerciseLine *> &exercise_lines() {
+    static std::vector<const ExerciseLine *> all;
+    return all;
+}
+
+} // namespace course

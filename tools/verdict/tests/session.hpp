@@ -1,0 +1,64 @@
+#pragma once
+// The owner of the verdict: follows one test case after the other, and what the student's process does meanwhile.
+
+#include "verdict/shared/verdict.hpp"
+#include "verdict/tests/channel.hpp"
+#include "verdict/tests/subject.hpp"
+
+#include <memory>
+
+namespace course {
+
+/// How long tests may take. A hang costs a case its own time, and all hangs together never more than `all`.
+struct Patience {
+    double a_case = 2; ///< [s]
+    double all = 10;   ///< [s]
+};
+
+class Session {
+  public:
+    Session(std::filesystem::path subject, Patience patience);
+
+    void begin(std::string exercise, std::string test);
+
+    /// A check of the running case failed, and this is why; the first one counts.
+    void fail(Kind kind, std::string sentence, const std::string &file, int line);
+
+    /// The case is over: its verdict.
+    Verdict end(bool asserted_something);
+
+    std::string call(const ExerciseLine &exercise, const std::string &arguments);
+    [[noreturn]] void answered_nonsense();
+    void note(std::optional<Mismatch> mismatch) { noted = std::move(mismatch); }
+
+    std::string last_result; ///< bytes
+    const ExerciseLine *last_exercise = nullptr;
+
+  private:
+    [[noreturn]] void over(Kind kind, std::string sentence);
+    [[noreturn]] void over_in_silence();
+    void start();
+    void judge_end(int status, bool before_main);
+    void note_verdict(Kind kind, std::string sentence);
+
+    std::filesystem::path program;
+    Patience patience;
+    Clock::time_point started = Clock::now();
+    Clock::time_point deadline;
+    double allowed = 0; ///< [s] for the running case
+    double lost = 0;    ///< [s] in hangs; a machine that is busy with other things takes no patience away
+    std::string hung;   ///< the exercise that has used up a case's time: its other cases get less
+
+    std::unique_ptr<Subject> subject;
+    std::optional<Verdict> never_starts; ///< found out once, true for every case
+    bool greeted = false;
+    std::uint32_t calls = 0;
+    std::string last_arguments;
+    std::optional<Mismatch> noted;
+    Verdict verdict;
+};
+
+/// The one that `call` and the matchers speak to.
+Session *&session();
+
+} // namespace course

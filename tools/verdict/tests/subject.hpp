@@ -1,0 +1,65 @@
+#pragma once
+// A student's process: started for one test case, talked to over two descriptors of its own, and never believed.
+
+#include "verdict/shared/wire.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace course {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t memory_limit = 256u << 20; ///< [bytes] of a subject; an exercise needs a few
+constexpr std::size_t print_limit = 4u << 20;    ///< [bytes] that it may write
+
+class Subject {
+  public:
+    /// Starts it, with everything it may use limited.
+    /// @throws std::runtime_error if this machine cannot
+    explicit Subject(const std::filesystem::path &program);
+    ~Subject(); ///< kills it and everything it started
+    Subject(const Subject &) = delete;
+    Subject &operator=(const Subject &) = delete;
+
+    struct Received {
+        wire::Header header;
+        std::string payload;
+    };
+    enum class Silence { ended, late, nonsense };
+
+    bool send(std::uint32_t call, const std::string &payload, Clock::time_point deadline); ///< false: it reads no more
+
+    /// The next frame, if one comes before the deadline; otherwise `silence` says why not.
+    std::optional<Received> receive(Clock::time_point deadline);
+    Silence silence = Silence::ended;
+
+    /// Lets it end by itself until the deadline.
+    /// @return its wait status, or nothing if it had to be killed
+    std::optional<int> finish(Clock::time_point deadline);
+
+    bool said_more();            ///< after finish: it had answered what nobody asked
+    bool left_processes();       ///< after finish: something that it started still runs
+    std::string printed() const; ///< what it wrote to stdout and stderr
+
+  private:
+    bool read_all(void *data, std::size_t size, Clock::time_point deadline);
+
+    pid_t process = -1;
+    pid_t group = -1;
+    int to = -1, from = -1, output = -1;
+};
+
+/// Once, in the process of the tests: a subject cannot look into it, its orphans come to it, a pipe that nobody reads
+/// does not kill it, and calls are quick because both sides share a core.
+/// @param core  one of `cores()`
+void prepare_for_subjects(int core);
+
+/// The cores that we may run on, beginning with the one that we are on; a single -1 where nobody can tell.
+std::vector<int> cores();
+
+} // namespace course
