@@ -36,15 +36,16 @@ inline std::string row(const std::vector<std::pair<std::string, std::size_t>> &c
     return line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
 }
 
-/// A part of a program: what it is about, and how to write it, to the screen or into the trace of that name.
+/// A part of a program, written to the screen or into a trace.
 struct Part {
-    std::string name; ///< ends in ".tsv": a trace; else a name for messages
+    std::string name; ///< one word, as in `./course run 7 crossings`; or a trace's file, which ends in ".tsv"
     std::function<void(std::ostream &)> write;
 };
 
-/// Runs one part. Whatever keeps it from its end becomes one line, and nothing of it is shown.
+/// Runs one part. If something stops it, that is said in one line, and nothing else of the part is shown.
+/// @param gap  what is printed before it; from then on an empty line
 /// @throws std::runtime_error if a trace cannot be written
-inline bool run_part(const Part &part, const std::filesystem::path &folder) {
+inline bool run_part(const Part &part, const std::filesystem::path &folder, std::string &gap) {
     std::ostringstream out;
     out.precision(17);
     try {
@@ -60,7 +61,7 @@ inline bool run_part(const Part &part, const std::filesystem::path &folder) {
         return false;
     }
     if (!part.name.ends_with(".tsv")) {
-        std::cout << out.str() << std::flush;
+        std::cout << std::exchange(gap, "\n") << out.str() << std::flush;
         return true;
     }
     std::ofstream file{folder / part.name, std::ios::binary};
@@ -68,19 +69,30 @@ inline bool run_part(const Part &part, const std::filesystem::path &folder) {
     return true;
 }
 
-/// A section's program: `program [--out FOLDER]` runs its parts one by one, so that an exercise which is not written
-/// yet costs only its own part. Traces go to FOLDER, or here.
+/// A section's program: `program [PART] [--out FOLDER]` runs all of its parts, or only the one named. Each runs by itself,
+/// so an exercise that is not written yet costs only the parts that need it. Traces go to FOLDER, or here.
 /// @return 0 if all parts ran, 1 if some could not, 2 if it cannot write, or does not know its arguments
-inline int run(int argc, char **argv, const std::vector<Part> &parts) {
-    const std::vector<std::string> arguments(argv + 1, argv + argc);
-    const bool has_folder = arguments.size() == 2 && arguments[0] == "--out";
-    if (!has_folder && !arguments.empty()) {
-        std::cerr << "usage: " << argv[0] << " [--out FOLDER]\n";
-        return 2;
+inline int run(int argc, char **argv, std::vector<Part> parts) {
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    std::filesystem::path folder = ".";
+    if (arguments.size() >= 2 && arguments[arguments.size() - 2] == "--out") {
+        folder = arguments.back();
+        arguments.resize(arguments.size() - 2);
+    }
+    if (!arguments.empty()) {
+        std::string names;
+        for (const Part &part : parts)
+            if (!part.name.ends_with(".tsv")) names += (names.empty() ? "" : ", ") + part.name;
+        std::erase_if(parts, [&](const Part &part) { return part.name != arguments[0]; });
+        if (parts.empty() || arguments.size() > 1) {
+            std::cerr << "this program has no part `" << arguments.back() << "`; its parts are " << names << '\n';
+            return 2;
+        }
     }
     bool all = true;
     try {
-        for (const Part &part : parts) all = run_part(part, has_folder ? arguments[1] : ".") && all;
+        std::string gap;
+        for (const Part &part : parts) all = run_part(part, folder, gap) && all;
     } catch (const std::exception &error) {
         std::cerr << "error: " << error.what() << '\n';
         return 2;

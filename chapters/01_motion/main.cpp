@@ -21,7 +21,7 @@ const State moving{.position = {50, 0}, .velocity = {4, 0}};
 const Vec2 acceleration{2, 0};
 
 void print_table_13_1(std::ostream &out) {
-    out << '\n' << row({{"t [s]", 7}, {"v [m/s]", 9}, {"a [m/s²]", 0}});
+    out << row({{"t [s]", 7}, {"v [m/s]", 9}, {"a [m/s²]", 0}});
     for (int t = 0; t <= 5; ++t) {
         const State now = accelerated_motion(from_rest, acceleration, t);
         out << row({{text(t), 7}, {text(now.velocity.x()), 9}, {text(acceleration.x()), 0}});
@@ -29,7 +29,7 @@ void print_table_13_1(std::ostream &out) {
 }
 
 void print_table_13_2(std::ostream &out) {
-    out << '\n' << row({{"t [s]", 7}, {"x [m]", 7}, {"change [m]", 12}, {"change of that [m]", 0}});
+    out << row({{"t [s]", 7}, {"x [m]", 7}, {"change [m]", 12}, {"change of that [m]", 0}});
     const auto x = [](int t) { return accelerated_motion(moving, acceleration, t).position.x(); };
     for (int t = 0; t <= 5; ++t) {
         const std::string change = t < 1 ? "" : text(x(t) - x(t - 1));
@@ -44,7 +44,7 @@ const std::vector<PointMass> three{{{0, 0}, 1}, {{4, 0}, 1}, {{0, 3}, 2}};
 void print_centres(std::ostream &out) {
     const std::vector<PointMass> unweighted{{{0, 0}, 1}, {{4, 0}, 1}, {{0, 3}, 1}};
     const std::vector<PointMass> massless{{{0, 0}, 0}, {{4, 0}, 0}, {{0, 3}, 0}};
-    out << '\n' << row({{"masses [kg]", 13}, {"at (0, 0), (4, 0), (0, 3) balance at [m]", 0}});
+    out << row({{"masses [kg]", 13}, {"at (0, 0), (4, 0), (0, 3) balance at [m]", 0}});
     for (const auto &[masses, bodies] : {std::pair{"1, 1, 2", three}, {"1, 1, 1", unweighted}, {"0, 0, 0", massless}}) {
         const auto centre = centre_of_mass(bodies);
         out << row({{masses, 13}, {centre ? text(*centre) : "nothing balances", 0}});
@@ -53,7 +53,7 @@ void print_centres(std::ostream &out) {
 
 //> Side by side, printed
 void print_schemes(std::ostream &out) {
-    out << '\n' << row({{"t [s]", 7}, {"explicit Euler [m]", 20}, {"semi-implicit [m]", 19}, {"exact [m]", 0}});
+    out << row({{"t [s]", 7}, {"explicit Euler [m]", 20}, {"semi-implicit [m]", 19}, {"exact [m]", 0}});
     Schemes now{moving, moving, moving};
     for (int t = 0; t <= 5; ++t) {
         out << row({{text(t), 7},
@@ -67,7 +67,7 @@ void print_schemes(std::ostream &out) {
 //> An L and a law
 const std::vector<Vec2> l_shape{{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 0}};
 
-void print_centroid(std::ostream &out) { out << "\nmiddle of the L [m]: " << text(centroid(l_shape)) << '\n'; }
+void print_centroid(std::ostream &out) { out << "middle of the L [m]: " << text(centroid(l_shape)) << '\n'; }
 
 void print_law(std::ostream &out) {
     const Law law = law_of_motion({1, 55}, {2, 62}, {5, 95});
@@ -130,14 +130,14 @@ void trace_l(std::ostream &out) {
 //> Main
 int main(int argc, char **argv) {
     return course::run(argc, argv,
-                       {{"pixels a second", print_pixels},
-                        {"uniform motion", print_uniform},
-                        {"Table 13.1", print_table_13_1},
-                        {"Table 13.2", print_table_13_2},
-                        {"centres of mass", print_centres},
-                        {"three steps", print_schemes},
-                        {"the middle of an L", print_centroid},
-                        {"a law of motion", print_law},
+                       {{"pixels", print_pixels},
+                        {"uniform", print_uniform},
+                        {"velocities", print_table_13_1},
+                        {"positions", print_table_13_2},
+                        {"centres", print_centres},
+                        {"schemes", print_schemes},
+                        {"centroid", print_centroid},
+                        {"law", print_law},
                         {"01_motion_table.tsv", trace_table},
                         {"01_motion_centre.tsv", trace_centre},
                         {"01_motion_schemes.tsv", trace_schemes},

@@ -39,13 +39,13 @@ const std::vector<std::pair<Segment, Segment>> pairs{
 };
 
 void print_meetings(std::ostream &out) {
-    out << '\n' << row({{"first", 16}, {"second", 17}, {"do they meet?", 0}});
+    out << row({{"first", 16}, {"second", 17}, {"do they meet?", 0}});
     for (const auto &[first, second] : pairs)
         out << row({{text(first), 16}, {text(second), 17}, {meet(first, second) ? "yes" : "no", 0}});
 }
 
 void print_shared(std::ostream &out) {
-    out << '\n' << row({{"first", 16}, {"second", 17}, {"what they share", 0}});
+    out << row({{"first", 16}, {"second", 17}, {"what they share", 0}});
     for (const auto &[first, second] : pairs) {
         const auto points = shared(first, second);
         std::string words = points.empty() ? "nothing" : text(points[0]);
@@ -57,7 +57,7 @@ void print_shared(std::ostream &out) {
 //> Touches
 void print_touches(std::ostream &out) {
     const Segment floor{.start = {0, 0}, .end = {20, 0}}, fence{.start = {7, -4}, .end = {7, 1.5}};
-    out << '\n' << row({{"disc's way", 20}, {"radius", 8}, {"wall", 18}, {"t", 7}, {"centre", 9}, {"touches", 0}});
+    out << row({{"disc's way", 20}, {"radius", 8}, {"wall", 18}, {"t", 7}, {"centre", 9}, {"touches", 0}});
     for (const auto &[way, radius, edge] : {std::tuple{Segment{{0, 3}, {4, -1}}, 1.0, floor},
                                             {Segment{{0, 1.5}, {8, 0.5}}, 1.0, floor},
                                             {Segment{{0, 3}, {8, 3}}, 2.5, fence}}) {
@@ -132,7 +132,7 @@ int main(int argc, char **argv) {
     return course::run(argc, argv,
                        {{"crossings", print_crossings},
                         {"meetings", print_meetings},
-                        {"what they share", print_shared},
+                        {"shared", print_shared},
                         {"touches", print_touches},
                         {"07_segment_intersection_shares.tsv", trace_shares},
                         {"07_segment_intersection_print.tsv", trace_print},

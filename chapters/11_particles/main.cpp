@@ -41,7 +41,7 @@ void print_pool(std::ostream &out) {
 
 //> Shades
 void print_shades(std::ostream &out) {
-    out << '\n' << row({{"age [s]", 9}, {"life [s]", 10}, {"shade, of 16", 0}});
+    out << row({{"age [s]", 9}, {"life [s]", 10}, {"shade, of 16", 0}});
     for (const double age : {0.0, 0.18, 0.1875, 1.5, 2.9, 3.0}) {
         const auto found = shade(age, 3, 16);
         out << row({{text(age), 9}, {"3", 10}, {found ? text(*found) : "dead", 0}});
@@ -52,7 +52,7 @@ void print_shades(std::ostream &out) {
 void print_steps(std::ostream &out) {
     const World screen{.gravity = 0.1, .wind = 0, .width = 640, .height = 480}; // a row is a metre, a frame a second
     std::optional<Particle> now = Particle{.position = {10, 459}, .velocity = {0, 5}, .age = 0, .life = 90};
-    out << '\n' << row({{"frame", 7}, {"position", 13}, {"velocity", 0}});
+    out << row({{"frame", 7}, {"position", 13}, {"velocity", 0}});
     for (int frame = 0; frame <= 5; ++frame) {
         out << row({{text(frame), 7}, {now ? text(now->position) : "dead", 13}, {now ? text(now->velocity) : "", 0}});
         if (now) now = step(*now, screen, 1);
@@ -74,12 +74,8 @@ std::array<std::vector<double>, 3> speeds() {
 }
 
 void print_speeds(std::ostream &out) {
-    out << '\n'
-        << row({{"slower than", 13},
-                {"of the area", 13},
-                {"explosion", 11},
-                {"speed by chance", 17},
-                {"as printed", 0}});
+    out << row(
+        {{"slower than", 13}, {"of the area", 13}, {"explosion", 11}, {"speed by chance", 17}, {"as printed", 0}});
     const auto found = speeds();
     for (const double share : {0.25, 0.39, 0.5, 0.75, 0.9}) {
         std::array<std::string, 3> percent;
@@ -94,7 +90,7 @@ void print_speeds(std::ostream &out) {
 
 //> Ten seconds
 void print_due(std::ostream &out) {
-    out << '\n' << row({{"frames a second", 17}, {"started in 10 s, 45 a second", 0}});
+    out << row({{"frames a second", 17}, {"started in 10 s, 45 a second", 0}});
     for (const int frames : {24, 30, 60, 144}) {
         Due now{};
         int total = 0;
@@ -109,7 +105,7 @@ void print_due(std::ostream &out) {
 //> Bounces
 void print_bounces(std::ostream &out) {
     const std::vector<Wall> walls{{.start = {0, 0}, .end = {20, 0}}, {.start = {20, 0}, .end = {11, 12}}};
-    out << '\n' << row({{"restitution", 13}, {"position after 3.5 s", 22}, {"velocity", 0}});
+    out << row({{"restitution", 13}, {"position after 3.5 s", 22}, {"velocity", 0}});
     for (const double e : {1.0, 0.5, 0.0}) {
         const Particle after = fly({.position = {4, 3}, .velocity = {4, -2}, .age = 0, .life = 9}, walls, e, 3.5);
         out << row({{text(e), 13}, {text(after.position), 22}, {text(after.velocity), 0}});
@@ -125,7 +121,7 @@ void print_renewed(std::ostream &out) {
         for (const Particle &p : particles) line += (line.empty() ? "" : " ") + text(p.position.x());
         return line;
     };
-    out << '\n' << row({{"pool", 13}, {"of which dead", 15}, {"newborn", 9}, {"room for 6", 0}});
+    out << row({{"pool", 13}, {"of which dead", 15}, {"newborn", 9}, {"room for 6", 0}});
     const std::vector<Particle> newborn{{{7, 0}, {0, 0}, 0, 2}, {{8, 0}, {0, 0}, 0, 2}};
     out << row({{names(pool), 13}, {"1 5", 15}, {names(newborn), 9}, {names(renew(pool, newborn, 6)), 0}});
 }
@@ -214,13 +210,13 @@ void trace_energy(std::ostream &out) {
 //> Main
 int main(int argc, char **argv) {
     return course::run(argc, argv,
-                       {{"a pool of three", print_pool},
+                       {{"pool", print_pool},
                         {"shades", print_shades},
-                        {"off the top", print_steps},
-                        {"how fast are they?", print_speeds},
-                        {"ten seconds", print_due},
+                        {"steps", print_steps},
+                        {"speeds", print_speeds},
+                        {"rate", print_due},
                         {"bounces", print_bounces},
-                        {"no gaps", print_renewed},
+                        {"renewal", print_renewed},
                         {"11_particles_firework.tsv", trace_firework},
                         {"11_particles_discs.tsv", trace_discs},
                         {"11_particles_density.tsv", trace_density},

@@ -42,6 +42,21 @@ TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its
     CHECK(check("7.9", "solutions/07_segment_intersection.cpp").code == 2);
 }
 
+TEST_CASE("a section's program prints one part alone, and lists its parts for a name that it does not know") {
+    const std::string program = COURSE_BUILD "/chapters/07_segment_intersection";
+    const auto whole = course::run({program, "--out", fs::temp_directory_path().string()});
+    const auto part = course::run({program, "crossings"});
+    CHECK(part.code == 0);
+    CHECK(part.out.starts_with("motion "));
+    CHECK(whole.out.starts_with(part.out + "\nfirst "));
+
+    const auto unknown = course::run({program, "crosings"});
+    CHECK(unknown.code == 2);
+    CHECK(unknown.out.empty());
+    CHECK(unknown.err == "this program has no part `crosings`; its parts are crossings, meetings, shared, touches\n");
+    CHECK(course::run({program, "crossings", "meetings"}).code == 2);
+}
+
 TEST_CASE("watching judges at once, at each save and at Enter, and q leaves") {
     std::string name = (fs::temp_directory_path() / "watched XXXXXX").string();
     const fs::path folder = ::mkdtemp(name.data());

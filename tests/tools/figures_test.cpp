@@ -403,7 +403,7 @@ Ran ran(const std::string &program, const std::string &cmake = "exit 0") {
     place.write("build/mine/traces/07_lines/old.tsv", "");
     const OnlyPath path{(place.tree.root / "bin").string() + ":/usr/bin:/bin"};
     const fs::path traces = student_traces(place.tree, place.section);
-    const Ran result = run_program(place.tree, place.section, Whose::student, traces, 0.6);
+    const Ran result = run_program(place.tree, place.section, Whose::student, traces, "", 0.6);
     CHECK(fs::exists(traces / "old.tsv") != result.started); // no trace of an earlier run survives
     return result;
 }

@@ -591,6 +591,28 @@ TEST_CASE("run passes the program's output on unchanged, and says elsewhere wher
     CHECK_THAT(broken.err, ContainsSubstring("exit code 4"));
 }
 
+TEST_CASE("run hands the name of a part to the program, and an unknown one is answered by its list") {
+    const SmallCourse course;
+    const std::string path = course.instead_of("cmake", "exit 0");
+    for (const std::string folder : {"chapters", "mine"}) {
+        const fs::path program = course.tree.build / folder / "07_wall_meeting";
+        course.write(program, "#!/bin/sh\n[ $1 = walls ] || { echo 'no such part; its parts are walls' >&2; exit 2; }\n"
+                              "echo $1 $2\n");
+        fs::permissions(program, fs::perms::all);
+        std::vector<std::string> run{"run", "7", "walls"}, misspelt{"run", "7", "wals"};
+        if (folder == "mine") run.push_back("--mine"), misspelt.push_back("--mine");
+
+        const Finished done = course(run, {path});
+        CHECK(done.code == 0);
+        CHECK(done.out == "walls --out\n");
+        CHECK(done.err.empty());
+
+        const Finished unknown = course(misspelt, {path});
+        CHECK(unknown.code == 2);
+        CHECK_THAT(unknown.err, ContainsSubstring("no such part; its parts are walls"));
+    }
+}
+
 TEST_CASE("a student's program that fails is something to do, not somebody's fault") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");

@@ -505,6 +505,24 @@ TEST_CASE("what a program prints is woven; other commands are left alone") {
     CHECK(book.text() == replaced(chapter, "length 5\n", "length 6\n\nwidth 7\n"));
 }
 
+TEST_CASE("the output of one part is woven from that part alone, also under --mine; an unknown part is named") {
+    Book book;
+    book.program(
+        "case $1 in --out) echo all ;; walls) echo 'walls only' ;; *) echo \"no part $1\" >&2; exit 2 ;; esac");
+    for (const std::string mine : {"", " --mine"}) {
+        book.put("chapters/07_wall/README.md",
+                 replaced(chapter, "$ ./course run 7\nlength 5\n", "$ ./course run 7 walls" + mine + "\nlength 5\n"));
+        book.renew_program();
+        CHECK_THAT(book.check().text, ContainsSubstring("differs here from what ./course run 7 walls prints"));
+        CHECK(book.weave().code == all_well);
+        CHECK_THAT(book.text(), ContainsSubstring("$ ./course run 7 walls" + mine + "\nwalls only\n```"));
+    }
+
+    book.put("chapters/07_wall/README.md",
+             replaced(chapter, "$ ./course run 7\nlength 5\n", "$ ./course run 7 doors\n"));
+    CHECK_THAT(book.weave().text, ContainsSubstring("07_wall: no part doors"));
+}
+
 TEST_CASE("a program is run with --out, in a folder of the build") {
     Book book;
     book.program("echo \"$1\"; case \"$2\" in \"" + book.tree.build.string() + "\"/*) pwd >\"$2/trace\" ;; esac");

@@ -161,14 +161,15 @@ class Weaver {
     }
 
     std::optional<Wanted> output_in(const Fence &fence) {
-        static const std::regex command{R"(\$ \./course run (\S+)\s*)"};
+        static const std::regex command{R"(\$ \./course run (\S+)( [^-\s]\S*)?( --mine)?\s*)"};
         std::smatch found;
         if (!std::regex_match(fence.content.front(), found, command)) return {};
         ++result.outputs;
-        Wanted wanted{{fence.content.front()}, "this output", [name = found[1].str()](std::size_t) {
+        Wanted wanted{{fence.content.front()}, "this output", [name = found[1].str() + found[2].str()](std::size_t) {
                           return "what ./course run " + name + " prints";
                       }};
-        const std::string printed = output(tree.section(found[1].str()));
+        const std::string part = found[2].matched ? found[2].str().substr(1) : "";
+        const std::string printed = output(tree.section(found[1].str()), part);
         for (const Line &line : lines_of(printed)) wanted.lines.emplace_back(line.text);
         while (without_blanks(wanted.lines.back()).empty()) wanted.lines.pop_back();
         return wanted;

@@ -33,11 +33,12 @@ struct Woven {
     int listings = 0, outputs = 0;
 };
 
-/// What the section's program prints.
-using Output = std::function<std::string(const Section &)>;
+/// What the section's program prints, or one part of it.
+using Output = std::function<std::string(const Section &, const std::string &part)>;
 
 /// Weaves a page's text: a fence whose first line is a mark `//> Title` gets the chunk of that title, a `console` fence
-/// whose first line is `$ ./course run N` what that program prints. Everything else stays, byte for byte.
+/// whose first line is `$ ./course run N [PART] [--mine]` what that program, or that part of it, prints with our
+/// solution. Everything else stays, byte for byte.
 /// @throws Complaint if a code file cannot be read, or from `output`.
 Woven weave(const Tree &tree, const Page &page, std::string_view text, const Output &output);
 

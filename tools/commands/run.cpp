@@ -1,4 +1,4 @@
-// `course run`: a section's program, the reference's or the student's. Its output goes through unchanged.
+// `course run`: a section's program, or one part of it, with our functions or the student's. Its output is unchanged.
 
 #include "commands/commands.hpp"
 #include "ground/lock.hpp"
@@ -10,15 +10,15 @@
 namespace course {
 namespace {
 
-void run_section(const Tree &tree, const Section &section, Whose whose) {
+void run_section(const Tree &tree, const Section &section, const std::string &part, Whose whose) {
     const std::filesystem::path traces =
         whose == Whose::student ? student_traces(tree, section) : reference_traces(tree, section);
     const Lock lock{tree};
-    const Ran ran = run_program(tree, section, whose, traces);
+    const Ran ran = run_program(tree, section, whose, traces, part);
     std::cout << ran.finished.out << std::flush;
     std::cerr << ran.finished.err;
     if (ran.trouble.empty()) {
-        std::cerr << "The traces of its figures are in " << traces.string() << '\n';
+        if (part.empty()) std::cerr << "The traces of its figures are in " << traces.string() << '\n';
         return;
     }
     std::cerr << "course: " << ran.trouble << '\n';
@@ -29,16 +29,19 @@ void run_section(const Tree &tree, const Section &section, Whose whose) {
 
 void add_run(CLI::App &app, const Tree &tree) {
     struct Options {
-        std::string section;
+        std::string section, part;
         bool mine = false;
     };
     const auto options = std::make_shared<Options>();
     CLI::App *command = app.add_subcommand("run", "Run a section's program, and print its worked examples");
     command->add_option("section", options->section, "its number, name or file")->required();
+    command->add_option("part", options->part,
+                        "one part of its output, as the chapter names it; without it, all of them");
     command->add_flag("--mine", options->mine, "with your functions instead of ours");
-    command->footer("Example: ./course run 7 --mine");
+    command->footer("Example: ./course run 7 --mine\n         ./course run 7 crossings");
     command->callback([&tree, options] {
-        run_section(tree, tree.section(options->section), options->mine ? Whose::student : Whose::reference);
+        run_section(tree, tree.section(options->section), options->part,
+                    options->mine ? Whose::student : Whose::reference);
     });
 }
 

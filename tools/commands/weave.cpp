@@ -23,8 +23,8 @@ struct WeaveOptions {
     bool check = false;
 };
 
-/// What the section's program prints, if it is built from the code as it stands.
-std::string output_of(const Tree &tree, const Section &section) {
+/// What the section's program, or one part of it, prints, if it is built from the code as it is now.
+std::string output_of(const Tree &tree, const Section &section, const std::string &part) {
     const Lock no_build_meanwhile{tree};
     const fs::path program = program_binary(tree, section, Whose::reference);
     const std::string name = "the program of " + section.name;
@@ -38,10 +38,11 @@ std::string output_of(const Tree &tree, const Section &section) {
     const fs::path traces = tree.build / "weave" / section.name;
     fs::create_directories(traces);
     const Finished finished =
-        run({program.string(), "--out", traces.string()}, {.deadline = longest_program, .folder = traces});
+        run(program_command(program, part, traces), {.deadline = longest_program, .folder = traces});
     if (finished.timed_out)
         throw Complaint{name + " was stopped after 20 s; ./course run " + section.short_number()
                         + " runs it without weaving."};
+    if (finished.code == 2 && !part.empty()) throw Complaint{section.name + ": " + last_line(finished.err)};
     if (finished.code != 0)
         throw Complaint{name + " stopped with exit code " + std::to_string(finished.code) + "; ./course run "
                         + section.short_number() + " shows what it says."};
@@ -84,10 +85,12 @@ class Command {
 
     /// Whether the page could be read, with all its fences.
     bool page(const Page &page) {
-        const Woven woven = weave(tree, page, read_file(page.file), [this](const Section &section) {
-            const auto known = printed.find(section.name);
-            return known != printed.end() ? known->second : printed[section.name] = output_of(tree, section);
-        });
+        const Woven woven =
+            weave(tree, page, read_file(page.file), [this](const Section &section, const std::string &part) {
+                const auto [known, is_new] = printed.try_emplace({section.name, part});
+                if (is_new) known->second = output_of(tree, section, part);
+                return known->second;
+            });
         add(woven.findings);
         if (woven.broken) return false;
         if (check) {
@@ -105,7 +108,7 @@ class Command {
 
     const Tree &tree;
     const bool check;
-    std::map<std::string, std::string> printed; ///< by section: each program runs once
+    std::map<std::pair<std::string, std::string>, std::string> printed; ///< by section and part: each runs once
     std::vector<Finding> findings;
     int chapters = 0, listings = 0, outputs = 0;
     bool changed = false;

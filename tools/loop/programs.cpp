@@ -46,14 +46,21 @@ std::string first_error(const std::string &printed) {
     return "";
 }
 
-namespace {
-
 std::string last_line(const std::string &text) {
     const auto end = text.find_last_not_of(" \r\n");
     if (end == std::string::npos) return "";
     const auto start = text.find_last_of('\n', end);
     return text.substr(start + 1, end - start); // npos + 1 is 0
 }
+
+std::vector<std::string> program_command(const fs::path &program, const std::string &part, const fs::path &traces) {
+    std::vector<std::string> command{program.string()};
+    if (!part.empty()) command.push_back(part);
+    command.insert(command.end(), {"--out", traces.string()});
+    return command;
+}
+
+namespace {
 
 /// How a student's program ended, if not well. A part that could not run has said so itself: chapters/program.hpp.
 std::string student_trouble(const Section &section, const Finished &finished, double deadline) {
@@ -74,6 +81,8 @@ std::string student_trouble(const Section &section, const Finished &finished, do
            + (said.empty() ? " and without a word" : ", and its last words were \"" + said + "\"") + "; " + check
            + " shows what is wrong";
 }
+
+constexpr int unknown_part = 2; ///< what a program exits with if it has no part of that name, or cannot write
 
 /// An empty folder, so that no trace of an earlier run is taken for one of this run.
 void empty_folder(const fs::path &folder) {
@@ -106,36 +115,40 @@ constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; exec \"$@\"";
 constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; ulimit -v 4000000 2>/dev/null; exec \"$@\"";
 #endif
 
-Ran run_student(const Tree &tree, const Section &section, const fs::path &traces, double deadline) {
+Ran run_student(const Tree &tree, const Section &section, const fs::path &traces, const std::string &part,
+                double deadline) {
     tree.written_exercise(section);
     if (const Finished built = build(tree, section.name + "_mine"); built.code != 0)
         return {
             false, {}, "your program cannot be built: " + student_error(tree, section, built.out + '\n' + built.err)};
     empty_folder(traces);
-    const std::string program = program_binary(tree, section, Whose::student).string();
-    const Finished finished = run({"sh", "-c", limited, "sh", program, "--out", traces.string()},
-                                  {.quiet = true, .deadline = deadline, .folder = traces});
+    std::vector<std::string> command = program_command(program_binary(tree, section, Whose::student), part, traces);
+    command.insert(command.begin(), {"sh", "-c", limited, "sh"});
+    const Finished finished = run(command, {.quiet = true, .deadline = deadline, .folder = traces});
+    if (finished.code == unknown_part && !part.empty()) throw Complaint{last_line(finished.err)};
     return {true, finished, student_trouble(section, finished, deadline)};
 }
 
-Ran run_reference(const Tree &tree, const Section &section, const fs::path &traces) {
+Ran run_reference(const Tree &tree, const Section &section, const fs::path &traces, const std::string &part) {
     if (const Finished built = build(tree, section.name); built.code != 0)
         return {false,
                 {},
                 "the program of " + section.name + " cannot be built: " + first_error(built.out + '\n' + built.err)};
     std::error_code ignored;
     fs::create_directories(traces, ignored); // the program says so if it cannot write
-    const Finished finished = run({program_binary(tree, section, Whose::reference).string(), "--out", traces.string()});
+    const Finished finished = run(program_command(program_binary(tree, section, Whose::reference), part, traces));
+    if (finished.code == unknown_part && !part.empty()) throw Complaint{last_line(finished.err)};
     if (finished.code == 0) return {true, finished, ""};
     return {true, finished, "the program of " + section.name + " left with exit code " + std::to_string(finished.code)};
 }
 
 } // namespace
 
-Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs::path &traces, double deadline) {
+Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs::path &traces, const std::string &part,
+                double deadline) {
     const fs::path folder = fs::absolute(traces);
-    return whose == Whose::student ? run_student(tree, section, folder, deadline)
-                                   : run_reference(tree, section, folder);
+    return whose == Whose::student ? run_student(tree, section, folder, part, deadline)
+                                   : run_reference(tree, section, folder, part);
 }
 
 } // namespace course

@@ -29,16 +29,24 @@ struct Ran {
     std::string trouble;  ///< one sentence with its remedy; empty if all went well
 };
 
-/// Builds the program where its sources are newer and runs it with `--out traces`, the student's with limits and for
-/// at most `deadline` [s].
+/// The command that runs a section's program, or one part of it, with its traces in that folder.
+std::vector<std::string> program_command(const std::filesystem::path &program, const std::string &part,
+                                         const std::filesystem::path &traces);
+
+/// Builds the program where its sources are newer and runs it, or one part of it, the student's with limits and for at
+/// most `deadline` [s].
 /// What a student's file does (not compile, hang, crash, stop early) is told in `trouble`. The caller holds the Lock.
-/// @throws Complaint if the exercise is not there, if a folder cannot be written, or if cmake is missing.
+/// @throws Complaint if there is no such part, if the exercise is not there, if a folder cannot be written, or if cmake
+/// is missing.
 Ran run_program(const Tree &tree, const Section &section, Whose whose, const std::filesystem::path &traces,
-                double deadline = 10);
+                const std::string &part = "", double deadline = 10);
 
 /// What the program said of the part that writes this trace: "not started: ..." or "error: ...", without the part's
 /// name; "" if it said nothing.
 std::string said_of(const Finished &finished, const std::string &trace);
+
+/// The last line of a text that is not blank.
+std::string last_line(const std::string &text);
 
 /// The first error of a compiler or linker in what a build printed, shortened to one line; "" if there is none.
 std::string first_error(const std::string &printed);

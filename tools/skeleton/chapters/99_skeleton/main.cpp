@@ -24,5 +24,5 @@ void trace_pull(std::ostream &out) {
 
 //> Main
 int main(int argc, char **argv) {
-    return course::run(argc, argv, {{"three stretches", print_pulls}, {"99_skeleton_pull.tsv", trace_pull}});
+    return course::run(argc, argv, {{"pulls", print_pulls}, {"99_skeleton_pull.tsv", trace_pull}});
 }
