@@ -1,5 +1,6 @@
 // The wire, and the session that owns the verdict, against processes that lie.
 
+#include "ground/plain.hpp"
 #include "loop/advice.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/junit.hpp"
@@ -135,6 +136,18 @@ TEST_CASE("what is printed is shown without what could move a cursor or break a 
     CHECK(more == 1);
     CHECK(tidy(std::string(1000, 'x')).first.front().size() == 160 + std::string{"…"}.size());
     CHECK(tidy("no line end").first == std::vector<std::string>{"no line end"});
+}
+
+TEST_CASE("what a compiler prints is made plain before anything reads it") {
+    CHECK(plain_output("a\x1b[2Jb\r\nc\xff\n") == "a?[2Jb\nc?\n");
+    CHECK(plain_output("") == "");
+    CHECK(plain_output(std::string(300'000, 'x')) == std::string(2000, 'x') + "…\n");
+    // Too long for what they say, half of a pair, beyond the last character, and one that XML does not have.
+    CHECK(plain_line("\xe0\x80\xaf", 9) == "???");
+    CHECK(plain_line("\xed\xa0\x80", 9) == "???");
+    CHECK(plain_line("\xf4\x90\x80\x80", 9) == "????");
+    CHECK(plain_line("\xef\xbf\xbf", 9) == "?");
+    CHECK(plain_line("€𝄞", 9) == "€𝄞");
 }
 
 TEST_CASE("a failed check of a library is said in words, and on one line") {

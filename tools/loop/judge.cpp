@@ -3,6 +3,7 @@
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
+#include "ground/plain.hpp"
 #include "ground/process.hpp"
 #include "loop/diagnosis.hpp"
 
@@ -128,7 +129,7 @@ void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Se
     for (auto &verdict : verdicts) {
         if (verdict.kind != Kind::missing || !verdict.call) continue;
         if (defined.empty()) {
-            defined = run({w.nm, "-C", "--defined-only", object.string()}).out;
+            defined = plain_output(run({w.nm, "-C", "--defined-only", object.string()}).out);
             header = read_file(tree.header(section));
         }
         verdict.sentence += explain_missing(defined, header, verdict.call->function);
@@ -179,14 +180,15 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
                         + " s: does a template or a constexpr function never end?";
         return single(slow);
     }
-    auto warnings = find_warnings(compiled.err, file, name);
+    const std::string said = plain_output(compiled.err);
+    auto warnings = find_warnings(said, file, name);
     for (const std::string &unreached : find_unreached(text, name)) warnings.push_back(unreached);
-    if (compiled.code != 0) return single(diagnose_compiler(compiled.err, file, name));
+    if (compiled.code != 0) return single(diagnose_compiler(said, file, name));
 
     std::vector<std::string> link{w.compiler, object, w.server.string(), w.missing.string(), "-o", subject};
     link.insert(link.end(), w.link.begin(), w.link.end());
     if (const auto linked = run(link, {.deadline = longest_compilation}); linked.code != 0)
-        return single(diagnose_linker(linked.err, name, section.short_number()), warnings);
+        return single(diagnose_linker(plain_output(linked.err), name, section.short_number()), warnings);
 
     const fs::path verdicts = scratch / "verdicts";
     const auto tested = run({(tree.build / "tests" / section.name).string(), subject, "--json", verdicts.string(),

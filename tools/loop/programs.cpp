@@ -1,6 +1,7 @@
 #include "loop/programs.hpp"
 
 #include "ground/complaint.hpp"
+#include "ground/plain.hpp"
 #include "loop/diagnosis.hpp"
 
 #include <array>
@@ -95,7 +96,10 @@ void empty_folder(const fs::path &folder) {
 }
 
 Finished build(const Tree &tree, const std::string &target) {
-    return run({"cmake", "--build", tree.build.string(), "--target", target});
+    Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
+    built.out = plain_output(built.out);
+    built.err = plain_output(built.err);
+    return built;
 }
 
 /// What keeps a student's program from being built, in the words of `course check`.

@@ -1,5 +1,7 @@
 #include "verdict/shared/verdict.hpp"
 
+#include "ground/plain.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -90,39 +92,6 @@ std::string explain(const Verdict &v, int indent) {
 
 namespace {
 
-/// Bytes of the well-formed UTF-8 character that `text` begins with; 0 if it is none.
-std::size_t utf8_length(std::string_view text) {
-    const auto byte = static_cast<unsigned char>(text.front());
-    const std::size_t length = byte < 0x80                   ? 1
-                               : byte >= 0xC2 && byte < 0xE0 ? 2
-                               : byte >= 0xE0 && byte < 0xF0 ? 3
-                               : byte >= 0xF0 && byte < 0xF5 ? 4
-                                                             : 0;
-    if (length == 0 || length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) return 0;
-    return length;
-}
-
-std::string tidy_line(std::string_view line) {
-    constexpr int most = 160; // characters: two lines of a terminal
-    std::string text;
-    for (int shown = 0; !line.empty(); ++shown) {
-        if (shown == most) return text + "…";
-        const std::size_t length = utf8_length(line);
-        const bool control = length == 1 && (static_cast<unsigned char>(line.front()) < 0x20 || line.front() == 0x7F);
-        const bool c1 = length == 2 && line[0] == '\xC2' && static_cast<unsigned char>(line[1]) < 0xA0; // control, too
-        if (length == 0 || control || c1) text += line.front() == '\t' ? " " : "?";
-        else text += line.substr(0, length);
-        line.remove_prefix(length == 0 ? 1 : length);
-    }
-    return text;
-}
-
-} // namespace
-
-namespace {
-
 /// What a library says of a check that failed, without the name of the function, which fills the screen.
 std::string short_assertion(std::string_view line) {
     const std::size_t at = line.find(" Assertion "), place = line.find(": ", line.find('/')),
@@ -163,11 +132,12 @@ std::string meaning_of_assertion(std::string_view printed) {
 }
 
 std::pair<std::vector<std::string>, std::size_t> tidy(std::string_view printed, std::size_t lines) {
+    constexpr std::size_t widest = 160; // characters: two lines of a terminal
     std::vector<std::string> shown;
     std::size_t more = 0;
     while (!printed.empty()) {
         const std::size_t end = std::min(printed.find('\n'), printed.size());
-        if (shown.size() < lines) shown.push_back(tidy_line(short_assertion(printed.substr(0, end))));
+        if (shown.size() < lines) shown.push_back(plain_line(short_assertion(printed.substr(0, end)), widest));
         else ++more;
         printed.remove_prefix(std::min(end + 1, printed.size()));
     }
