@@ -199,7 +199,7 @@ endmacro()
 
 # After the last section: what concerns all of them.
 function(finish_course)
-  foreach(folder solutions tests exercises tests/stubs)
+  foreach(folder solutions tests tests/stubs) # not exercises: it is the student's, who may keep an older answer there
     file(GLOB files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${folder}/*.cpp)
     foreach(file ${files})
       cmake_path(GET file STEM stem)

@@ -4,6 +4,7 @@
 #include "ground/process.hpp"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <unistd.h>
@@ -54,10 +55,18 @@ TEST_CASE("a section without its solution is a configure error that names the fi
 
 TEST_CASE("a file of no section is a configure error that names it", "[configure]") {
     const Copy copy;
-    fs::rename(copy.root / "exercises/07_segment_intersection.cpp", copy.root / "exercises/07_segments.cpp");
+    const std::string stray = GENERATE("solutions/07_segments.cpp", "tests/07_segments.cpp", "tests/stubs/07_old.cpp");
+    course::write_file(copy.root / stray, "");
     const auto said = copy.configure();
     CHECK(said.code != 0);
-    CHECK_THAT(on_one_line(said), ContainsSubstring("exercises/07_segments.cpp belongs to no section"));
+    CHECK_THAT(on_one_line(said), ContainsSubstring(stray + " belongs to no section"));
+}
+
+TEST_CASE("what else a student keeps in exercises/ is no concern of the course", "[configure]") {
+    const Copy copy;
+    course::write_file(copy.root / "exercises/07_old.cpp", "my first try, which does not even compile");
+    course::write_file(copy.root / "exercises/notes.txt", "");
+    CHECK(copy.configure().code == 0);
 }
 
 TEST_CASE("without its exercise the course still configures, and says the way back", "[configure]") {
