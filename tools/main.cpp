@@ -4,6 +4,7 @@
 #include "ground/nearest.hpp"
 #include "ground/process.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
@@ -110,15 +111,25 @@ std::string misunderstood(const CLI::App &app, const CLI::ParseError &error) {
     return "`" + command.get_name() + "` does not know what to do with `" + word + "`; see " + help;
 }
 
+/// `./course -v check 7` means `./course check 7 -v`. Reversed, as CLI11 wants them.
+std::vector<std::string> options_behind_the_command(std::vector<std::string> words) {
+    const auto command =
+        std::find_if(words.begin(), words.end(), [](const std::string &word) { return !word.starts_with('-'); });
+    if (command != words.end()) std::rotate(words.begin(), command, words.end());
+    std::reverse(words.begin(), words.end());
+    return words;
+}
+
 int obey(int argc, char **argv) {
     const Tree tree = find_tree();
     CLI::App app{description, "./course"};
     app.require_subcommand(0, 1)->failure_message(nullptr);
     app.set_help_flag("-h,--help", "Print this help");
+    app.set_version_flag("--version", "Frame by Frame " COURSE_VERSION, "Print which version of the course this is");
     add_commands(app, tree);
     app.footer(footer); // last: a command would inherit it
     try {
-        app.parse(argc, argv);
+        app.parse(options_behind_the_command({argv + 1, argv + argc}));
         if (app.get_subcommands().empty()) std::cout << app.help();
     } catch (const CLI::Success &help) {
         app.exit(help);

@@ -66,7 +66,7 @@ TEST_CASE("watching judges at once, at each save and at Enter, and q leaves") {
     // Keys at 3 s and 9 s, a save at 6 s; each judgement takes less than one.
     const std::string script =
         "(sleep 3; echo; sleep 3; echo '// more' >>\"$1\"; sleep 3; echo q) | "
-        "env COURSE_ROOT='" COURSE_ROOT "' COURSE_BUILD='" COURSE_BUILD "' \"$2\" check 7 --watch --file \"$1\"";
+        "env COURSE_ROOT='" COURSE_ROOT "' COURSE_BUILD='" COURSE_BUILD "' \"$2\" --watch check 7 --file \"$1\"";
     const auto watched = course::run({"sh", "-c", script, "sh", file.string(), COURSE_TOOL}, {.deadline = 60});
     CHECK(watched.code == 0);
     CHECK(count(watched.out, "does not compile") == 3);

@@ -199,6 +199,18 @@ TEST_CASE("help names every command with its group, the exit codes and an exampl
     CHECK(course({}).out == help.out);
 }
 
+TEST_CASE("an option means the same before its command and behind it") {
+    const SmallCourse course;
+    CHECK(course({"--all", "hint", "7.1"}).out == course({"hint", "7.1", "--all"}).out);
+    CHECK(course({"--help", "hint"}).out == course({"hint", "--help"}).out);
+    CHECK_THAT(course({"--al", "hint", "7.1"}).err, ContainsSubstring("`hint` has no option `--al`"));
+    CHECK_THAT(course({"--verbose"}).err, ContainsSubstring("`course` has no option `--verbose`"));
+}
+
+TEST_CASE("the program says its version") {
+    CHECK_THAT(SmallCourse{}({"--version"}).out, Matches("Frame by Frame \\d+\\.\\d+\\.\\d+\n"));
+}
+
 TEST_CASE("a checkout that has moved away is said in one sentence") {
     const SmallCourse course;
     const Finished said = course({"list"}, {"COURSE_ROOT=/nowhere/at/all"});
