@@ -213,6 +213,34 @@ is "$out" 'tool [list]'
 is "$did" 'build course-tool'
 has "$err" 'the course program'
 
+claim='a source dated tomorrow is built once, and not with every command'
+touch -d '+1 day' "$tree/tools/commands/new.cpp"
+course list
+is "$did" 'build course-tool'
+course list
+is "$did" ''
+
+claim='presets dated tomorrow are configured with once'
+touch -d '+1 day' "$tree/CMakePresets.json"
+course list
+has "$did" preset
+course list
+is "$did" ''
+
+claim='without build.ninja any command configures again'
+rm "$build/build.ninja"
+course list
+is "$did" "cmake: --preset default -B $build
+build course-tool"
+is "$out" 'tool [list]'
+
+claim='help COMMAND is the help of that command'
+course help check
+is "$out" 'tool [check] [--help]'
+course help doctor
+leaves_with 0
+has "$out" './course doctor'
+
 claim='tests: everything is built, ctest gets the further arguments and its failure is 1'
 ctest_leaves=8
 course test -R 'a b'
@@ -262,6 +290,13 @@ machine 'an unwritable build folder is said in one sentence'
 elsewhere=$lab/file course
 leaves_with 2
 is "$err" "course: cannot write to the build folder $lab/file. Make it yours, or name another one: COURSE_BUILD=/some/folder ./course"
+
+machine 'the version is known before anything is built'
+echo 'project(frame_by_frame VERSION 1.2.3 LANGUAGES CXX)' >"$tree/CMakeLists.txt"
+course --version
+leaves_with 0
+is "$out" 'Frame by Frame 1.2.3'
+is "$did" ''
 
 machine 'wrong words'
 course doctor now

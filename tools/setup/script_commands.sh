@@ -11,6 +11,7 @@ Usage: ./course [command]
   ./course doctor     one line for each tool: what was found, what is needed, what to type
   ./course test       builds everything and runs all tests; what follows goes to ctest: ./course test -R verdict
 
+  ./course --version  says which version of the course this is
   COURSE_BUILD=/some/folder ./course    builds there instead of in build/default
 
 Exit codes: 0 all is well; 1 a test is not passed, or a check found a difference; 2 the call, a file or the machine
