@@ -162,10 +162,9 @@ TEST_CASE("erratum E7.2: the way starts at (4, 7); from the printed (7, 7) it en
     const Vec2 as_printed = Vec2{7, 7} + 0.44 * Vec2{12, -4};
     CHECK_THAT(as_printed, IsNear(Vec2{12.28, 5.24}, rounding)); // and not the (9.28, 5.24) that is printed behind it
 
-    const auto found = crossing(motion, wall);
-    CHECK(found.has_value());
-    const Vec2 point = Vec2{4, 7} + found->t * Vec2{12, -4};
-    CHECK_THAT(found->point, IsNear(point, rounding));
+    const Crossing found = crossing(motion, wall).value();
+    const Vec2 point = Vec2{4, 7} + found.t * Vec2{12, -4};
+    CHECK_THAT(found.point, IsNear(point, rounding).of("the point, against the start and t times the motion [m]"));
 }
 
 //> Erratum E7.3
@@ -458,10 +457,10 @@ TEST_CASE("off the grid, on one line: how many points is left open, but each lie
 
         const Points points = shared(first, second);
 
-        CHECK(points.size() <= (overlap ? 2 : 0));
+        CHECK_THAT(points.size(), IsAtMost(overlap ? 2 : 0).of("number of points"));
         for (const Vec2 &point : points) {
-            CHECK(far_from(first, point) < 1e-11);
-            CHECK(far_from(second, point) < 1e-11);
+            CHECK_THAT(far_from(first, point), IsBelow(1e-11).of("distance of a point from the first segment [m]"));
+            CHECK_THAT(far_from(second, point), IsBelow(1e-11).of("distance of a point from the second segment [m]"));
         }
     }
 }
@@ -610,8 +609,9 @@ TEST_CASE("in a hundred thousand frames nothing escapes, and no speed is lost", 
     for (int frame = 0; frame < course::cases(100000); ++frame) {
         mover = bounce(mover, cave, dice.real(0, 2)); // up to five metres, and several walls
 
-        CHECK(outside(mover.position, cave) < 1e-9);
-        CHECK_THAT(mover.velocity.norm(), IsNear(std::hypot(2.3, 1.1), 1e-9)); // two roundings a bounce, 1e5 bounces
+        CHECK_THAT(outside(mover.position, cave), IsBelow(1e-9).of("distance outside of the room [m]"));
+        CHECK_THAT(mover.velocity.norm(),
+                   IsNear(std::hypot(2.3, 1.1), 1e-9).of("speed [m/s]")); // two roundings a bounce, 1e5 bounces
     }
 }
 
@@ -719,8 +719,8 @@ TEST_CASE("into the tip of a needle, and out again", "[7.4]") {
     const Mover after = bounce({{40, 0.1}, {-20, 0.3}}, needle, 4.2);
     CHECK(outside(after.position, needle) < 1e-9);
     CHECK_THAT(after.velocity.norm(), IsNear(std::hypot(20, 0.3), 1e-9));
-    CHECK(after.velocity.x() > 15); // it has turned
-    CHECK(after.position.x() > 20); // and is far out
+    CHECK_THAT(after.velocity.x(), IsAbove(15).of("velocity along x [m/s]")); // it has turned
+    CHECK_THAT(after.position.x(), IsAbove(20).of("x [m]"));                  // and is far out
 
     const Mover stuck = bounce({{40, 0}, {-20, 0}}, needle, 3); // exactly into the tip, which is 2 s away
     CHECK(outside(stuck.position, needle) < 1e-8);
@@ -910,8 +910,7 @@ TEST_CASE("left is 1, right is -1, parallel is 0", "[7.6]") {
 TEST_CASE("where the plain formula has the wrong sign, the honest one has 0 or the right one", "[7.6]") {
     // On paper both go (2.5, 2.9). In the computer 3.2 - 0.7 is not 2.5: the plain formula gives D = 8.9e-16, left,
     // but these eight numbers, as they are stored, have D = -8.9e-17 exactly: right.
-    const int got = turn({{1, 1}, {3.5, 3.9}}, {{0.7, 0.8}, {3.2, 3.7}});
-    CHECK((got == 0 || got == -1));
+    CHECK_THAT(turn({{1, 1}, {3.5, 3.9}}, {{0.7, 0.8}, {3.2, 3.7}}), IsAtMost(0));
 }
 
 //> Against exact fractions
@@ -962,8 +961,8 @@ TEST_CASE("0 is allowed up to 1e-15 of the true D, not of the computed one: two 
     // Computed, D is 2.2e-16 of its two products together; these eight numbers, as they are stored, have -2.3e-17 of them.
     const Segment first{{0.0066887441641682033, 0.035824353454739041}, {1.0085581351620307, 1.0543505924393419}};
     const Segment second{{-0.047818887578320146, -0.040134572186612497}, {0.93427171066482462, 0.9582840364250792}};
-    CHECK(turn(first, second) != 1);
-    CHECK(turn(second, first) != -1);
+    CHECK_THAT(turn(first, second), IsAtMost(0));
+    CHECK_THAT(turn(second, first), IsAtLeast(0));
 
     // Computed, it is 7.4e-16 of them, but truly 1.004e-15: no longer too close to tell. Whoever takes all of the
     // header's 1e-15 for the doubt says 0 here; of the 1e-15, a good third is what the roundings can have taken away.

@@ -128,6 +128,47 @@ TEST_CASE("got and want are told apart at as many digits as that takes") {
     CHECK(found->want == "1");
 }
 
+namespace {
+
+/// What a student reads where a check of a test fails like this.
+template <class Check> std::string shown_for(Check check) {
+    Session own{"/nowhere", Patience{}};
+    session() = &own;
+    own.begin("1.1", "a claim");
+    CHECK_FALSE(check());
+    own.fail(Kind::wrong, "", "", 0);
+    session() = nullptr;
+    return explain(own.end(true), 0);
+}
+
+} // namespace
+
+TEST_CASE("what a test has computed is named in the verdict, with its unit") {
+    CHECK(shown_for([] {
+              return is_near(Vector2d{0.2, 0}, Vector2d{0, 0}, 1e-12, split_label("sum of all velocities [m/s]"));
+          })
+          == "sum of all velocities:\ngot   (0.2, 0) m/s\nwant  (0, 0) m/s ± 1e-12\n");
+    CHECK(shown_for([] { return is_near(false, true, 0, split_label("both ends lie on one side")); })
+          == "both ends lie on one side:\ngot   false\nwant  true\n");
+    CHECK(shown_for([] { return is_near(outer, Outer{}, 0, split_label("the last one")); })
+          == "the last one:\ngot   time = 1.5 s\nwant  time = 0 s\n");
+    CHECK(shown_for([] {
+              return has_size(std::vector{1, 2, 3}, 1, split_label("slots that changed"));
+          })
+          == "slots that changed:\ngot   3 elements: [1, 2, 3]\nwant  1 element\n");
+}
+
+TEST_CASE("an order that does not hold is said with its bound, and told apart at as many digits as that takes") {
+    const Order at_most{"at most", [](double x, double y) { return x <= y; }};
+    const auto speed = [&](double got) {
+        return shown_for([&] { return is_ordered(got, 3, at_most, split_label("speed along x [m/s]")); });
+    };
+    CHECK(speed(3.2) == "speed along x:\ngot   3.2 m/s\nwant  at most 3 m/s\n");
+    CHECK(speed(3 + 1e-14).find("got   3.00000000000001 m/s\n") != std::string::npos);
+    CHECK(speed(NAN).find("\"not a number\"") != std::string::npos);
+    CHECK(is_ordered(3.0, 3, at_most, {}));
+}
+
 TEST_CASE("what is printed is shown without what could move a cursor or break a file") {
     const auto [lines, more] = tidy("red \x1b[31m\ttab\r\n\xff\xfe broken\n\xc2\x9b"
                                     "31m c1\nzwölf\n",
@@ -259,6 +300,7 @@ TEST_CASE("a verdict survives its way through JSON") {
                     Kind::left_process,
                     "what happened",
                     Call{"meet", {"first = 1"}, 3, "{g, h}"},
+                    "",
                     "g",
                     "w",
                     "1e-9",
@@ -273,14 +315,17 @@ TEST_CASE("a verdict survives its way through JSON") {
     CHECK(explain(verdict, 2).find("gave  {g, h}\n") != std::string::npos);
     verdict.got = verdict.call->answer; // then it need not be said twice
     CHECK(explain(verdict, 2).find("gave") == std::string::npos);
+    verdict.label = "speed"; // of something that only looks like the answer
+    const auto named = nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>();
+    CHECK(explain(named, 2).find("gave  {g, h}\n  speed:\n  got   {g, h}\n") != std::string::npos);
 }
 
 TEST_CASE("JUnit files are XML whatever a student prints, and count what failed") {
-    Verdict wrong{"7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, "1", "2", "", "t.cpp", 3, {"\u00e4"},
-                  0};
+    Verdict wrong{
+        "7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, "", "1", "2", "", "t.cpp", 3, {"\u00e4"}, 0};
     Verdict ours = wrong;
     ours.kind = Kind::no_verdict;
-    Verdict passed{"7.1", "fine", Kind::passed, "", {}, "", "", "", "", 0, {}, 0};
+    Verdict passed{"7.1", "fine", Kind::passed, "", {}, "", "", "", "", "", 0, {}, 0};
     pugi::xml_document read;
     REQUIRE(read.load_string(junit({{Section{"07_x"}, {wrong, ours, passed}}}).c_str()));
     const auto suite = read.child("testsuites").child("testsuite");

@@ -37,9 +37,9 @@ static_assert(names.size() == static_cast<std::size_t>(Kind::no_verdict) + 1);
 std::string_view name_of(Kind kind) { return names.at(static_cast<std::size_t>(kind)); }
 
 void to_json(nlohmann::json &json, const Verdict &v) {
-    json = {{"exercise", v.exercise}, {"test", v.test},       {"kind", name_of(v.kind)},       {"sentence", v.sentence},
-            {"got", v.got},           {"want", v.want},       {"tolerance", v.tolerance},      {"file", v.file},
-            {"line", v.line},         {"printed", v.printed}, {"printed_more", v.printed_more}};
+    json = {{"exercise", v.exercise}, {"test", v.test}, {"kind", name_of(v.kind)}, {"sentence", v.sentence},
+            {"label", v.label},       {"got", v.got},   {"want", v.want},          {"tolerance", v.tolerance},
+            {"file", v.file},         {"line", v.line}, {"printed", v.printed},    {"printed_more", v.printed_more}};
     if (v.call)
         json["call"] = {{"function", v.call->function},
                         {"arguments", v.call->arguments},
@@ -54,6 +54,7 @@ void from_json(const nlohmann::json &json, Verdict &v) {
     json.at("exercise").get_to(v.exercise);
     json.at("test").get_to(v.test);
     json.at("sentence").get_to(v.sentence);
+    json.at("label").get_to(v.label);
     json.at("got").get_to(v.got);
     json.at("want").get_to(v.want);
     json.at("tolerance").get_to(v.tolerance);
@@ -76,8 +77,9 @@ std::string explain(const Verdict &v, int indent) {
         say("call  " + v.call->function + "()" + (v.call->arguments.empty() ? "" : " with")
             + (v.call->before == 0 ? "" : "   (call " + std::to_string(v.call->before + 1) + " of this test)"));
         for (const auto &argument : v.call->arguments) say("        " + argument);
-        if (!v.call->answer.empty() && v.call->answer != v.got) say("gave  " + v.call->answer);
+        if (!v.call->answer.empty() && (v.call->answer != v.got || !v.label.empty())) say("gave  " + v.call->answer);
     }
+    if (!v.label.empty()) say(v.label + ':');
     if (!v.got.empty()) say("got   " + v.got);
     if (!v.want.empty()) say("want  " + v.want + (v.tolerance.empty() ? "" : " ± " + v.tolerance));
     if (!v.file.empty() && !nothing_to_see) say("see   " + v.file + ':' + std::to_string(v.line));

@@ -40,6 +40,7 @@ std::string_view last_unit();
 
 /// What a matcher found, in the words of a verdict; see note_mismatch.
 struct Mismatch {
+    std::string label;     ///< what was compared: "sum of all velocities"; empty for the answer of the last call
     std::string got, want; ///< with the path to the field that differs: "point.x = 3 m"
     std::string tolerance; ///< "1e-12", or empty where there is none
     bool not_a_number = false;

@@ -40,6 +40,16 @@ inline std::string with_unit(std::string text, std::string_view unit) {
     return unit.empty() || unit == "1" ? text : text + ' ' + std::string{unit};
 }
 
+/// What a value is called, and its unit: "speed along x [m/s]" in two parts.
+struct Label {
+    std::string name, unit;
+};
+inline Label split_label(std::string_view text) {
+    const std::size_t bracket = text.find(" [");
+    if (bracket == text.npos || text.back() != ']') return {std::string{text}, {}};
+    return {std::string{text.substr(0, bracket)}, std::string{text.substr(bracket + 2, text.size() - bracket - 3)}};
+}
+
 /// @param digits  significant digits of a number; 0: as many as it has
 template <class T> std::string describe(const T &value, std::string_view unit = {}, int digits = 0) {
     if constexpr (std::is_same_v<T, bool>) {

@@ -24,8 +24,11 @@ struct Place {
 /// Both at nine digits; at all of theirs where nine look the same.
 template <class T> Mismatch differ(const Place &at, const T &got, const T &want, double tolerance) {
     const int nine = describe(got, {}, 9) == describe(want, {}, 9) ? 0 : 9;
-    return {at.says(describe(got, at.unit, nine)), at.says(describe(want, at.unit, nine)),
-            tolerance > 0 ? describe_number(tolerance, 3) : "", false};
+    return {{},
+            at.says(describe(got, at.unit, nine)),
+            at.says(describe(want, at.unit, nine)),
+            tolerance > 0 ? describe_number(tolerance, 3) : "",
+            false};
 }
 
 inline bool is_nan(double x) { return std::isnan(x); }
@@ -51,7 +54,7 @@ template <class T> std::optional<Mismatch> find(const Place &at, const T &got, c
         return differ(at, got, want, 0);
     } else if constexpr (wire::is_vector<T>) {
         if (got.size() != want.size())
-            return Mismatch{at.says(describe(got, at.unit, 9)), at.says(describe(want, at.unit, 9)), "", false};
+            return Mismatch{{}, at.says(describe(got, at.unit, 9)), at.says(describe(want, at.unit, 9)), "", false};
         for (std::size_t i = 0; i < got.size(); ++i)
             if (auto found = find<typename T::value_type>(at.field('[' + std::to_string(i) + ']', at.unit), got[i],
                                                           want[i], tolerance))
@@ -80,15 +83,45 @@ template <class T> std::optional<Mismatch> find(const Place &at, const T &got, c
 
 } // namespace mismatch
 
-/// Whether `got` is as near to `want` as IsNear promises; what differs is noted for the verdict.
-template <class T> bool matches(const T &got, const T &want, double tolerance) {
-    auto found = mismatch::find<T>({}, got, want, tolerance);
-    if (!found) return true;
+/// The unit of a value: its label's, or that of the last call's result if the value is that.
+template <class T> std::string unit_of(const T &value, const Label &label) {
+    if (!label.name.empty()) return label.unit;
     wire::Writer bytes;
-    bytes.put(got);
-    if (is_last_result(bytes.bytes)) // the whole answer: its unit is known
-        found = mismatch::find<T>({{}, std::string{last_unit()}}, got, want, tolerance);
+    bytes.put(value);
+    return is_last_result(bytes.bytes) ? std::string{last_unit()} : "";
+}
+
+/// Whether `got` is as near to `want` as IsNear promises; what differs is noted for the verdict.
+template <class T> bool is_near(const T &got, const T &want, double tolerance, const Label &label) {
+    auto found = mismatch::find<T>({{}, unit_of(got, label)}, got, want, tolerance);
+    if (!found) return true;
+    found->label = label.name;
     note_mismatch(*found);
+    return false;
+}
+
+/// How a number must lie to a bound: "at most", with what that means.
+struct Order {
+    const char *words;
+    bool (*holds)(double got, double bound);
+};
+
+template <class T> bool is_ordered(const T &got, double bound, const Order &order, const Label &label) {
+    if (order.holds(got, bound)) return true;
+    const std::string unit = unit_of(got, label);
+    auto found = mismatch::differ<double>({{}, unit}, got, bound, 0);
+    found.label = label.name;
+    found.want = std::string{order.words} + ' ' + found.want;
+    found.not_a_number = std::isnan(double(got));
+    note_mismatch(found);
+    return false;
+}
+
+template <class T> bool has_size(const std::vector<T> &got, std::size_t want, const Label &label) {
+    if (got.size() == want) return true;
+    const auto counted = [](std::size_t size) { return std::to_string(size) + (size == 1 ? " element" : " elements"); };
+    note_mismatch(
+        {label.name, counted(got.size()) + ": " + describe(got, unit_of(got, label), 9), counted(want), "", false});
     return false;
 }
 

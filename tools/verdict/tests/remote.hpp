@@ -42,10 +42,8 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
         std::vector<std::string> lines;
         const auto named = split_list(exercise.arguments);
         const auto add = [&](const auto &value) {
-            const std::string name = lines.size() < named.size() ? named[lines.size()] : "?";
-            const std::size_t bracket = name.find(" [");
-            const std::string unit = bracket == name.npos ? "" : name.substr(bracket + 2, name.size() - bracket - 3);
-            lines.push_back(name.substr(0, bracket) + " = " + describe(value, unit));
+            const auto [name, unit] = split_label(lines.size() < named.size() ? named[lines.size()] : "?");
+            lines.push_back(name + " = " + describe(value, unit));
         };
         const std::tuple<std::decay_t<Arguments>...> values{reader.take<std::decay_t<Arguments>>()...};
         std::apply([&](const auto &...value) { (add(value), ...); }, values);

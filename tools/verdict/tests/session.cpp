@@ -200,6 +200,7 @@ std::string Session::call(const ExerciseLine &exercise, const std::string &argum
 
 void Session::fail(Kind kind, std::string sentence, const std::string &file, int line) {
     if (verdict.passed() && noted) {
+        verdict.label = noted->label;
         verdict.got = noted->got;
         verdict.want = noted->want;
         verdict.tolerance = noted->tolerance;
