@@ -119,7 +119,7 @@
   }
   one('#site-find').addEventListener('click', openSearch);
   document.addEventListener('keydown', (event) => {
-    const writing = event.target.closest('input, textarea, select');
+    const writing = event.target.closest('input, textarea, select') && !event.target.closest('dialog:not([open])');
     if (event.key === '/' && !writing && !event.ctrlKey && !event.metaKey && !event.altKey) {
       event.preventDefault();
       openSearch();
@@ -129,7 +129,13 @@
     if (event.target === dialog || event.target.closest('a')) dialog.close();
   });
 
-  const split = (text) => text.toLowerCase().match(/[\p{L}\p{N}]+/gu) ?? [];
+  // The words asked for, without `how`, `the` and their like, and in the book's spelling.
+  const british = { behavior: 'behaviour', center: 'centre', centered: 'centred', centers: 'centres', color: 'colour', colors: 'colours', meter: 'metre', meters: 'metres', modeling: 'modelling', neighbor: 'neighbour', tunneling: 'tunnelling', traveling: 'travelling' };
+  function split(text) {
+    const all = (text.toLowerCase().match(/[\p{L}\p{N}]+/gu) ?? []).map((word) => british[word] ?? word);
+    const telling = index ? all.filter((word) => lunr.stopWordFilter(word)) : all;
+    return telling.length > 0 ? telling : all;
+  }
 
   // Where a word stands, as a stem or as the beginning of a word; or, if it stands nowhere, one with a slip of the pen.
   function places(term) {
@@ -140,14 +146,19 @@
     return found.length > 0 || term.length < 5 ? found : index.query((query) => query.term(term, { editDistance: 1 }));
   }
 
-  // Parts that have every word; the best first.
+  // Parts that have the most of the words, the best first: the book's text before the names of interfaces.
   function matches(terms) {
-    let scores = null;
-    for (const term of terms) {
-      const here = new Map(places(term).map(({ ref, score }) => [ref, score + (scores?.get(ref) ?? 0)]));
-      scores = scores === null ? here : new Map([...here].filter(([ref]) => scores.has(ref)));
-    }
-    return [...scores].sort((a, b) => b[1] - a[1]).map(([ref]) => searchIndex.documents[ref]);
+    const scores = new Map();
+    for (const term of terms)
+      for (const { ref, score } of places(term)) {
+        const before = scores.get(ref) ?? { words: 0, score: 0 };
+        scores.set(ref, { words: before.words + 1, score: before.score + score });
+      }
+    const most = Math.max(0, ...[...scores.values()].map(({ words }) => words));
+    const hits = [...scores].filter(([, { words }]) => words === most).sort((a, b) => b[1].score - a[1].score)
+      .map(([ref]) => searchIndex.documents[ref]);
+    const isName = (hit) => hit.page.startsWith('Interface: ');
+    return { all: most === terms.length, hits: [...hits.filter((hit) => !isName(hit)), ...hits.filter(isName)] };
   }
 
   // The piece of the text with the most of the words, and the words marked.
@@ -179,8 +190,9 @@
     results.replaceChildren();
     found.textContent = '';
     if (!index || terms.length === 0) return;
-    const hits = matches(terms);
-    found.textContent = hits.length === 0 ? 'Nothing has all these words.' : hits.length === 1 ? 'One place' : `${hits.length} places`;
+    const { all, hits } = matches(terms);
+    const number = hits.length === 1 ? 'One place' : `${hits.length} places`;
+    found.textContent = hits.length === 0 ? 'Nothing found.' : all ? number : `No place has all these words. ${number} with most of them:`;
     for (const hit of hits.slice(0, 30)) {
       const link = document.createElement('a');
       link.href = hit.address;
@@ -195,8 +207,21 @@
   }
   words.addEventListener('input', search);
   words.addEventListener('keydown', (event) => {
-    if (event.key !== 'Enter') return;
+    if (event.key === 'Enter') {
+      event.preventDefault();
+      results.querySelector('a')?.click();
+    } else if (event.key === 'Escape') {
+      event.preventDefault(); // which would only empty the field
+      dialog.close();
+    }
+  });
+  dialog.addEventListener('keydown', (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (!step) return;
+    const stops = [words, ...results.querySelectorAll('a')];
+    const next = stops[stops.indexOf(document.activeElement) + step];
+    if (!next) return;
     event.preventDefault();
-    results.querySelector('a')?.click();
+    next.focus();
   });
 })();

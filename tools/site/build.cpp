@@ -121,10 +121,11 @@ class Builder {
                 for (const nlohmann::json &document : search_documents(draft)) documents.push_back(document);
         for (const auto &[space, interface] : known)
             for (const auto &[name, where] : interface.names)
-                documents.push_back({{"page", space},
+                documents.push_back({{"page", "Interface: " + space},
                                      {"part", name + (where.is_function ? "()" : "")},
                                      {"address", where.address},
-                                     {"text", ""}});
+                                     {"text", ""},
+                                     {"words", ""}});
         return run_node("search-index.cjs", documents, tools.lunr);
     }
 

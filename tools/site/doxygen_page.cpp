@@ -346,6 +346,8 @@ class PageWriter {
             from = text.begin() + found->position(1) + found->length(1);
         }
         out.append(from, text.end());
+        static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
+        out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());
     }
 

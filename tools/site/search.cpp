@@ -2,6 +2,8 @@
 
 #include "book/markdown.hpp"
 
+#include <utility>
+
 namespace course {
 namespace {
 
@@ -26,7 +28,11 @@ class Reader {
 
     void finish() {
         if (!text.empty() || !part.empty())
-            documents.push_back({{"page", draft.title()}, {"part", part}, {"address", address}, {"text", text}});
+            documents.push_back({{"page", draft.title()},
+                                 {"part", part},
+                                 {"address", address},
+                                 {"text", text},
+                                 {"words", std::exchange(other_words, "")}});
     }
 
     void say(std::string_view words) {
@@ -44,6 +50,10 @@ class Reader {
         }
         const Element element{node};
         if (element.has_class("anchor") || element.has_class("ttc") || element.name() == "h1") return;
+        if (element.has_class("words")) { // what readers may type for what this part is about
+            other_words += element.text() + ' ';
+            return;
+        }
         if (element.has_class("math")) return say(plain_formula(element.text()));
         if ((element.name() == "h2" || element.name() == "h3") && element.has("id")) return heading(element);
         for (unsigned i = 0; i < node->v.element.children.length; ++i)
@@ -68,7 +78,7 @@ class Reader {
 
     const Draft &draft;
     nlohmann::json documents = nlohmann::json::array();
-    std::string part, address, text;
+    std::string part, address, text, other_words;
 };
 
 } // namespace
