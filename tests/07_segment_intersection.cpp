@@ -190,10 +190,7 @@ TEST_CASE("erratum E7.4: (9.28, 5.24) is not the intersection, but half a metre 
 
 //>
 TEST_CASE("what is not a number within ±1e5 is refused, wherever it stands", "[7.1]") {
-    const int which = GENERATE(range(0, 8));
-    const auto [first, second] = spoilt(which, GENERATE(infinity, -infinity, not_a_number, 1.1e5, -3e200));
-
-    CHECK_THROWS_AS(crossing(first, second), std::invalid_argument);
+    CHECK_OUT_OF_RANGE_REFUSED(crossing, {motion, wall});
 }
 
 TEST_CASE("numbers up to ±1e5 are not refused", "[7.1]") {
@@ -729,20 +726,12 @@ TEST_CASE("into the tip of a needle, and out again", "[7.4]") {
 
 TEST_CASE("what is no room, no time or no number is refused", "[7.4]") {
     const Mover good{{4, 3}, {2, -1.5}};
-    CHECK_THROWS_AS(bounce(good, {}, 1), std::invalid_argument);
-    CHECK_THROWS_AS(bounce(good, {{0, 0}, {20, 0}}, 1), std::invalid_argument);
-    CHECK_THROWS_AS(bounce(good, {{0, 0}, {20, 0}, {20, 0}, {2, 8}}, 1), std::invalid_argument);
-    CHECK_THROWS_AS(bounce(good, {{0, 0}, {20, 0}, {11, 12}, {0, 0}}, 1), std::invalid_argument); // the last, the first
-    CHECK_THROWS_AS(bounce(good, room, -0.1), std::invalid_argument);
-
-    const double bad = GENERATE(infinity, -infinity, not_a_number, 1.1e5);
-    CHECK_THROWS_AS(bounce(good, room, bad), std::invalid_argument);
-    CHECK_THROWS_AS(bounce({{bad, 3}, {2, 1}}, room, 1), std::invalid_argument);
-    CHECK_THROWS_AS(bounce({{4, bad}, {2, 1}}, room, 1), std::invalid_argument);
-    CHECK_THROWS_AS(bounce({{4, 3}, {bad, 1}}, room, 1), std::invalid_argument);
-    CHECK_THROWS_AS(bounce({{4, 3}, {2, bad}}, room, 1), std::invalid_argument);
-    CHECK_THROWS_AS(bounce(good, {{bad, 0}, {20, 0}, {11, 12}, {2, 8}}, 1), std::invalid_argument);
-    CHECK_THROWS_AS(bounce(good, {{0, 0}, {20, 0}, {11, 12}, {2, bad}}, 1), std::invalid_argument);
+    CHECK_REFUSED(bounce(good, {}, 1), "a room without corners");
+    CHECK_REFUSED(bounce(good, {{0, 0}, {20, 0}}, 1), "a room of two corners");
+    CHECK_REFUSED(bounce(good, {{0, 0}, {20, 0}, {20, 0}, {2, 8}}, 1), "a corner that equals the next");
+    CHECK_REFUSED(bounce(good, {{0, 0}, {20, 0}, {11, 12}, {0, 0}}, 1), "a last corner that equals the first");
+    CHECK_REFUSED(bounce(good, room, -0.1), "dt = -0.1 s");
+    CHECK_OUT_OF_RANGE_REFUSED(bounce, {good, room, 1});
 }
 
 // ------------------------------------------------------------------------------------------------- 7.5 first_touch

@@ -18,6 +18,7 @@
 
 #include "course.hpp"
 #include "verdict/tests/mismatch.hpp"
+#include "verdict/tests/refusals.hpp"
 #include "verdict/tests/remote.hpp"
 
 #include <cmath>
@@ -40,6 +41,18 @@ inline const double not_a_number = std::nan("");
 #define CHECK_FALSE(...) REQUIRE_FALSE(__VA_ARGS__)
 #define CHECK_THAT(...) REQUIRE_THAT(__VA_ARGS__)
 #define CHECK_THROWS_AS(...) REQUIRE_THROWS_AS(__VA_ARGS__)
+
+// A test of refusals goes on where input is accepted, and its verdict lists all that was:
+//     CHECK_OUT_OF_RANGE_REFUSED(bounce, {mover, room, 1.0}); // each number of these, in turn out of range or none
+//     CHECK_REFUSED(bounce(mover, room, -1.0), "dt is negative");
+#define CHECK_REFUSED(call, input) COURSE_CHECK_NONE_ACCEPTED(course::accepts([&] { static_cast<void>(call); }, input))
+#define CHECK_OUT_OF_RANGE_REFUSED(exercise, ...)                                                                      \
+    COURSE_CHECK_NONE_ACCEPTED(course::accepts_out_of_range(exercise, __VA_ARGS__))
+#define COURSE_CHECK_NONE_ACCEPTED(accepted)                                                                           \
+    do {                                                                                                               \
+        if (accepted) FAIL_CHECK("bad input was accepted");                                                            \
+        else SUCCEED();                                                                                                \
+    } while (false)
 
 /// A matcher whose value may have a name.
 template <class Matcher> class Named : public Catch::Matchers::MatcherGenericBase {

@@ -7,6 +7,7 @@
 #include "verdict/shared/wire.hpp"
 #include "verdict/tests/describe.hpp"
 #include "verdict/tests/mismatch.hpp"
+#include "verdict/tests/refusals.hpp"
 #include "verdict/tests/session.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -158,6 +159,40 @@ TEST_CASE("what a test has computed is named in the verdict, with its unit") {
           == "slots that changed:\ngot   3 elements: [1, 2, 3]\nwant  1 element\n");
 }
 
+TEST_CASE("all input that should have been refused is listed in one verdict, whatever fails after it") {
+    Session own{"/nowhere", Patience{}};
+    session() = &own;
+    own.begin("1.1", "a claim");
+    const auto refuses = [] { throw std::invalid_argument{"no"}; };
+    const auto takes = [] {};
+    CHECK_FALSE(accepts(refuses, "radius is negative"));
+    CHECK(accepts(takes, "dt is negative"));
+    own.fail(Kind::wrong, "bad input was accepted", "a.cpp", 3);
+    CHECK(accepts(takes, "start.x", "infinity"));
+    CHECK(accepts(takes, "start.x", "not a number"));
+    own.fail(Kind::too_long, "an answer that never came", "a.cpp", 4);
+    session() = nullptr;
+    const Verdict verdict = own.end(true);
+    CHECK(verdict.kind == Kind::wrong);
+    CHECK(explain(nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>(), 0)
+          == "Your code accepted input that it must refuse with std::invalid_argument:\n  dt is negative\n"
+             "  start.x = infinity, not a number\nsee   a.cpp:3\n");
+}
+
+TEST_CASE("each number of a call's arguments has its turn, with its name") {
+    std::vector<std::string> names;
+    Outer changed = outer;
+    for_each_number(changed, "first", [&](double &number, const std::string &name) {
+        names.push_back(name);
+        number = 7;
+    });
+    CHECK(names
+          == std::vector<std::string>{"first.time", "first.inner[0].place.x", "first.inner[0].place.y",
+                                      "first.inner[1].place.x", "first.inner[1].place.y"});
+    CHECK(changed.time == 7);
+    CHECK(changed.inner[1].place == Vector2d{7, 7});
+}
+
 TEST_CASE("an order that does not hold is said with its bound, and told apart at as many digits as that takes") {
     const Order at_most{"at most", [](double x, double y) { return x <= y; }};
     const auto speed = [&](double got) {
@@ -300,6 +335,7 @@ TEST_CASE("a verdict survives its way through JSON") {
                     Kind::left_process,
                     "what happened",
                     Call{"meet", {"first = 1"}, 3, "{g, h}"},
+                    {},
                     "",
                     "g",
                     "w",
@@ -322,10 +358,10 @@ TEST_CASE("a verdict survives its way through JSON") {
 
 TEST_CASE("JUnit files are XML whatever a student prints, and count what failed") {
     Verdict wrong{
-        "7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, "", "1", "2", "", "t.cpp", 3, {"\u00e4"}, 0};
+        "7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, {}, "", "1", "2", "", "t.cpp", 3, {"\u00e4"}, 0};
     Verdict ours = wrong;
     ours.kind = Kind::no_verdict;
-    Verdict passed{"7.1", "fine", Kind::passed, "", {}, "", "", "", "", "", 0, {}, 0};
+    Verdict passed{"7.1", "fine", Kind::passed, "", {}, {}, "", "", "", "", "", 0, {}, 0};
     pugi::xml_document read;
     REQUIRE(read.load_string(junit({{Section{"07_x"}, {wrong, ours, passed}}}).c_str()));
     const auto suite = read.child("testsuites").child("testsuite");

@@ -37,9 +37,19 @@ static_assert(names.size() == static_cast<std::size_t>(Kind::no_verdict) + 1);
 std::string_view name_of(Kind kind) { return names.at(static_cast<std::size_t>(kind)); }
 
 void to_json(nlohmann::json &json, const Verdict &v) {
-    json = {{"exercise", v.exercise}, {"test", v.test}, {"kind", name_of(v.kind)}, {"sentence", v.sentence},
-            {"label", v.label},       {"got", v.got},   {"want", v.want},          {"tolerance", v.tolerance},
-            {"file", v.file},         {"line", v.line}, {"printed", v.printed},    {"printed_more", v.printed_more}};
+    json = {{"exercise", v.exercise},
+            {"test", v.test},
+            {"kind", name_of(v.kind)},
+            {"sentence", v.sentence},
+            {"accepted", v.accepted},
+            {"label", v.label},
+            {"got", v.got},
+            {"want", v.want},
+            {"tolerance", v.tolerance},
+            {"file", v.file},
+            {"line", v.line},
+            {"printed", v.printed},
+            {"printed_more", v.printed_more}};
     if (v.call)
         json["call"] = {{"function", v.call->function},
                         {"arguments", v.call->arguments},
@@ -54,6 +64,7 @@ void from_json(const nlohmann::json &json, Verdict &v) {
     json.at("exercise").get_to(v.exercise);
     json.at("test").get_to(v.test);
     json.at("sentence").get_to(v.sentence);
+    json.at("accepted").get_to(v.accepted);
     json.at("label").get_to(v.label);
     json.at("got").get_to(v.got);
     json.at("want").get_to(v.want);
@@ -72,6 +83,7 @@ std::string explain(const Verdict &v, int indent) {
     const auto say = [&](const std::string &line) { text += margin + line + '\n'; };
 
     if (!v.sentence.empty()) say(v.sentence);
+    for (const auto &input : v.accepted) say("  " + input);
     const bool nothing_to_see = v.kind == Kind::not_started || v.kind == Kind::missing; // no input is to blame
     if (v.call && !nothing_to_see) {
         say("call  " + v.call->function + "()" + (v.call->arguments.empty() ? "" : " with")

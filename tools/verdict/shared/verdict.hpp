@@ -46,6 +46,7 @@ struct Verdict {
     Kind kind = Kind::passed;
     std::string sentence; ///< what happened, to the student; empty where got and want say it
     std::optional<Call> call;
+    std::vector<std::string> accepted; ///< inputs that had to be refused: "dt is negative", "motion.start.x = infinity"
     std::string label; ///< what got and want are about, where that is not the answer itself: "speed along x"
     std::string got, want, tolerance;
     std::string file; ///< of the check that failed, or of the error

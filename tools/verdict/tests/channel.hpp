@@ -47,6 +47,10 @@ struct Mismatch {
 };
 void note_mismatch(const Mismatch &mismatch);
 
+/// The student's code accepted input that it must refuse: the input, "dt is negative", or the name of one number and the
+/// value that it had. The case goes on, and its verdict lists all of them.
+void note_accepted(const std::string &input, const std::string &value = {});
+
 /// How many generated cases to run: `full` of them under `./course test`, a hundredth in a student's check.
 int cases(int full);
 

@@ -11,6 +11,8 @@ template <auto F> class Remote;
 
 template <class Result, class... Arguments, Result (*F)(Arguments...)> class Remote<F> {
   public:
+    using Given = std::tuple<std::decay_t<Arguments>...>; ///< what goes in
+
     Remote(std::string_view number, std::string_view tier, std::string_view function, std::string_view arguments,
            std::string_view unit)
         : exercise{.number = number,
@@ -25,6 +27,12 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
     }
     Remote(const Remote &) = delete;
     Remote &operator=(const Remote &) = delete;
+
+    std::vector<std::string> argument_names() const {
+        std::vector<std::string> names = split_list(exercise.arguments);
+        for (std::string &name : names) name = split_label(name).name;
+        return names;
+    }
 
     Result operator()(const std::type_identity_t<std::decay_t<Arguments>> &...arguments) const {
         wire::Writer request;

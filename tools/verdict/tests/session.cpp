@@ -62,6 +62,12 @@ void Session::begin(std::string exercise, std::string test) {
     last_result.clear();
     last_exercise = nullptr;
     noted.reset();
+    accepted.clear();
+}
+
+void Session::accept(const std::string &input, const std::string &value) {
+    if (value.empty() || accepted.empty() || accepted.back().first != input) accepted.emplace_back(input, value);
+    else accepted.back().second += ", " + value;
 }
 
 void Session::note_verdict(Kind kind, std::string sentence) {
@@ -199,6 +205,11 @@ std::string Session::call(const ExerciseLine &exercise, const std::string &argum
 }
 
 void Session::fail(Kind kind, std::string sentence, const std::string &file, int line) {
+    if (!accepted.empty() && verdict.file.empty()) {
+        verdict.file = file;
+        verdict.line = line;
+    }
+    if (!accepted.empty()) return; // the verdict is about these
     if (verdict.passed() && noted) {
         verdict.label = noted->label;
         verdict.got = noted->got;
@@ -237,6 +248,13 @@ Verdict Session::end(bool asserted_something) {
             note_verdict(Kind::left_process, "Your code started another process and left it running. An exercise "
                                              "computes a value, and starts nothing.");
     }
+    if (!accepted.empty()) {
+        verdict.kind = Kind::wrong;
+        verdict.sentence = "Your code accepted input that it must refuse with std::invalid_argument:";
+        verdict.call.reset();
+        for (const auto &[input, value] : accepted)
+            verdict.accepted.push_back(value.empty() ? input : input + " = " + value);
+    }
     if (subject && !verdict.passed()) {
         const std::string printed = subject->printed();
         std::tie(verdict.printed, verdict.printed_more) = tidy(printed);
@@ -254,6 +272,7 @@ std::string call(const ExerciseLine &exercise, const std::string &arguments) {
 }
 void answered_nonsense() { session()->answered_nonsense(); }
 void note_mismatch(const Mismatch &mismatch) { session()->note(mismatch); }
+void note_accepted(const std::string &input, const std::string &value) { session()->accept(input, value); }
 bool is_last_result(std::string_view bytes) {
     return session()->last_exercise != nullptr && session()->last_result == bytes;
 }

@@ -31,6 +31,9 @@ class Session {
     [[noreturn]] void answered_nonsense();
     void note(std::optional<Mismatch> mismatch) { noted = std::move(mismatch); }
 
+    /// See note_accepted. What fails after it in the same case is not looked at.
+    void accept(const std::string &input, const std::string &value);
+
     std::string last_result; ///< bytes
     const ExerciseLine *last_exercise = nullptr;
 
@@ -55,6 +58,7 @@ class Session {
     std::uint32_t calls = 0;
     std::string last_arguments;
     std::optional<Mismatch> noted;
+    std::vector<std::pair<std::string, std::string>> accepted; ///< inputs of the case, and the values of a number
     Verdict verdict;
 };
 
