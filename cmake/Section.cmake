@@ -4,6 +4,9 @@
 #   mine/NN_slug       the same with the student's file       catalogue/NN_slug.json   the list of its exercises
 #   tests/NN_slug      the tests, which ask for a subject     subjects/NN_slug/…       solution, stub, wrong and right ones
 #   traces/NN_slug/…   what the program has traced            plots/NN_slug_….svg      its figures
+#
+# section(08_nt_collisions BUILDS_ON 07_segment_intersection): its header may include that of section 07, and all code of
+# section 08, a student's too, may call section 07's functions. Those are always our solution, never a student's answers.
 
 option(COURSE_WRONG_ANSWERS "Judge tests/wrong: what the tests reject depends on no compiler, so once is enough" ON)
 set(COURSE_SECTIONS "" CACHE INTERNAL "")
@@ -29,6 +32,7 @@ function(section section)
                tests/${section}.cpp tests/stubs/${section}.cpp tests/wrong/${section} tests/right/${section})
     need_file(${file})
   endforeach()
+  find_earlier_sections(${ARGN})
   set(COURSE_SECTIONS ${COURSE_SECTIONS} ${section} CACHE INTERNAL "")
 
   section_programs()
@@ -36,12 +40,42 @@ function(section section)
   section_figures()
 endfunction()
 
+# What this section builds on, and what those sections build on themselves:
+# `earlier` are their names, `earlier_objects` the objects of their solutions.
+macro(find_earlier_sections)
+  cmake_parse_arguments(section "" "" BUILDS_ON ${ARGN})
+  if(section_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "section(${section}): after the name comes nothing, or BUILDS_ON and earlier sections, but not ${section_UNPARSED_ARGUMENTS}")
+  endif()
+  set(earlier)
+  foreach(one ${section_BUILDS_ON})
+    if(NOT one STRLESS section)
+      message(FATAL_ERROR "section(${section} BUILDS_ON ${one}): a section can only build on one with a smaller number")
+    elseif(NOT one IN_LIST COURSE_SECTIONS)
+      message(FATAL_ERROR "section(${section} BUILDS_ON ${one}): no section(${one}) stands above this line in CMakeLists.txt")
+    endif()
+    list(APPEND earlier ${COURSE_${one}_BUILDS_ON} ${one})
+  endforeach()
+  list(REMOVE_DUPLICATES earlier)
+  set(COURSE_${section}_BUILDS_ON ${earlier} CACHE INTERNAL "")
+  list(TRANSFORM earlier REPLACE "(.+)" "$<TARGET_OBJECTS:\\1_reference>" OUTPUT_VARIABLE earlier_objects)
+endmacro()
+
+# What gives COURSE_EXERCISE a meaning reads the headers of earlier sections first, while it has none:
+# so only this section's own exercises are tested and served.
+macro(read_earlier_headers_first target)
+  foreach(one ${earlier})
+    string(SUBSTRING ${one} 3 -1 earlier_slug)
+    target_compile_options(${target} PRIVATE "SHELL:-include ${one}/${earlier_slug}.hpp")
+  endforeach()
+endmacro()
+
 macro(section_programs)
   add_library(${section}_reference OBJECT solutions/${section}.cpp)
   target_link_libraries(${section}_reference PUBLIC course_flags)
   target_include_directories(${section}_reference PUBLIC ${chapter})
 
-  add_executable(${section} ${chapter}/main.cpp $<TARGET_OBJECTS:${section}_reference>)
+  add_executable(${section} ${chapter}/main.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
   target_link_libraries(${section} PRIVATE course_flags)
   target_include_directories(${section} PRIVATE ${chapter})
   set_target_properties(${section} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
@@ -57,7 +91,7 @@ macro(section_programs)
 
   # The student's file is in no default target: whatever is in it, the course builds.
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
-    add_executable(${section}_mine EXCLUDE_FROM_ALL ${chapter}/main.cpp exercises/${section}.cpp)
+    add_executable(${section}_mine EXCLUDE_FROM_ALL ${chapter}/main.cpp exercises/${section}.cpp ${earlier_objects})
     target_link_libraries(${section}_mine PRIVATE course_student_flags)
     target_include_directories(${section}_mine PRIVATE ${chapter})
     set_target_properties(${section}_mine PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/mine)
@@ -70,9 +104,10 @@ endmacro()
 macro(section_tests)
   add_library(${section}_cases OBJECT tests/${section}.cpp)
   target_include_directories(${section}_cases PRIVATE tests ${chapter})
+  read_earlier_headers_first(${section}_cases)
   target_link_libraries(${section}_cases PRIVATE course_harness)
   target_compile_options(${section}_cases PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # verdicts say tests/NN_slug.cpp
-  add_executable(${section}_tests $<TARGET_OBJECTS:${section}_cases> $<TARGET_OBJECTS:course_harness>)
+  add_executable(${section}_tests $<TARGET_OBJECTS:${section}_cases> $<TARGET_OBJECTS:course_harness> ${earlier_objects})
   target_link_libraries(${section}_tests PRIVATE course_harness)
   set_target_properties(${section}_tests PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   set(catalogue ${PROJECT_BINARY_DIR}/catalogue/${section}.json)
@@ -83,6 +118,7 @@ macro(section_tests)
   add_library(${section}_server OBJECT tools/verdict/student/server.cpp)
   target_link_libraries(${section}_server PRIVATE course_flags)
   target_include_directories(${section}_server PRIVATE ${chapter} tools)
+  read_earlier_headers_first(${section}_server)
   target_compile_definitions(${section}_server PRIVATE COURSE_SECTION="${slug}.hpp")
 
   add_student_objects(${section}_stub tests/stubs/${section}.cpp)
@@ -104,10 +140,12 @@ macro(section_tests)
   set(yielding_stub ${PROJECT_BINARY_DIR}/loop/${section}_stub.o)
   add_weak_object(${yielding_stub} ${section}_stub)
 
-  add_custom_target(${section}_loop ALL DEPENDS ${missing} ${catalogue} ${section}_tests ${section}_server course_pch)
+  add_custom_target(${section}_loop ALL DEPENDS ${missing} ${catalogue} ${section}_tests ${section}_server ${earlier_objects} course_pch)
   add_dependencies(section-tests ${section}_loop)
+  list(TRANSFORM earlier_objects REPLACE "(.+)" "\"\\1\"" OUTPUT_VARIABLE earlier_json)
+  list(JOIN earlier_json ", " earlier_json)
   set_property(GLOBAL APPEND_STRING PROPERTY course_sections_json
-    ",\n  {\"name\": \"${section}\", \"server\": \"$<TARGET_OBJECTS:${section}_server>\", \"missing\": \"${missing}\"}")
+    ",\n  {\"name\": \"${section}\", \"server\": \"$<TARGET_OBJECTS:${section}_server>\", \"missing\": \"${missing}\", \"earlier\": [${earlier_json}]}")
 
   set(all_cases --all-cases) # of what is generated; the others are judged as a student's check is
   add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
@@ -148,7 +186,8 @@ macro(section_tests)
       add_executable(${section}_direct $<TARGET_OBJECTS:${section}_reference>)
       add_test(NAME ${section}.direct COMMAND ${section}_direct)
     endif()
-    target_sources(${section}_${whose} PRIVATE tools/verdict/tests/direct.cpp tests/${section}.cpp)
+    target_sources(${section}_${whose} PRIVATE tools/verdict/tests/direct.cpp tests/${section}.cpp ${earlier_objects})
+    read_earlier_headers_first(${section}_${whose})
     target_link_libraries(${section}_${whose} PRIVATE course_student_flags Catch2::Catch2WithMain course::gmp)
     target_include_directories(${section}_${whose} PRIVATE tests tools ${chapter})
     target_compile_definitions(${section}_${whose} PRIVATE COURSE_SECTION="${slug}.hpp")
@@ -158,7 +197,7 @@ endmacro()
 
 # A program with somebody's functions in it, and what the tests must say of them.
 macro(add_subject name expect)
-  add_executable(${section}_subject_${name} $<TARGET_OBJECTS:${section}_server> ${ARGN})
+  add_executable(${section}_subject_${name} $<TARGET_OBJECTS:${section}_server> ${earlier_objects} ${ARGN})
   set_target_properties(${section}_subject_${name} PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${name}
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
   target_link_options(${section}_subject_${name} PRIVATE ${COURSE_LOOP_LINK})

@@ -129,24 +129,29 @@ struct Hit {
 };
 } // namespace
 
+/// In how many seconds the particle reaches the wall's line, and where on the wall that is, from 0 to 1.
+/// All is seen from the particle, and at a quarter of its size, for section 7 takes no number beyond ±1e5.
+static std::optional<segment_intersection::Crossing> reach(const Particle &particle, const Wall &wall) {
+    const Vec2 &here = particle.position;
+    return segment_intersection::crossing({.start = {0, 0}, .end = particle.velocity / 4}, // one second of its path
+                                          {.start = (wall.start - here) / 4, .end = (wall.end - here) / 4});
+}
+
 /// The first wall that turns the particle within `time`.
 static std::optional<Hit> next_wall(const Particle &particle, const std::vector<Wall> &walls, double time) {
     std::optional<Hit> first;
     for (const Wall &wall : walls) {
         const Vec2 way = wall.end - wall.start;
         const double length = way.norm();
-        const Vec2 along = way / length;
-        const Vec2 normal{-along.y(), along.x()};
-
-        const Vec2 gap = particle.position - wall.start;
+        const Vec2 normal = Vec2{-way.y(), way.x()} / length;
         const double closing = -particle.velocity.dot(normal);
-        const double distance = gap.dot(normal);
-        if (closing <= touching || distance < -touching) continue; // it leaves, or flies along, or is behind
+        const auto met = reach(particle, wall);
+        if (!met || closing <= touching || met->t * closing < -touching) continue; // flies along, leaves, or is behind
 
-        const double t = std::max(0.0, distance / closing);
+        const double t = std::max(0.0, met->t);
         if (t > time || (first && t >= first->time)) continue;
-        const double s = gap.dot(along) + t * particle.velocity.dot(along);
-        if (s >= -touching && s <= length + touching) first = Hit{t, normal, closing};
+        const double along = met->s * length;
+        if (along >= -touching && along <= length + touching) first = Hit{t, normal, closing};
     }
     return first;
 }

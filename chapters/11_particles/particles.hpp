@@ -1,4 +1,5 @@
 #pragma once
+#include "../07_segment_intersection/segment_intersection.hpp"
 #include "../course.hpp"
 #include "../interface.hpp"
 
@@ -123,13 +124,9 @@ struct Due {
 Due due(double rate, double carry, double dt);
 
 //> Walls
-/// A straight wall, 1e-3 m long or more. It turns what comes from its left side, seen as you walk from start to end; what
-/// comes from its right passes.
-struct Wall {
-    Vec2 start; ///< [m]
-    Vec2 end;   ///< [m]
-    COURSE_FIELDS("m, m", start, end)
-};
+/// A segment of section 7, 1e-3 m long or more. It turns what comes from its left side, seen as you walk from start to
+/// end; what comes from its right passes.
+using Wall = segment_intersection::Segment;
 
 /// On a wall, or at its end, means: no farther from it than this [m]. And a particle approaches a wall if it is faster
 /// than this towards it [m/s]; else it flies along.
@@ -144,7 +141,8 @@ inline constexpr int most_bounces = 1000;
 /// left. No wall is jumped over, however long `dt` is. What is within `touching` of a wall, on either side, and
 /// approaches it in the direction of its right side, bounces at once.
 /// Where two walls are met at once, both act, in either order, until it approaches neither.
-/// Whether a wall that is met in the very last instant, or within `touching` of its end, has turned it is left open.
+/// Whether a wall that is met in the very last instant, or within `touching` of its end, or that is `parallel` to the
+/// particle's path as section 7 says, has turned it is left open.
 /// @param walls        as many as you like
 /// @param restitution  [1], from 0 to 1
 /// @param dt           [s], not negative

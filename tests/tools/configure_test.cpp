@@ -77,6 +77,34 @@ TEST_CASE("without its exercise the course still configures, and says the way ba
     CHECK_THAT(on_one_line(said), ContainsSubstring("`./course reset 7` brings the empty one back"));
 }
 
+TEST_CASE("a section builds on sections above it, and on nothing else", "[configure]") {
+    using Lines = std::vector<std::pair<std::string, std::string>>;
+    const auto [lines, complaint] = GENERATE(table<Lines, std::string>(
+        {{{{"section(11_particles", "section(11_particles BUILDS_ON 08_nt_collisions)"}},
+          "section(11_particles BUILDS_ON 08_nt_collisions): no section(08_nt_collisions) stands above this line"},
+         {{{"section(07_segment_intersection", "section(07_segment_intersection BUILDS_ON 11_particles)"}},
+          "section(07_segment_intersection BUILDS_ON 11_particles): a section can only build on one with a smaller"},
+         {{{"section(11_particles", "section(11_particles BUILDS_ON 11_particles)"}}, "on one with a smaller number"},
+         {{{"section(07_segment_intersection", "section(07_segment_intersection BUILDS_ON 11_particles)"},
+           {"section(11_particles", "section(11_particles BUILDS_ON 07_segment_intersection)"}}, // a cycle
+          "section(07_segment_intersection BUILDS_ON 11_particles): a section can only build on one with a smaller"},
+         {{{"section(11_particles", "section(11_particles 07_segment_intersection)"}},
+          "after the name comes nothing, or BUILDS_ON and earlier sections, but not 07_segment_intersection"}}));
+    CAPTURE(complaint);
+    const Copy copy;
+    const fs::path list = copy.root / "CMakeLists.txt";
+    std::string text = course::read_file(list);
+    for (const auto &[begin, line] : lines) {
+        const std::size_t at = text.find(begin);
+        REQUIRE(at != text.npos);
+        text.replace(at, text.find('\n', at) - at, line);
+    }
+    course::write_file(list, text);
+    const auto said = copy.configure();
+    CHECK(said.code != 0);
+    CHECK_THAT(on_one_line(said), ContainsSubstring(complaint));
+}
+
 TEST_CASE("a section without a figure is a configure error", "[configure]") {
     const Copy copy;
     for (const auto &entry : fs::directory_iterator{copy.root / "plots"})

@@ -145,9 +145,11 @@ TEST_CASE("an unknown section offers the nearest, an ambiguous one all that it m
 TEST_CASE("a line of CMakeLists.txt that only looks like a section is none") {
     const SmallCourse course;
     course.write("CMakeLists.txt",
-                 "# section(01_motion)\nfunction(section name)\n  section( 07_wall_meeting )\r\nsection(7_x)\n");
-    REQUIRE(course.tree.sections().size() == 1);
+                 "# section(01_motion)\nfunction(section name)\n  section( 07_wall_meeting )\r\nsection(7_x)\n"
+                 "section(11_sparks BUILDS_ON 07_wall_meeting)\nsection(12_a-b)\n");
+    REQUIRE(course.tree.sections().size() == 2);
     CHECK(course.tree.sections()[0].name == "07_wall_meeting");
+    CHECK(course.tree.sections()[1].name == "11_sparks");
 }
 
 TEST_CASE("a slip of the pen is answered in one sentence with the nearest word, and exit code 2") {

@@ -65,7 +65,7 @@ std::string did_you_mean_section(const std::string &typed, const std::vector<Sec
 } // namespace
 
 std::vector<Section> Tree::sections() const {
-    static const std::regex line{R"(^[ \t]*section\([ \t]*(\d\d_[a-z][a-z0-9_]*)[ \t]*\))"};
+    static const std::regex line{R"(^[ \t]*section\([ \t]*(\d\d_[a-z][a-z0-9_]*)[ \t)])"};
     std::vector<Section> result;
     std::istringstream text{read_file(root / "CMakeLists.txt")};
     for (std::string row; std::getline(text, row);)

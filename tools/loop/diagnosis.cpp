@@ -165,9 +165,9 @@ Verdict diagnose_linker(std::string_view printed, const std::string &name, const
                           "Your file has a `main` of its own. The course has one already: remove yours. "
                           "`./course run "
                               + number + " --mine` runs the section's program with your code.");
-        return broken(Kind::does_not_link,
-                      '`' + found[1].str()
-                          + "` is defined twice, in your file and in the course: rename yours, or make it `static`.");
+        return broken(Kind::does_not_link, '`' + found[1].str()
+                                               + "` is defined twice, in your file and in the course: remove yours, or "
+                                                 "give it a name that is not taken.");
     }
     if (missing.empty())
         return broken(Kind::does_not_link, "The linker stopped: " + plain(text.substr(0, text.find('\n'))));

@@ -35,6 +35,7 @@ struct Toolbox {
     std::string compiler, cmake, nm;
     std::vector<std::string> link, flags, precompiled; ///< the last: what puts the precompiled header before a file
     fs::path server, missing;
+    std::vector<std::string> earlier; ///< objects: the solutions of the sections that this one builds on
 };
 
 Toolbox toolbox(const Tree &tree, const Section &section) {
@@ -49,11 +50,13 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
                   json.at("flags"),
                   json.at("precompiled"),
                   {},
+                  {},
                   {}};
         for (const auto &each : json.at("sections"))
             if (each.at("name") == section.name) {
                 w.server = each.at("server").get<std::string>();
                 w.missing = each.at("missing").get<std::string>();
+                w.earlier = each.at("earlier");
             }
         return w;
     } catch (const nlohmann::json::exception &) {
@@ -73,9 +76,13 @@ fs::file_time_type newest(const Tree &tree, const Section &section) {
          {"chapters", "tools/verdict/shared", "tools/verdict/student", "tools/verdict/tests", "cmake"})
         for (const auto &entry : fs::directory_iterator{tree.root / folder})
             if (entry.is_regular_file()) look(entry.path());
-    for (const auto &file : {tree.root / "CMakeLists.txt", tree.root / "tests/section_test.hpp", tree.header(section),
-                             tree.tests(section), tree.stub(section)})
+    for (const auto &file :
+         {tree.root / "CMakeLists.txt", tree.root / "tests/section_test.hpp", tree.tests(section), tree.stub(section)})
         look(file);
+    for (const Section &each : tree.sections()) { // this one may build on it
+        look(tree.header(each));
+        look(tree.solution(each));
+    }
     return date;
 }
 
@@ -186,6 +193,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     if (compiled.code != 0) return single(diagnose_compiler(said, file, name));
 
     std::vector<std::string> link{w.compiler, object, w.server.string(), w.missing.string(), "-o", subject};
+    link.insert(link.end(), w.earlier.begin(), w.earlier.end());
     link.insert(link.end(), w.link.begin(), w.link.end());
     if (const auto linked = run(link, {.deadline = longest_compilation}); linked.code != 0)
         return single(diagnose_linker(plain_output(linked.err), name, section.short_number()), warnings);

@@ -30,6 +30,7 @@ struct Served {
 
 } // namespace
 
+#undef COURSE_EXERCISE // it meant nothing in the headers of earlier sections
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
     static const ::Served function##_served{                                                                           \
         ::serve_function(std::integral_constant<decltype(&section::function), &section::function>{})};

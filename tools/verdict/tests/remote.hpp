@@ -69,5 +69,6 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
 
 } // namespace course
 
+#undef COURSE_EXERCISE // it meant nothing in the headers of earlier sections
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
     static const course::Remote<&section::function> function{number, #tier, #function, arguments, unit};
