@@ -42,6 +42,12 @@ TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its
     CHECK(check("7.9", "solutions/07_segment_intersection.cpp").code == 2);
 }
 
+TEST_CASE("a section that builds on another one has its own exercises only") {
+    const std::string checked = check("11", "tests/stubs/11_particles.cpp").out;
+    CHECK(count(checked, ": not started\n") == 9);
+    CHECK(count(checked, " 7.") == 0);
+}
+
 TEST_CASE("a section's program prints one part alone, and lists its parts for a name that it does not know") {
     const std::string program = COURSE_BUILD "/chapters/07_segment_intersection";
     const auto whole = course::run({program, "--out", fs::temp_directory_path().string()});
