@@ -2,7 +2,7 @@
 #
 #   chapters/NN_slug   the program, with the reference        debug/NN_slug     tests and exercise in one process
 #   mine/NN_slug       the same with the student's file       catalogue/NN_slug.json   the list of its exercises
-#   tests/NN_slug      the tests, which ask for a subject     subjects/NN_slug/…       solution, stub, wrong and right ones
+#   tests/NN_slug      the tests, which ask for a subject     subjects/NN_slug/…       solution, stub, wrong and right answers
 #   traces/NN_slug/…   what the program has traced            plots/NN_slug_….svg      its figures
 #
 # section(08_nt_collisions BUILDS_ON 07_segment_intersection): its header may include that of section 07, and all code of
@@ -13,6 +13,8 @@ set(COURSE_SECTIONS "" CACHE INTERNAL "")
 add_custom_target(programs)
 add_custom_target(section-tests)
 add_custom_target(figures)
+add_executable(answers-in-one tests/answers/generate.cpp)
+target_link_libraries(answers-in-one PRIVATE course_flags)
 
 function(need_file file)
   if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${file})
@@ -29,7 +31,7 @@ function(section section)
   string(SUBSTRING ${section} 3 -1 slug)
   set(chapter ${PROJECT_SOURCE_DIR}/chapters/${section})
   foreach(file chapters/${section}/README.md chapters/${section}/${slug}.hpp chapters/${section}/main.cpp solutions/${section}.cpp
-               tests/${section}.cpp tests/stubs/${section}.cpp tests/wrong/${section} tests/right/${section})
+               tests/${section}.cpp tests/stubs/${section}.cpp)
     need_file(${file})
   endforeach()
   find_earlier_sections(${ARGN})
@@ -129,17 +131,6 @@ macro(section_tests)
   set(missing ${PROJECT_BINARY_DIR}/loop/${section}_missing.o)
   add_weak_object(${missing} ${section}_missing)
 
-  # A solution whose functions give way to a file of tests/wrong or tests/right. Without these two flags GCC would go on
-  # to call, or inline, the ones it has seen.
-  add_library(${section}_yielding OBJECT solutions/${section}.cpp)
-  target_link_libraries(${section}_yielding PRIVATE course_flags)
-  target_include_directories(${section}_yielding PRIVATE ${chapter})
-  target_compile_options(${section}_yielding PRIVATE -fPIC -fsemantic-interposition)
-  set(yielding ${PROJECT_BINARY_DIR}/loop/${section}_yielding.o)
-  add_weak_object(${yielding} ${section}_yielding)
-  set(yielding_stub ${PROJECT_BINARY_DIR}/loop/${section}_stub.o)
-  add_weak_object(${yielding_stub} ${section}_stub)
-
   add_custom_target(${section}_loop ALL DEPENDS ${missing} ${catalogue} ${section}_tests ${section}_server ${earlier_objects} course_pch)
   add_dependencies(section-tests ${section}_loop)
   list(TRANSFORM earlier_objects REPLACE "(.+)" "\"\\1\"" OUTPUT_VARIABLE earlier_json)
@@ -151,27 +142,7 @@ macro(section_tests)
   add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
   set(all_cases)
   add_subject(stub none $<TARGET_OBJECTS:${section}_stub>)
-  set(kinds right)
-  if(COURSE_WRONG_ANSWERS)
-    list(APPEND kinds wrong)
-  endif()
-  foreach(kind ${kinds})
-    file(GLOB attempts CONFIGURE_DEPENDS tests/${kind}/${section}/*.cpp)
-    foreach(attempt ${attempts})
-      file(STRINGS ${attempt} first LIMIT_COUNT 1)
-      if(NOT first MATCHES "^// ([0-9]+\\.[0-9]+): ")
-        message(FATAL_ERROR "${attempt} must begin with its exercise and what is special about it, as `// 7.2: only the boxes are asked`")
-      endif()
-      set(number ${CMAKE_MATCH_1})
-      cmake_path(GET attempt STEM stem)
-      add_student_objects(${section}_${kind}_${stem} ${attempt})
-      if(kind STREQUAL wrong)
-        add_subject(wrong_${stem} red:${number} $<TARGET_OBJECTS:${section}_wrong_${stem}> ${yielding})
-      else()
-        add_subject(right_${stem} only:${number} $<TARGET_OBJECTS:${section}_right_${stem}> ${yielding_stub})
-      endif()
-    endforeach()
-  endforeach()
+  section_answers()
 
   # Everything in one process: for a debugger, for sanitizers, and where there is no fork.
   foreach(whose debug direct)
@@ -193,6 +164,33 @@ macro(section_tests)
     target_compile_definitions(${section}_${whose} PRIVATE COURSE_SECTION="${slug}.hpp")
     set_target_properties(${section}_${whose} PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${whose})
   endforeach()
+endmacro()
+
+# All of tests/wrong and tests/right in one program, which is told by name which answer it is to be.
+macro(section_answers)
+  set(kinds right)
+  if(COURSE_WRONG_ANSWERS)
+    list(APPEND kinds wrong)
+  endif()
+  set(answers)
+  foreach(kind ${kinds})
+    file(GLOB found CONFIGURE_DEPENDS tests/${kind}/${section}.diff tests/${kind}/${section}/*.cpp)
+    list(APPEND answers ${found})
+  endforeach()
+  set(unit ${PROJECT_BINARY_DIR}/answers/${section})
+  add_custom_command(OUTPUT ${unit}.cpp ${unit}.cmake
+    COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${section} ${unit}.cpp ${unit}.cmake $<TARGET_FILE:${section}_tests> $<TARGET_FILE:${section}_answers> ${kinds}
+    DEPENDS answers-in-one ${answers} solutions/${section}.cpp ${chapter}/${slug}.hpp VERBATIM COMMENT "")
+  add_executable(${section}_answers ${unit}.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
+  read_earlier_headers_first(${section}_answers)
+  target_link_libraries(${section}_answers PRIVATE course_student_flags)
+  target_include_directories(${section}_answers PRIVATE tests/answers tools ${chapter})
+  target_compile_definitions(${section}_answers PRIVATE COURSE_SECTION="${slug}.hpp")
+  target_compile_options(${section}_answers PRIVATE -w) # they are as their authors left them
+  set_target_properties(${section}_answers PROPERTIES OUTPUT_NAME answers RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
+  # What ctest is to know of them is known once they are built.
+  file(WRITE ${unit}_if_built.cmake "if(EXISTS [[${unit}.cmake]])\n  include([[${unit}.cmake]])\nelse()\n  add_test(${section}.answers_are_not_built no)\nendif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${unit}_if_built.cmake)
 endmacro()
 
 # A program with somebody's functions in it, and what the tests must say of them.

@@ -12,7 +12,7 @@ std::vector<Vec2> shared(const Segment &first, const Segment &second) {
     if (b.isZero(0))
         return first.start == first.end && first.start != second.start ? std::vector<Vec2>{}
                : first.start == second.start                           ? std::vector<Vec2>{second.start}
-                                                                       : shared(second, first);
+                                                                       : segment_intersection::shared(second, first);
 
     const auto height = [&](const Vec2 &p) { // 0 if it could be a rounding
         const Vec2 gap = p - second.start;

@@ -46,8 +46,8 @@ Session *&session() {
     return only;
 }
 
-Session::Session(std::filesystem::path subject_, Patience patience_)
-    : program{std::move(subject_)}, patience{patience_} {}
+Session::Session(std::filesystem::path subject_, Patience patience_, std::string answer_)
+    : program{std::move(subject_)}, answer{std::move(answer_)}, patience{patience_} {}
 
 void Session::begin(std::string exercise, std::string test) {
     const double spent = std::chrono::duration<double>(Clock::now() - started).count();
@@ -130,7 +130,7 @@ void Session::answered_nonsense() {
 
 void Session::start() {
     greeted = false;
-    subject = std::make_unique<Subject>(program);
+    subject = std::make_unique<Subject>(program, answer);
     const auto hello = subject->receive(deadline);
     if (!hello && !(subject->silence == Subject::Silence::nonsense)) over_in_silence();
     if (!hello || hello->header.frame == wire::Frame::crashed) {

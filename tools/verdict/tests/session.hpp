@@ -17,7 +17,7 @@ struct Patience {
 
 class Session {
   public:
-    Session(std::filesystem::path subject, Patience patience);
+    Session(std::filesystem::path subject, Patience patience, std::string answer = {});
 
     void begin(std::string exercise, std::string test);
 
@@ -45,6 +45,7 @@ class Session {
     void note_verdict(Kind kind, std::string sentence);
 
     std::filesystem::path program;
+    std::string answer;
     Patience patience;
     Clock::time_point started = Clock::now();
     Clock::time_point deadline;

@@ -66,7 +66,7 @@ constexpr bool sanitized =
 #endif
 
 /// Between fork and exec: only what is safe there.
-[[noreturn]] void become(const char *program, int requests, int replies, int output) {
+[[noreturn]] void become(const char *program, char *answer, int requests, int replies, int output) {
     ::setsid(); // a group of its own, so that one signal reaches all of it
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -85,7 +85,7 @@ constexpr bool sanitized =
     limit(RLIMIT_STACK, 8u << 20);
     if (!sanitized) limit(RLIMIT_AS, memory_limit);
     char *arguments[] = {const_cast<char *>("subject"), nullptr};
-    char *environment[] = {const_cast<char *>("LC_ALL=C.UTF-8"), nullptr};
+    char *environment[] = {const_cast<char *>("LC_ALL=C.UTF-8"), answer, nullptr};
     ::execve(program, arguments, environment);
     ::_exit(127);
 }
@@ -151,12 +151,14 @@ void prepare_for_subjects([[maybe_unused]] int core) {
 #endif
 }
 
-Subject::Subject(const std::filesystem::path &program) {
+Subject::Subject(const std::filesystem::path &program, const std::string &answer) {
     const auto requests = make_pipe(), replies = make_pipe();
     output = make_output();
+    std::string chosen = "COURSE_ANSWER=" + answer;
     process = ::fork();
     if (process < 0) give_up("cannot start the student's process");
-    if (process == 0) become(program.c_str(), requests[0], replies[1], output);
+    if (process == 0)
+        become(program.c_str(), answer.empty() ? nullptr : chosen.data(), requests[0], replies[1], output);
     group = process;
     ::close(requests[0]);
     ::close(replies[1]);

@@ -20,8 +20,9 @@ constexpr std::size_t print_limit = 4u << 20;    ///< [bytes] that it may write
 class Subject {
   public:
     /// Starts it, with everything it may use limited.
+    /// @param answer  which one, of a program that holds many: see tests/answers
     /// @throws std::runtime_error if this machine cannot
-    explicit Subject(const std::filesystem::path &program);
+    explicit Subject(const std::filesystem::path &program, const std::string &answer = {});
     ~Subject(); ///< kills it and everything it started
     Subject(const Subject &) = delete;
     Subject &operator=(const Subject &) = delete;

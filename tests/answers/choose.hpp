@@ -1,0 +1,36 @@
+// The server of a program that holds many answers to a section's exercises. The one that COURSE_ANSWER in its environment
+// names serves its exercise; nothing else is started.
+#include "verdict/student/server.cpp"
+
+#include <cstdlib>
+
+namespace {
+
+void not_started(Reader &, Writer &) { throw course::NotYet{"this answer is one to another exercise"}; }
+const bool nothing_is_started = [] {
+    for (std::uint32_t i = 0; i < exercises; ++i) served[i] = &not_started;
+    return true;
+}();
+
+/// Serves a function that is known when the program runs.
+template <class Result, class... Arguments> struct Chosen {
+    static inline Result (*function)(Arguments...) = nullptr;
+    static void serve(Reader &in, Writer &out) {
+        std::tuple<std::decay_t<Arguments>...> arguments{
+            in.take<std::decay_t<Arguments>>()...}; // braces: left to right
+        out.put(std::apply(function, arguments));
+    }
+};
+
+struct Answer {
+    /// @param declared  the function of the section's header: an answer of another type does not compile
+    template <class Result, class... Arguments>
+    Answer(std::string_view name, std::size_t exercise, Result (*declared)(Arguments...), decltype(declared) answer) {
+        const char *chosen = std::getenv("COURSE_ANSWER");
+        if (chosen == nullptr || chosen != name) return;
+        Chosen<Result, Arguments...>::function = answer;
+        served[exercise] = &Chosen<Result, Arguments...>::serve;
+    }
+};
+
+} // namespace

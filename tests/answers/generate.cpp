@@ -1,0 +1,281 @@
+// Puts all of a section's wrong and right answers into one C++ file, and lists them for ctest.
+//
+//     generate ROOT NN_slug UNIT LIST TESTS SUBJECT KIND...
+//
+// UNIT and LIST are written; TESTS is the program that judges, SUBJECT the one made of UNIT; a kind is `wrong` or `right`. An answer is a file, tests/KIND/NN_slug/name.cpp, or a few lines of tests/KIND/NN_slug.diff:
+//
+//     7.2 meet_leaves_the_ends_open: touching is not meeting
+//     -    return low > 0 || high < 0;
+//     +    return low >= 0 || high <= 0;
+//
+// says which lines of the solution go (-), which come (+), and, where that takes more to be clear, which stay ( ). A blank
+// line ends a change; an answer may have several. Lines are compared without their indentation and their comments.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A line of code, and where it was written.
+struct Line {
+    std::string text;
+    const fs::path *file;
+    int number;
+};
+using Lines = std::vector<Line>;
+
+/// What is wrong with somebody's file, and where.
+struct Complaint : std::runtime_error {
+    Complaint(const Line &line, const std::string &what)
+        : runtime_error{line.file->string() + ':' + std::to_string(line.number) + ": " + what} {}
+};
+
+Lines read(const fs::path &file) {
+    static std::set<fs::path> names; // which lines point to
+    std::ifstream in{file};
+    if (!in) throw std::runtime_error{file.string() + " cannot be read"};
+    const fs::path *name = &*names.insert(file).first;
+    Lines lines;
+    for (std::string text; std::getline(in, text);) lines.push_back({text, name, static_cast<int>(lines.size()) + 1});
+    return lines;
+}
+
+/// What of a line is compared: no comment, no indentation.
+std::string code_of(const std::string &text) {
+    std::string rest = text.substr(0, text.starts_with("//") ? 0 : text.find(" //"));
+    rest.erase(rest.find_last_not_of(" \t\r") + 1);
+    return rest.erase(0, std::min(rest.find_first_not_of(" \t"), rest.size()));
+}
+
+struct Exercise {
+    std::string number, function;
+};
+
+/// The exercises of a header, in its order.
+std::vector<Exercise> exercises_of(const fs::path &header) {
+    static const std::regex form{R"re(COURSE_EXERCISE\(\s*"(\d+\.\d+)",\s*\w+,\s*\w+,\s*(\w+))re"};
+    std::string text;
+    for (const Line &line : read(header)) text += line.text + '\n';
+    std::vector<Exercise> all;
+    for (std::sregex_iterator found{text.begin(), text.end(), form}, end; found != end; ++found)
+        all.push_back({found->str(1), found->str(2)});
+    if (all.empty()) throw std::runtime_error{header.string() + " has no line COURSE_EXERCISE(\"7.1\", ...)"};
+    return all;
+}
+
+/// A solution, cut at its `//> Solution 7.2: title`. A chunk without a number belongs to every exercise.
+struct Solution {
+    Lines includes;
+    std::vector<std::pair<std::string, Line>> chunks; // each line with the number of its exercise, or with ""
+
+    explicit Solution(const fs::path &file) {
+        static const std::regex title{R"(//>.* (\d+\.\d+)\b.*)"};
+        std::string number;
+        bool inside = false;
+        for (const Line &line : read(file)) {
+            std::smatch found;
+            if (line.text.starts_with("#include")) includes.push_back(line);
+            else if (line.text.starts_with("//>")) {
+                inside = line.text != "//>";
+                number = std::regex_match(line.text, found, title) ? found[1].str() : "";
+            } else if (inside) chunks.emplace_back(number, line);
+        }
+    }
+
+    Lines of(const std::string &exercise) const {
+        Lines lines;
+        for (const auto &[number, line] : chunks)
+            if (number.empty() || number == exercise) lines.push_back(line);
+        return lines;
+    }
+};
+
+/// Some lines that stand one after the other in the solution, and what they become.
+struct Change {
+    Lines before, after;
+};
+
+struct Answer {
+    Line head;
+    std::string exercise, name;
+    std::vector<Change> changes;
+};
+
+std::vector<Answer> read_differences(const fs::path &file) {
+    static const std::regex head{R"((\d+\.\d+) ([a-z][a-z0-9_]*): (.+))"};
+    std::vector<Answer> answers;
+    bool open = false; // a change that further lines belong to
+    for (const Line &line : read(file)) {
+        std::smatch found;
+        const char sign = line.text.empty() ? '\n' : line.text[0];
+        if (std::regex_match(line.text, found, head)) {
+            answers.push_back({line, found[1], found[2], {}});
+            open = false;
+        } else if (code_of(line.text).empty() || sign == '#') {
+            open = false;
+        } else if (answers.empty() || std::string_view{"-+ "}.find(sign) == std::string_view::npos) {
+            throw Complaint{line,
+                            "this is neither the head of an answer, as `7.2 meet_never: what is wrong with it`, nor "
+                            "a line that goes (-), comes (+) or stays ( )"};
+        } else {
+            auto &changes = answers.back().changes;
+            if (!open) changes.emplace_back();
+            open = true;
+            const Line bare{line.text.substr(1), line.file, line.number};
+            if (sign != '+') changes.back().before.push_back(bare);
+            if (sign != '-') changes.back().after.push_back(bare);
+        }
+    }
+    for (const Answer &answer : answers)
+        if (answer.changes.empty()) throw Complaint{answer.head, "this answer changes nothing: which line goes?"};
+    return answers;
+}
+
+/// Replaces the lines that a change names, wherever they stand: once, or this is a mistake.
+void apply(const Change &change, const Answer &answer, Lines &solution, const fs::path &file) {
+    if (change.before.empty())
+        throw Complaint{change.after[0], "where does this line come? Write the line before it, with a blank in front"};
+    std::vector<std::size_t> kept; // of the solution, the lines with code
+    for (std::size_t i = 0; i < solution.size(); ++i)
+        if (!code_of(solution[i].text).empty()) kept.push_back(i);
+    const auto same = [&](std::size_t i, const Line &line) { return code_of(solution[i].text) == code_of(line.text); };
+    auto found = kept.end();
+    int times = 0;
+    for (auto at = kept.begin();; ++at, ++times) {
+        at = std::search(at, kept.end(), change.before.begin(), change.before.end(), same);
+        if (at == kept.end()) break;
+        found = at;
+    }
+    const std::string what = change.before.size() == 1 ? "this line" : "these lines, one after the other,";
+    const std::string where = file.string() + ", in what belongs to exercise " + answer.exercise;
+    if (times == 0) throw Complaint{change.before[0], what + " must be in " + where + ": copy from there what goes"};
+    if (times > 1)
+        throw Complaint{change.before[0], what + " must be once in " + where + ", not " + std::to_string(times)
+                                              + " times: add a line before or after that stays, with a blank in front"};
+    const std::size_t first = *found, last = *(found + static_cast<long>(change.before.size()) - 1);
+    solution.erase(solution.begin() + static_cast<long>(first), solution.begin() + static_cast<long>(last) + 1);
+    solution.insert(solution.begin() + static_cast<long>(first), change.after.begin(), change.after.end());
+}
+
+void write(std::ostream &out, const Lines &lines) {
+    const Line *last = nullptr;
+    for (const Line &line : lines) {
+        if (last == nullptr || last->file != line.file || last->number + 1 != line.number)
+            out << "#line " << line.number << ' ' << *line.file << '\n'; // the compiler's words name that place
+        out << line.text << '\n';
+        last = &line;
+    }
+}
+
+/// What is made of a section.
+class Unit {
+  public:
+    Unit(fs::path root_, std::string section_)
+        : root{std::move(root_)},
+          section{std::move(section_)},
+          slug{section.substr(3)},
+          solution_file{root / "solutions" / (section + ".cpp")},
+          solution{solution_file},
+          exercises{exercises_of(root / "chapters" / section / (slug + ".hpp"))} {
+        write(code, solution.includes);
+        // The solution itself, exercise by exercise: what the differences start from is right.
+        for (const Exercise &exercise : exercises) {
+            std::string name = "right_solution_" + exercise.number;
+            std::replace(name.begin(), name.end(), '.', '_');
+            add_lines(name, exercise.number, solution.of(exercise.number), read(solution_file)[0]);
+        }
+    }
+
+    void add(const std::string &kind) {
+        const fs::path folder = root / "tests" / kind / section, differences = fs::path{folder} += ".diff";
+        if (fs::exists(differences))
+            for (const Answer &answer : read_differences(differences)) {
+                Lines lines = solution.of(answer.exercise);
+                for (const Change &change : answer.changes) apply(change, answer, lines, solution_file);
+                add_lines(kind + '_' + answer.name, answer.exercise, lines, answer.head);
+            }
+        std::set<fs::path> files;
+        if (fs::exists(folder))
+            for (const auto &entry : fs::directory_iterator{folder})
+                if (entry.path().extension() == ".cpp") files.insert(entry.path());
+        for (const fs::path &file : files) add_file(kind + '_' + file.stem().string(), file);
+    }
+
+    std::string code_of_all() const { return "#include \"choose.hpp\"\n" + code.str(); }
+    const std::map<std::string, std::string> &exercises_of_answers() const { return exercise_of; }
+
+  private:
+    void add_lines(const std::string &name, const std::string &exercise, const Lines &lines, const Line &head) {
+        code << "\nnamespace " << name << " {\nusing namespace " << slug << ";\n";
+        write(code, lines);
+        code << "}\n";
+        list(name, exercise, head);
+    }
+
+    void add_file(const std::string &name, const fs::path &file) {
+        static const std::regex head{R"(// (\d+\.\d+): .+)"};
+        const Lines lines = read(file);
+        std::smatch found;
+        if (lines.empty() || !std::regex_match(lines[0].text, found, head))
+            throw std::runtime_error{
+                file.string()
+                + ":1: must begin with its exercise and what is special about it, as `// 7.2: only "
+                  "the boxes are asked`"};
+        code << "\nnamespace " << name << " { using namespace " << slug << "; }\n#define " << slug << ' ' << name
+             << "\n#include " << file << "\n#undef " << slug << '\n';
+        list(name, found[1], lines[0]);
+    }
+
+    void list(const std::string &name, const std::string &number, const Line &head) {
+        const auto exercise = std::find_if(exercises.begin(), exercises.end(),
+                                           [&](const Exercise &each) { return each.number == number; });
+        if (exercise == exercises.end()) throw Complaint{head, "there is no exercise " + number + " in this section"};
+        if (!exercise_of.emplace(name, number).second)
+            throw Complaint{head, "there is an answer of this name already: choose another one"};
+        code << "#line " << head.number << ' ' << *head.file << "\nconst Answer " << name << "_{\"" << name << "\", "
+             << exercise - exercises.begin() << ", &" << slug << "::" << exercise->function << ", &" << name
+             << "::" << exercise->function << "};\n";
+    }
+
+    fs::path root;
+    std::string section, slug;
+    fs::path solution_file;
+    Solution solution;
+    std::vector<Exercise> exercises;
+    std::ostringstream code;
+    std::map<std::string, std::string> exercise_of; ///< each answer's
+};
+
+} // namespace
+
+int main(int argc, char **argv) try {
+    if (argc < 8) {
+        std::cerr << "usage: generate ROOT NN_slug UNIT LIST TESTS SUBJECT KIND...\n";
+        return 2;
+    }
+    const std::string section = argv[2], tests = argv[5], subject = argv[6];
+    Unit unit{argv[1], section};
+    for (int kind = 7; kind < argc; ++kind) unit.add(argv[kind]);
+
+    std::ostringstream list; // ctest's own language
+    for (const auto &[answer, exercise] : unit.exercises_of_answers())
+        list << "add_test([[" << section << '.' << answer << "]] [[" << tests << "]] [[" << subject << "]] --answer "
+             << answer << " --exercise " << exercise << " --expect " << (answer.starts_with("wrong_") ? "red" : "all")
+             << ")\n";
+    for (const auto &[file, text] : {std::pair{argv[3], unit.code_of_all()}, {argv[4], list.str()}})
+        if (!(std::ofstream{file} << text << std::flush))
+            throw std::runtime_error{std::string{file} + " cannot be written"};
+} catch (const std::exception &error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+}
