@@ -113,11 +113,3 @@ TEST_CASE("a section without a figure is a configure error", "[configure]") {
     CHECK(said.code != 0);
     CHECK_THAT(on_one_line(said), ContainsSubstring("has no figure: write plots/"));
 }
-
-TEST_CASE("an answer in tests/wrong that does not say what is wrong with it is a configure error", "[configure]") {
-    const Copy copy;
-    course::write_file(copy.root / "tests/wrong/07_segment_intersection/meet_x.cpp", "bool meet();\n");
-    const auto said = copy.configure();
-    CHECK(said.code != 0);
-    CHECK_THAT(on_one_line(said), ContainsSubstring("meet_x.cpp must begin with its exercise"));
-}
