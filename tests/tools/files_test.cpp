@@ -9,7 +9,9 @@
 
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <random>
+#include <sys/file.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -209,8 +211,24 @@ TEST_CASE("writing that is killed at any moment leaves the old text or the new o
         const std::string now = read_file(file);
         REQUIRE((now == texts[0] || now == texts[1]));
         with_a_draft += folder.files() > 1;
-        for (const auto &entry : fs::directory_iterator{folder.path})
-            if (entry.path() != file) fs::remove(entry.path());
+        write_file(file, texts[now == texts[0] ? 1 : 0]); // and sweeps the draft
+        REQUIRE(folder.files() == 1);
     }
     CHECK(with_a_draft > 0); // or it was never hit while writing
+}
+
+TEST_CASE("a draft that is being written is nobody's to sweep, and other files of the folder are left alone") {
+    const Folder folder;
+    const fs::path file = folder.path / "file";
+    write_file(folder.path / "file.draft", "mine");
+    write_file(folder.path / "other.draft-abcdef", "mine");
+    write_file(folder.path / "file.draft-abcdef", "being written");
+    const int writer = ::open((folder.path / "file.draft-abcdef").c_str(), O_RDWR | O_CLOEXEC);
+    REQUIRE(::flock(writer, LOCK_EX) == 0);
+    write_file(file, "new");
+    CHECK(folder.files() == 4);
+    ::close(writer);
+    write_file(file, "newer");
+    CHECK(folder.files() == 3);
+    CHECK_FALSE(fs::exists(folder.path / "file.draft-abcdef"));
 }

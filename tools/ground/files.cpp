@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -52,6 +53,32 @@ mode_t mode_for(const fs::path &path) {
     return 0666 & ~mask;
 }
 
+/// A draft in the folder of its file, so that renaming is one step. It is locked while we write it; after a kill it is not.
+int make_draft(const fs::path &path, std::string &draft) {
+    for (;;) {
+        draft = path.string() + ".draft-XXXXXX";
+        const int file = ::mkostemp(draft.data(), O_CLOEXEC);
+        if (file < 0) return file;
+        const bool swept = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+        struct stat is {};
+        if (!swept && (::fstat(file, &is) != 0 || is.st_nlink > 0)) return file;
+        ::close(file); // another command took it for one that a kill had left
+    }
+}
+
+/// Removes the drafts of this file that a kill has left.
+void sweep_drafts(const fs::path &path) {
+    const std::string beginning = path.filename().string() + ".draft-";
+    std::error_code ignored;
+    for (const auto &entry : fs::directory_iterator{path.parent_path().empty() ? "." : path.parent_path(), ignored}) {
+        if (!entry.path().filename().string().starts_with(beginning)) continue;
+        const int file = ::open(entry.path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+        if (file < 0) continue;
+        if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
+        ::close(file);
+    }
+}
+
 } // namespace
 
 bool write_file(const fs::path &wanted, std::string_view text) {
@@ -65,9 +92,10 @@ bool write_file(const fs::path &wanted, std::string_view text) {
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), trouble);
     if (trouble) refuse(path, trouble.value());
 
-    const Undisturbed by_signals;                  // Ctrl-C in between would leave the draft lying about
-    std::string draft = path.string() + ".XXXXXX"; // in the same folder, so that the rename is one step
-    const int file = ::mkstemp(draft.data());
+    const Undisturbed by_signals; // Ctrl-C in between would leave the draft lying about
+    sweep_drafts(path);
+    std::string draft;
+    const int file = make_draft(path, draft);
     if (file < 0) refuse(path, errno);
     int error = write_all(file, text);
     if (::fchmod(file, mode_for(path)) != 0 && error == 0) error = errno;

@@ -10,7 +10,8 @@ namespace course {
 std::string read_file(const std::filesystem::path &path);
 
 /// Replaces the file, or makes it and its folders: whatever happens, the old one stands there whole or the new one.
-/// A file that has this text already is left alone, with its date.
+/// A file that has this text already is left alone, with its date. A draft that a kill leaves in the folder is removed
+/// when the file is written next.
 /// @return whether the file changed
 /// @throws Complaint in one sentence, if the disk is full or the folder is not ours to write.
 bool write_file(const std::filesystem::path &path, std::string_view text);

@@ -66,4 +66,15 @@ Lock::~Lock() {
     ::close(file); // and with it goes the lock
 }
 
+ShortLock::ShortLock(const std::filesystem::path &path) {
+    std::error_code ignored;
+    std::filesystem::create_directories(path.parent_path(), ignored);
+    file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    while (file >= 0 && ::flock(file, LOCK_EX) != 0 && errno == EINTR) {}
+}
+
+ShortLock::~ShortLock() {
+    if (file >= 0) ::close(file);
+}
+
 } // namespace course

@@ -19,4 +19,17 @@ class Lock {
     int file = -1; ///< -1: whoever started us holds the lock
 };
 
+/// Held for the moment in which a file is read, changed and written back, so that two commands at once lose nothing.
+/// Where `file` cannot be made, nothing is held.
+class ShortLock {
+  public:
+    explicit ShortLock(const std::filesystem::path &file);
+    ~ShortLock();
+    ShortLock(const ShortLock &) = delete;
+    ShortLock &operator=(const ShortLock &) = delete;
+
+  private:
+    int file = -1;
+};
+
 } // namespace course

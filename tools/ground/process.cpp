@@ -100,6 +100,7 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
 
     sigset_t none, ours = our_signals();
     ::sigemptyset(&none);
+    ::sigaddset(&ours, SIGXFSZ);
     ::posix_spawnattr_setsigmask(&attributes, &none);
     ::posix_spawnattr_setsigdefault(&attributes, &ours);
     ::posix_spawnattr_setpgroup(&attributes, 0);
@@ -144,6 +145,7 @@ void catch_signals() {
     struct sigaction action {};
     action.sa_handler = on_signal;
     for (int signal : signals) ::sigaction(signal, &action, nullptr);
+    ::signal(SIGXFSZ, SIG_IGN); // a file that grows too long is an error, which is said, and not the end
 }
 
 Finished run(const std::vector<std::string> &command, const RunOptions &options) {
