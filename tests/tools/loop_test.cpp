@@ -385,6 +385,25 @@ TEST_CASE("the states of exercises, and the rungs of hints, are remembered") {
     CHECK(rungs_shown(tree, "7.2") == 0);
 }
 
+TEST_CASE("of commands at once, none loses what another one remembers") {
+    const SmallCourse course;
+    constexpr unsigned commands = 8, each = 20;
+    std::vector<pid_t> children;
+    for (unsigned command = 0; command < commands; ++command) {
+        children.push_back(::fork());
+        if (children.back() != 0) continue;
+        const std::string own = "7." + std::to_string(10 + command);
+        for (unsigned i = 0; i < each; ++i) {
+            take_rung(course.tree, "7.1", 1000);
+            remember(course.tree, course.seven(), {{own, "passed"}});
+        }
+        ::_exit(0);
+    }
+    for (const pid_t child : children) ::waitpid(child, nullptr, 0);
+    CHECK(rungs_shown(course.tree, "7.1") == commands * each);
+    CHECK(recall(course.tree, course.seven()).size() == commands);
+}
+
 TEST_CASE("a memory that is broken, in whatever way, is an empty one, and is written anew") {
     const SmallCourse course;
     const std::string broken =

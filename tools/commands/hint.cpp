@@ -46,20 +46,21 @@ void show_hint(const Tree &tree, const HintOptions &options) {
     const std::string &number = found.exercise.number, solution = "`./course solution " + number + "` shows ours.";
     const std::vector<Hint> rungs = rungs_of(tree, found);
     const int last = static_cast<int>(rungs.size());
-    const int shown = options.again || options.all ? 0 : rungs_shown(tree, number);
-
     if (last == 0) {
         std::cout << number << " has no hints: what it needs stands in its chapter. " << solution << '\n';
-    } else if (shown >= last) {
+        return;
+    }
+    if (options.again) remember_rungs(tree, number, 0);
+    if (options.all) remember_rungs(tree, number, last);
+    const int first = options.all ? 0 : take_rung(tree, number, last), until = options.all ? last : first + 1;
+    if (first == last) {
         std::cout << "You have seen all hints of " << number << "; `./course hint " << number
                   << " --all` shows them again. " << solution << '\n';
-    } else {
-        const int until = options.all ? last : shown + 1;
-        for (int rung = shown; rung < until; ++rung) print(rungs[static_cast<std::size_t>(rung)], rung + 1, last);
-        remember_rungs(tree, number, until);
-        if (until == last) std::cout << "That was the last one. " << solution << '\n';
-        else std::cout << "The next one: ./course hint " << number << '\n';
+        return;
     }
+    for (int rung = first; rung < until; ++rung) print(rungs[static_cast<std::size_t>(rung)], rung + 1, last);
+    if (until == last) std::cout << "That was the last one. " << solution << '\n';
+    else std::cout << "The next one: ./course hint " << number << '\n';
 }
 
 } // namespace

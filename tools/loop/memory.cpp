@@ -2,7 +2,9 @@
 
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
+#include "ground/lock.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <ctime>
 #include <iomanip>
@@ -37,6 +39,20 @@ void store(const fs::path &path, const json &memory) {
     }
 }
 
+/// Changes what a file remembers. One command at a time, so that of two at once neither loses what the other adds.
+template <class Change> void change(const Tree &tree, const fs::path &path, Change what) {
+    const ShortLock alone{tree.memory() / "lock"};
+    json memory = load(path);
+    what(memory);
+    store(path, memory);
+}
+
+/// How many rungs this memory says.
+int rungs_in(const json &hints, const std::string &number) {
+    const auto found = hints.find(number);
+    return found != hints.end() && found->is_number_unsigned() && *found < 1000 ? found->get<int>() : 0;
+}
+
 std::string word(const json &object, const char *key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_string() ? found->get<std::string>() : "";
@@ -53,12 +69,12 @@ std::string now(const char *format, bool utc) {
 } // namespace
 
 void remember(const Tree &tree, const Section &section, const std::vector<ExerciseState> &states) {
-    json progress = load(progress_file(tree));
-    json &memories = progress[section.name];
-    if (!memories.is_object()) memories = json::object();
     const std::string file = fingerprint(tree.exercise(section)), when = now("%Y-%m-%dT%H:%M:%SZ", true);
-    for (const ExerciseState &s : states) memories[s.number] = {{"state", s.state}, {"file", file}, {"when", when}};
-    store(progress_file(tree), progress);
+    change(tree, progress_file(tree), [&](json &progress) {
+        json &memories = progress[section.name];
+        if (!memories.is_object()) memories = json::object();
+        for (const ExerciseState &s : states) memories[s.number] = {{"state", s.state}, {"file", file}, {"when", when}};
+    });
 }
 
 std::map<std::string, Memory> recall(const Tree &tree, const Section &section) {
@@ -72,16 +88,19 @@ std::map<std::string, Memory> recall(const Tree &tree, const Section &section) {
     return result;
 }
 
-int rungs_shown(const Tree &tree, const std::string &number) {
-    const json hints = load(hints_file(tree));
-    const auto found = hints.find(number);
-    return found != hints.end() && found->is_number_unsigned() && *found < 1000 ? found->get<int>() : 0;
-}
+int rungs_shown(const Tree &tree, const std::string &number) { return rungs_in(load(hints_file(tree)), number); }
 
 void remember_rungs(const Tree &tree, const std::string &number, int shown) {
-    json hints = load(hints_file(tree));
-    hints[number] = shown < 0 ? 0u : static_cast<unsigned>(shown);
-    store(hints_file(tree), hints);
+    change(tree, hints_file(tree), [&](json &hints) { hints[number] = static_cast<unsigned>(std::max(shown, 0)); });
+}
+
+int take_rung(const Tree &tree, const std::string &number, int rungs) {
+    int rung = 0;
+    change(tree, hints_file(tree), [&](json &hints) {
+        rung = std::min(rungs_in(hints, number), rungs);
+        hints[number] = static_cast<unsigned>(std::min(rung + 1, rungs));
+    });
+    return rung;
 }
 
 std::string fingerprint(const fs::path &file) {

@@ -35,6 +35,10 @@ std::map<std::string, Memory> recall(const Tree &tree, const Section &section);
 int rungs_shown(const Tree &tree, const std::string &number);
 void remember_rungs(const Tree &tree, const std::string &number, int shown);
 
+/// The next of `rungs` rungs, counted from 0, which is shown from now on; `rungs` if all have been.
+/// Two commands at once get two different ones.
+int take_rung(const Tree &tree, const std::string &number, int rungs);
+
 /// Sixteen digits that change when a file does; "" if there is none.
 std::string fingerprint(const std::filesystem::path &file);
 
