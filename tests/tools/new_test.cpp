@@ -11,9 +11,15 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <chrono>
+#include <csignal>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <set>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
 
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::MessageMatches;
@@ -39,7 +45,7 @@ const std::set<std::string> files_of_springs{
 std::map<std::string, std::string> snapshot(const fs::path &root) {
     std::map<std::string, std::string> files;
     for (const auto &entry : fs::recursive_directory_iterator{root})
-        if (entry.is_regular_file() && !entry.is_symlink())
+        if (entry.is_regular_file() && !entry.is_symlink() && entry.path().filename() != "lock")
             files[entry.path().lexically_relative(root).generic_string()] = read_file(entry.path());
     return files;
 }
@@ -149,6 +155,71 @@ TEST_CASE("new overwrites nothing: one file in its way, and none is written") {
     CHECK(snapshot(course.tree.root) == before);
 }
 
+TEST_CASE("new is whole or nothing if files may not grow long enough for it") {
+    const Author course; // whose longest file has 13 KB
+    const auto before = snapshot(course.tree.root);
+    std::vector<std::string> command{"sh", "-c", "ulimit -f 8; exec \"$@\"", "sh"}; // [512 bytes], or kilobytes
+    for (const std::string &word : course.command({"new", "13_springs"})) command.push_back(word);
+    const Finished said = run(command);
+    CHECK(said.code == 2);
+    CHECK_THAT(said.err, ContainsSubstring("the disk is full"));
+    CHECK(snapshot(course.tree.root) == before);
+    CHECK(course({"new", "13_springs"}).code == 0);
+}
+
+TEST_CASE("new that is killed at any moment has done nothing, or is finished by the next one") {
+    const Author whole;
+    REQUIRE(whole({"new", "13_springs"}).code == 0);
+    const auto wanted = snapshot(whole.tree.root);
+    const auto sections = [](const Author &course) {
+        std::set<std::string> files;
+        for (const auto &[file, text] : snapshot(course.tree.root))
+            if (!file.starts_with(".course")) files.insert(file);
+        return files;
+    };
+    std::mt19937 chance{7};
+    for (int round = 0; round < 40; ++round) {
+        const Author course;
+        const auto before = sections(course);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            std::vector<std::string> words = course.command({"new", "13_springs"});
+            std::vector<char *> arguments;
+            for (std::string &word : words) arguments.push_back(word.data());
+            arguments.push_back(nullptr);
+            ::close(STDOUT_FILENO);
+            ::execvp(arguments[0], arguments.data());
+            ::_exit(127);
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds{std::uniform_int_distribution<>{0, 60'000}(chance)});
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        const bool listed = course.read("CMakeLists.txt").find("13_springs") != std::string::npos;
+        if (listed) REQUIRE(sections(course).size() == before.size() + files_of_springs.size());
+        course({"new", listed ? "14_ropes" : "13_springs"}); // finishes what was begun; or makes it, if nothing was
+        REQUIRE(course.read("CMakeLists.txt").find("13_springs") != std::string::npos);
+        for (const std::string &file : files_of_springs) REQUIRE(course.read(file) == wanted.at(file));
+        REQUIRE_FALSE(course.has(".course/new/13_springs"));
+        REQUIRE_FALSE(course.has(".course/new/13_springs.draft"));
+    }
+}
+
+TEST_CASE("a section that a kill has left half moved in is moved in by the next new") {
+    const Author course;
+    for (const char *file : {"13_springs/solutions/13_springs.cpp", "13_springs/chapters/13_springs/README.md"})
+        course.write(fs::path{".course/new"} / file, "# 13 Springs and so on\nmoves in\n");
+    course.write("tests/13_springs.cpp", "is there already\n");
+    course.write(".course/new/15_half.draft/solutions/15_half.cpp", "is not whole\n");
+    const Finished done = course({"new", "14_ropes"});
+    REQUIRE(done.code == 0);
+    CHECK_THAT(done.out, ContainsSubstring("`./course new 13_springs` had been stopped half-way"));
+    CHECK(course.read("solutions/13_springs.cpp") == "# 13 Springs and so on\nmoves in\n");
+    CHECK_THAT(course.read("book.md"), ContainsSubstring("| 13 | [Springs and so on](chapters/13_springs/README.md)"));
+    CHECK_THAT(course.read("CMakeLists.txt"), ContainsSubstring("section(13_springs)\nsection(14_ropes)\n"));
+    CHECK_FALSE(course.has("solutions/15_half.cpp"));
+    CHECK(fs::is_empty(course.tree.root / ".course" / "new"));
+}
+
 TEST_CASE("without a place for it in CMakeLists.txt or book.md, or with a title of two lines, nothing is written") {
     const Author course;
     const auto refuses = [&](const std::vector<std::string> &words, const std::string &says) {
@@ -239,6 +310,15 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
     CHECK(untouched.code == 1);
     CHECK_THAT(untouched.out, ContainsSubstring("13.1 pull, core: not started"));
     succeeds(course({"check", "13", "--file", copy.solution(copy.section("13")).string()}));
+
+    const fs::path stamp = copy.build / "loop/13_springs.checked", tomorrow = copy.root / "cmake/dated_tomorrow";
+    write_file(tomorrow, "");
+    fs::last_write_time(tomorrow, fs::file_time_type::clock::now() + std::chrono::hours{24});
+    CHECK(course({"check", "13"}).code == 1);
+    const auto built_at = fs::last_write_time(stamp);
+    CHECK(course({"check", "13"}).code == 1);
+    CHECK(fs::last_write_time(stamp) == built_at); // once, and not with every check
+    fs::remove(tomorrow);
 
     const Finished mine = course({"run", "13", "--mine"});
     CHECK(mine.code == 1);

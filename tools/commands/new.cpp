@@ -3,6 +3,7 @@
 #include "book/contents.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
+#include "ground/lock.hpp"
 #include "ground/process.hpp"
 
 #include <algorithm>
@@ -111,7 +112,60 @@ std::string default_title(const Section &section) {
     return title;
 }
 
+/// Where a new section is written, aside: complete as soon as it stands there under its own name.
+fs::path aside(const Tree &tree) { return tree.memory() / "new"; }
+
+/// "# 13 Springs and so on" is a chapter's first line, and this its title.
+std::string title_of(const Tree &tree, const Section &section) {
+    const std::string chapter = read_file(tree.chapter(section)), beginning = "# " + section.short_number() + ' ';
+    return chapter.substr(beginning.size(), chapter.find('\n') - beginning.size());
+}
+
+/// Moves the files of a section into their places, and lists it. A kill may come at any moment: what has not been done
+/// is done by the next `new`. Its line in CMakeLists.txt comes last, when all else is there.
+void move_in(const Tree &tree, const Section &section) {
+    const fs::path from = aside(tree) / section.name;
+    std::vector<fs::path> files;
+    for (const auto &entry : fs::recursive_directory_iterator{from})
+        if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(from));
+    std::size_t moved = 0;
+    try {
+        for (; moved < files.size(); ++moved) {
+            fs::create_directories((tree.root / files[moved]).parent_path());
+            fs::rename(from / files[moved], tree.root / files[moved]);
+        }
+    } catch (const fs::filesystem_error &) { // a folder that is not ours to write: none, then
+        while (moved > 0) fs::remove(tree.root / files[--moved]);
+        fs::remove_all(from);
+        throw;
+    }
+    const fs::path list = tree.root / "CMakeLists.txt", book = tree.root / "book.md";
+    const std::string contents = read_file(book), title = title_of(tree, section);
+    if (contents.find("](chapters/" + section.name + "/README.md)") == contents.npos)
+        write_file(book, with_entry(contents, section, title));
+    write_file(list, with_section(read_file(list), section));
+    fs::remove_all(from);
+}
+
+/// What a `new` that was killed has left: a section that is complete moves in, half a one goes.
+void finish_earlier(const Tree &tree) {
+    if (!fs::exists(aside(tree))) return;
+    for (const auto &entry : fs::directory_iterator{aside(tree)}) {
+        const std::string name = entry.path().filename().string();
+        const std::vector<Section> listed = tree.sections();
+        const bool done = std::any_of(listed.begin(), listed.end(), [&](const Section &s) { return s.name == name; });
+        if (entry.path().extension() == ".draft" || done) fs::remove_all(entry.path());
+        else {
+            move_in(tree, {name});
+            std::cout << "An earlier `./course new " << name
+                      << "` had been stopped half-way; its section is whole now.\n";
+        }
+    }
+}
+
 void make(const Tree &tree, const std::string &name, std::string title) {
+    const ShortLock alone{tree.memory() / "lock"};
+    finish_earlier(tree);
     require_well_formed(name);
     const Section section{name};
     require_new(tree, section);
@@ -128,13 +182,19 @@ void make(const Tree &tree, const std::string &name, std::string title) {
         if (fs::exists(fs::symlink_status(file)))
             throw Complaint{tree.shown(file)
                             + " is there already, and nothing is overwritten: move it away, or choose another name"};
-    const std::string listed = with_section(read_file(list), section);
-    const std::string contents = with_entry(old_contents, section, title);
+    with_section(read_file(list), section); // says so if there is no place for it
+    with_entry(old_contents, section, title);
 
     const Undisturbed all_or_none;
-    for (const auto &[file, text] : files) write_file(file, text);
-    write_file(book, contents);
-    write_file(list, listed);
+    const fs::path draft = aside(tree) / (section.name + ".draft");
+    try {
+        for (const auto &[file, text] : files) write_file(draft / file.lexically_relative(tree.root), text);
+    } catch (const Complaint &) {
+        fs::remove_all(draft);
+        throw;
+    }
+    fs::rename(draft, aside(tree) / section.name);
+    move_in(tree, section);
     for (const auto &[file, text] : files) std::cout << "  " << tree.shown(file) << '\n';
     const std::string number = section.short_number();
     std::cout << "These files make a section that builds and is tested; write yours over them, test by test.\n"
