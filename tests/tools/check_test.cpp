@@ -5,8 +5,10 @@
 #include "ground/process.hpp"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 
 #include <algorithm>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -61,6 +63,73 @@ TEST_CASE("a section's program prints one part alone, and lists its parts for a 
     CHECK(unknown.out.empty());
     CHECK(unknown.err == "this program has no part `crosings`; its parts are crossings, meetings, shared, touches\n");
     CHECK(course::run({program, "crossings", "meetings"}).code == 2);
+}
+
+TEST_CASE("an answer may have any name; what is no file with text is named, and nothing waits for it") {
+    std::string name = (fs::temp_directory_path() / "handed in XXXXXX").string();
+    const fs::path folder = ::mkdtemp(name.data());
+    const auto said = [](const fs::path &file) {
+        const auto done = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
+                                       "check", "7.2", "--file", file.string()},
+                                      {.deadline = 30});
+        return done.out + done.err + "code " + std::to_string(done.code);
+    };
+    const fs::path solution = fs::path{COURSE_ROOT} / "solutions/07_segment_intersection.cpp";
+    for (const char *any : {"ann.txt", "ann", "ann.hpp", "ann.o", "-ann.cpp", "an answer, 'finished' for $5.cxx"}) {
+        CAPTURE(any);
+        fs::copy(solution, folder / any);
+        CHECK(said(folder / any).ends_with("code 0"));
+    }
+    CHECK(said(folder) == "course: " + folder.string() + " is a folder, not a file with answers\ncode 2");
+    CHECK(said("/dev/zero") == "course: /dev/zero is a device, not a file with answers\ncode 2");
+    ::mkfifo((folder / "pipe").c_str(), 0600);
+    CHECK(said(folder / "pipe").ends_with("pipe is a pipe, not a file with answers\ncode 2"));
+    course::write_file(folder / "large.cpp", course::read_file(solution) + std::string(1'000'000, '\n'));
+    CHECK(said(folder / "large.cpp").find("KB, too much for a file with answers: at most 1000 are read\ncode 2")
+          != std::string::npos);
+    fs::resize_file(folder / "large.cpp", 1'000'000);
+    CHECK(said(folder / "large.cpp").ends_with("code 0"));
+    CHECK(said(folder / "none.cpp").ends_with("is it there, and yours to read?\ncode 2"));
+    fs::remove_all(folder);
+}
+
+TEST_CASE("an option or a section that is empty is an error, not one that was not given") {
+    const std::vector<std::string> words =
+        GENERATE(std::vector<std::string>{"7", "--file", ""}, std::vector<std::string>{"7", "--file="},
+                 std::vector<std::string>{"7", "--junit", ""}, std::vector<std::string>{""});
+    std::vector<std::string> line{"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
+                                  "check"};
+    line.insert(line.end(), words.begin(), words.end());
+    const auto done = course::run(line);
+    CAPTURE(words, done.err);
+    CHECK(done.code == 2);
+    CHECK(done.out.empty());
+    CHECK(count(done.err, "see ./course check --help\n") == 1);
+    CHECK(count(done.err, "\n") == 1);
+}
+
+TEST_CASE("an earlier JUnit file goes before anything is judged, and a place that cannot be written is found then") {
+    std::string name = (fs::temp_directory_path() / "reports XXXXXX").string();
+    const fs::path folder = ::mkdtemp(name.data());
+    const auto check_into = [](const fs::path &junit, const std::string &file) {
+        return course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL, "check",
+                            "7.2", "--file", COURSE_ROOT "/" + file, "--junit", junit.string()});
+    };
+    course::write_file(folder / "old.xml", "an earlier one");
+    CHECK(check_into(folder / "old.xml", "not/there.cpp").code == 2);
+    CHECK(fs::is_empty(folder));
+
+    course::write_file(folder / "a file", "");
+    const auto nowhere = check_into(folder / "a file/new.xml", "solutions/07_segment_intersection.cpp");
+    CHECK(nowhere.code == 2);
+    CHECK(nowhere.out.empty());
+    CHECK(count(nowhere.err, "cannot write") == 1);
+    CHECK(check_into(folder, "solutions/07_segment_intersection.cpp").err
+          == "course: --junit writes a file, and " + folder.string() + " is something else\n");
+
+    CHECK(check_into(folder / "new.xml", "solutions/07_segment_intersection.cpp").code == 0);
+    CHECK(course::read_file(folder / "new.xml").starts_with("<?xml"));
+    fs::remove_all(folder);
 }
 
 TEST_CASE("watching judges at once, at each save and at Enter, and q leaves") {

@@ -145,6 +145,15 @@ Verdict nameless(Verdict verdict, const std::string &heading) {
     return verdict;
 }
 
+/// Before anything is judged: an earlier report goes, so that nobody takes it for this one, and a place that cannot be
+/// written is found out now.
+void make_room(const fs::path &report) {
+    if (fs::exists(report) && !fs::is_regular_file(report))
+        throw Complaint{"--junit writes a file, and " + report.string() + " is something else"};
+    write_file(report, "");
+    fs::remove(report);
+}
+
 class Check {
   public:
     Check(const Tree &tree_, CheckOptions options_) : tree{tree_}, options{std::move(options_)} {
@@ -152,6 +161,7 @@ class Check {
     }
 
     int once() {
+        if (!options.junit.empty()) make_room(options.junit);
         std::vector<std::pair<Section, std::vector<Verdict>>> judged;
         int code = all_well;
         for (const Section &section : chosen()) {
@@ -260,14 +270,18 @@ void add_check(CLI::App &app, const Tree &tree) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App *command =
         app.add_subcommand("check", "Say what is right, what is wrong and why in what you have written");
-    command->add_option(
-        "section", options->what,
-        "a section, by number, name or file, or one exercise: 7.2; \"all\"; nothing: the first section that is not "
-        "finished");
+    const CLI::Validator given{[](std::string &word) { return word.empty() ? "nothing is given" : ""; }, ""};
+    command
+        ->add_option(
+            "section", options->what,
+            "a section, by number, name or file, or one exercise: 7.2; \"all\"; nothing: the first section that "
+            "is not finished")
+        ->check(given);
     command->add_flag("-w,--watch", options->watch, "check again whenever you save");
     command->add_flag("-v,--verbose", options->verbose, "show every test and every failure whole");
-    command->add_option("--file", options->file, "judge this file instead of the one in exercises/");
-    command->add_option("--junit", options->junit, "write the verdicts to this file as well, as JUnit XML");
+    command->add_option("--file", options->file, "judge this file instead of the one in exercises/")->check(given);
+    command->add_option("--junit", options->junit, "write the verdicts to this file as well, as JUnit XML")
+        ->check(given);
     command->add_option("--seed", options->seed, "for generated values; the same seed, the same values")
         ->capture_default_str();
     command->footer("Example: ./course check 7 --watch\nLeaves with 0 if all tests pass, 1 if not.");

@@ -5,6 +5,7 @@
 #include "ground/lock.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
+#include "loop/answer.hpp"
 #include "loop/diagnosis.hpp"
 
 #include <nlohmann/json.hpp>
@@ -64,13 +65,17 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
     }
 }
 
-/// The newest date of the course's own files that a verdict on this section rests on.
+/// The newest date of the course's own files that a verdict on this section rests on. A file dated in the future, by a
+/// clock that was wrong, would be newer than all that is ever built from it: it is dated now.
 fs::file_time_type newest(const Tree &tree, const Section &section) {
+    const auto now = fs::file_time_type::clock::now();
     auto date = fs::file_time_type::min();
     const auto look = [&](const fs::path &file) {
         std::error_code ignored;
-        const auto its = fs::last_write_time(file, ignored);
-        if (!ignored) date = std::max(date, its);
+        auto its = fs::last_write_time(file, ignored);
+        if (ignored) return;
+        if (its > now) fs::last_write_time(file, its = now, ignored);
+        date = std::max(date, its);
     };
     for (const char *folder :
          {"chapters", "tools/verdict/shared", "tools/verdict/student", "tools/verdict/tests", "cmake"})
@@ -156,7 +161,7 @@ std::vector<std::string> compile_command(const Toolbox &w, const Tree &tree, con
     command.insert(command.end(), w.flags.begin(), w.flags.end());
     if (!bare) command.insert(command.end(), w.precompiled.begin(), w.precompiled.end());
     command.insert(command.end(), {"-I" + tree.header(section).parent_path().string(), "-fdiagnostics-color=never",
-                                   "-fmax-errors=20", "-c", file.string(), "-o", object.string()});
+                                   "-fmax-errors=20", "-x", "c++", "-c", file.string(), "-o", object.string()});
     return command;
 }
 
@@ -170,8 +175,9 @@ std::vector<std::string> compile_command(const Tree &tree, const Section &sectio
 Judgement judge(const Tree &tree, const Section &section, const fs::path &given, unsigned seed) {
     const fs::path file = fs::absolute(given).lexically_normal();
     const std::string name = tree.shown(file);
-    const std::string text = read_file(file);
+    const std::string text = read_answer(file);
     if (auto trouble = diagnose_text(text, name, section.short_number())) return single(*trouble);
+    if (auto trouble = diagnose_section(text, name, tree, section)) return single(*trouble);
 
     const Toolbox w = toolbox(tree, section);
     bring_up_to_date(tree, section, w);
