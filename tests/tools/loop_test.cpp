@@ -133,6 +133,7 @@ TEST_CASE("an unknown section offers the nearest, an ambiguous one all that it m
         {"12", "Did you mean `07_wall_meeting`?"},
         {"1", "Did you mean `06_reflection`?"},
         {"12.3", "Did you mean `07_wall_meeting`?"},
+        {std::string(300'000, '7'), "there is no section"},
         {"exercises/08_wall_meeting.cpp", "Did you mean `07_wall_meeting`?"},
         {"e", "may be 06_reflection or 07_wall_meeting"},
         {"", "./course list"},

@@ -409,6 +409,34 @@ TEST_CASE("for the slips that are made most, a compiler's words are explained") 
           == "expected ';' before '}' token. Look at the end of the line above: is its ; there?");
 }
 
+TEST_CASE("no line is so long, and no byte so strange, that what a compiler or linker says of it does harm") {
+    const std::string long_word =
+        GENERATE(std::string(300'000, 'x'), std::string(300'000, '<'), std::string(300'000, '\''),
+                 std::string(300'000, ':'), std::string(300'000, '1'), std::string(100'000, '\xff'));
+    const auto said = [&](const std::string &words) {
+        const std::string error = "/x/07.cpp:3:5: error: " + words + "\n    3 |  " + words + "\n      |  ^\n";
+        const std::string more = "/x/07.cpp:4:1: warning: " + words + " [-Wx]\n" + "required from " + words + '\n';
+        static_cast<void>(find_warnings(error + more, "/x/07.cpp", "07.cpp"));
+        static_cast<void>(explain_missing("0000000000000000 T " + words + "(int)\n", words, "meet"));
+        static_cast<void>(diagnose_linker(words + '\n', "07.cpp", "7"));
+        return diagnose_compiler(error + more, "/x/07.cpp", "07.cpp");
+    };
+    CHECK(said("#error " + long_word).line == 3);
+    CHECK(said("no matching function for call to 'f(" + long_word + ")'").line == 3);
+    CHECK(said("Eigen::Product<" + long_word + "> {aka " + long_word + " [with T = " + long_word).line == 3);
+    CHECK(said("multiple definition of `" + long_word).line == 3);
+    CHECK(diagnose_compiler(long_word + ":" + long_word + ": error: " + long_word, "/x/07.cpp", "07.cpp").line >= 0);
+    CHECK(diagnose_linker("s.o: undefined reference to `" + long_word + "'\n", "07.cpp", "7").kind
+          == Kind::does_not_link);
+}
+
+TEST_CASE("an escape code of a compiler's colours is shown as a question mark") {
+    const auto verdict =
+        diagnose_compiler(plain_output("/x/07.cpp:3:5: error: \x1b[31mred\xff\n"), "/x/07.cpp", "07.cpp");
+    CHECK(verdict.sentence == "?[31mred?");
+    CHECK(verdict.line == 3);
+}
+
 TEST_CASE("linkers of two families are understood") {
     const std::string linker =
         GENERATE("s.o: in function `f':\n07.cpp:(.text+0x5): undefined reference to `ns::helper(double)'\n",
@@ -430,7 +458,7 @@ TEST_CASE("whoever lacks a function is shown the header's line, and what he has 
     CHECK(explain_missing(symbols, header, "meet")
           == " The header says `bool meet(const Segment &first, int second);`; yours is `ns::meet(double)`, which is "
              "another function to the compiler: copy name, parameters and namespace.");
-    CHECK(explain_missing(symbols, "bool crosses(int);", "crosses") == " Yours has `Croses`: is that it, misspelt?");
+    CHECK(explain_missing(symbols, "/// It crosses(int);", "crosses") == " Yours has `Croses`: is that it, misspelt?");
     CHECK(explain_missing(symbols, "\nint total();\n", "total") == " The header says `int total();`.");
     // another exercise is no misspelling
     CHECK(explain_missing("0000000000000000 T ns::remeet(int)\n", header, "meet").ends_with("int second);`."));

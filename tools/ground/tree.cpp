@@ -84,7 +84,7 @@ Section Tree::section(std::string_view words) const {
         if (meant.empty()) std::copy_if(all.begin(), all.end(), std::back_inserter(meant), fits);
     };
     const std::string typed{words}, part = plain(words);
-    if (std::smatch found; std::regex_match(typed, found, number)) {
+    if (std::smatch found; words.size() < 10 && std::regex_match(typed, found, number)) {
         those([&](const Section &s) { return s.short_number() == found[1]; });
     } else if (!part.empty()) {
         those([&](const Section &s) { return part == s.name || part == s.slug() || leads_to(typed, s); });
@@ -93,7 +93,7 @@ Section Tree::section(std::string_view words) const {
     if (meant.size() == 1) return meant.front();
     if (meant.size() > 1)
         throw Complaint{"`" + typed + "` may be " + listed(meant) + ": type its number, or more of its name"};
-    if (std::smatch found; std::regex_match(typed, found, number)) {
+    if (std::smatch found; words.size() < 10 && std::regex_match(typed, found, number)) {
         const fs::path book = root / "book.md";
         const std::string title = fs::exists(book) ? title_to_come(read_file(book), std::stoi(found[1])) : "";
         if (!title.empty())

@@ -1,7 +1,8 @@
 #include "loop/advice.hpp"
 
+#include "ground/text.hpp"
+
 #include <array>
-#include <regex>
 #include <string_view>
 #include <utility>
 
@@ -49,11 +50,6 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
     return text.size();
 }
 
-void replace_all(std::string &text, std::string_view old, std::string_view with) {
-    for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size())
-        text.replace(at, old.size(), with);
-}
-
 } // namespace
 
 std::string advice(const std::string &said) {
@@ -63,8 +59,9 @@ std::string advice(const std::string &said) {
 }
 
 std::string with_short_names(std::string text) {
-    static const std::regex asides{R"( \{aka [^}]*\}| \[with [^\]]*\])"};
-    text = std::regex_replace(text, asides, "");
+    erase_all(text, " {aka ", "}");
+    erase_all(text, " (aka '", "')");
+    erase_all(text, " [with ", "]");
     for (const char *spelling : {"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Eigen::Matrix<double, 2, 1>"})
         replace_all(text, spelling, "Vec2");
     for (const auto &[type, name] : {std::pair{"Eigen::Product<", "product of Vec2s"},

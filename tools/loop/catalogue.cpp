@@ -3,9 +3,9 @@
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/nearest.hpp"
+#include "ground/text.hpp"
 
 #include <nlohmann/json.hpp>
-#include <regex>
 
 namespace course {
 namespace {
@@ -60,17 +60,16 @@ std::vector<Exercise> catalogue(const Tree &tree, const Section &section) {
     return result;
 }
 
-bool is_number_of_exercise(const std::string &words) {
-    static const std::regex number{R"(\d+\.\d+)"};
-    return std::regex_match(words, number);
+bool is_number_of_exercise(std::string_view words) {
+    const std::size_t dot = std::min(words.find('.'), words.size());
+    return is_all_digits(words.substr(0, dot)) && dot < words.size() && is_all_digits(words.substr(dot + 1));
 }
 
 FoundExercise find_exercise(const Tree &tree, std::string_view words) {
     const std::string typed{words};
     if (is_number_of_exercise(typed)) return by_number(tree, typed.substr(typed.find_first_not_of('0')));
 
-    static const std::regex whole{R"(0*(\d+))"};
-    if (std::regex_match(typed, whole)) {
+    if (is_all_digits(typed)) {
         const Section section = tree.section(typed);
         throw Complaint{"which exercise of section " + section.short_number() + "? It has "
                         + numbers(catalogue(tree, section))};

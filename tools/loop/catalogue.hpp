@@ -22,7 +22,7 @@ bool is_built(const Tree &tree, const Section &section);
 std::vector<Exercise> catalogue(const Tree &tree, const Section &section);
 
 /// Whether these words can only mean an exercise: "7.2".
-bool is_number_of_exercise(const std::string &words);
+bool is_number_of_exercise(std::string_view words);
 
 /// The exercise meant by "7.2" or by a function's name, with its section.
 /// @throws Complaint offering the nearest one.

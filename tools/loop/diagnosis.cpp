@@ -2,15 +2,18 @@
 
 #include "ground/lines.hpp"
 #include "ground/nearest.hpp"
+#include "ground/plain.hpp"
+#include "ground/text.hpp"
 #include "loop/advice.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <set>
 #include <utility>
 
 namespace course {
 namespace {
+
+constexpr std::size_t longest_name = 300; ///< [characters] of what is shown of a symbol, or of a compiler's words
 
 /// "/long/path/07_x.cpp:12:5: error: 'a' was not declared": where and what.
 struct Remark {
@@ -19,15 +22,23 @@ struct Remark {
     std::string what;
 };
 
-std::optional<Remark> parse(const Line &whole, const std::string &severity) {
-    const std::string line{whole.text};
-    const std::size_t mark = line.find(": " + severity + ": ");
-    if (mark == line.npos) return {};
-    static const std::regex place{R"(^(.*?):(\d+)(?::\d+)?$)"};
-    std::smatch found;
-    const std::string before = line.substr(0, mark);
-    if (!std::regex_match(before, found, place)) return Remark{before, 0, line.substr(mark + severity.size() + 4)};
-    return Remark{found[1], std::stoi(found[2]), line.substr(mark + severity.size() + 4)};
+/// Takes ":12" from the end of a place, and gives back the 12.
+std::optional<int> take_number(std::string_view &place) {
+    const std::size_t colon = place.rfind(':');
+    if (colon == place.npos || !is_all_digits(place.substr(colon + 1))) return {};
+    const auto number = leading_number(place.substr(colon + 1));
+    place = place.substr(0, colon);
+    return number;
+}
+
+std::optional<Remark> parse(const Line &line, const std::string &severity) {
+    const std::string words = ": " + severity + ": ";
+    const std::size_t mark = line.text.find(words);
+    if (mark == line.text.npos) return {};
+    std::string_view place = line.text.substr(0, mark);
+    const auto last = take_number(place), before = take_number(place); // line and column, or the line alone
+    return Remark{std::string{place}, before.value_or(last.value_or(0)),
+                  std::string{line.text.substr(mark + words.size())}};
 }
 
 std::string shown(const std::string &file, const std::filesystem::path &students, const std::string &shown_name) {
@@ -35,9 +46,9 @@ std::string shown(const std::string &file, const std::filesystem::path &students
 }
 
 /// What the compiler says, with plain quotes and short names, without the flag behind it; and what it means.
-std::string plain(const std::string &said) {
-    static const std::regex quote{"‘|’"}, flag{R"( \[-W.*)"};
-    const std::string text = with_short_names(std::regex_replace(std::regex_replace(said, quote, "'"), flag, ""));
+std::string plain(std::string said) {
+    for (const char *quote : {"‘", "’"}) replace_all(said, quote, "'");
+    const std::string text = with_short_names(said.substr(0, said.find(" [-W")));
     const std::string more = advice(text);
     return more.empty() ? text : text + ". " + more;
 }
@@ -46,13 +57,13 @@ std::string plain(const std::string &said) {
 /// "07_x.cpp:26:26:   required from here", or "inlined from 'f' at 07_x.cpp:43:18".
 class Causes {
   public:
-    explicit Causes(const std::filesystem::path &file) : place{quoted(file.string()) + R"(:(\d+))"} {}
+    explicit Causes(const std::filesystem::path &file) : place{file.string() + ':'} {}
 
     void read(const Line &line) {
-        std::match_results<std::string_view::const_iterator> found;
-        const bool tells =
-            line.text.find("required from") != line.text.npos || line.text.find("inlined from") != line.text.npos;
-        if (tells && std::regex_search(line.text.begin(), line.text.end(), found, place)) last = std::stoi(found[1]);
+        const std::size_t at = line.text.find(place);
+        if (at == line.text.npos) return;
+        if (contains(line.text, "required from") || contains(line.text, "inlined from"))
+            last = leading_number(line.text.substr(at + place.size())).value_or(last);
     }
     /// The remark, moved to its cause if there is one; the next remark has a cause of its own.
     Remark at_its_cause(Remark remark, const std::filesystem::path &file) {
@@ -61,11 +72,7 @@ class Causes {
     }
 
   private:
-    static std::string quoted(const std::string &path) {
-        static const std::regex special{R"([.^$|()\[\]{}*+?\\])"};
-        return std::regex_replace(path, special, R"(\$&)");
-    }
-    std::regex place;
+    std::string place;
     int last = 0;
 };
 
@@ -94,15 +101,14 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
     const auto lines = lines_of(printed);
     Verdict verdict = broken(Kind::does_not_compile, "");
     int errors = 0;
-    static const std::regex forgotten{R"(did you forget to .*(#include <\w+>))"};
     Causes causes{file};
     for (std::size_t i = 0; i < lines.size(); ++i) {
         causes.read(lines[i]);
         auto remark = parse(lines[i], "error");
         if (!remark) remark = parse(lines[i], "fatal error");
-        std::match_results<std::string_view::const_iterator> header;
-        if (errors == 1 && std::regex_search(lines[i].text.begin(), lines[i].text.end(), header, forgotten))
-            verdict.sentence += ". Write " + header[1].str() + " at the top of your file.";
+        const auto header = between(lines[i].text, "#include <", ">");
+        if (errors == 1 && header && contains(lines[i].text, "did you forget to "))
+            verdict.sentence += ". Write #include <" + std::string{*header} + "> at the top of your file.";
         if (!remark || ++errors > 1) continue;
         const bool elsewhere = remark->file != file.string();
         remark = causes.at_its_cause(*remark, file);
@@ -153,19 +159,33 @@ std::vector<std::string> find_unreached(std::string_view text, const std::string
     return found;
 }
 
+namespace {
+
+/// The name that stands after these words in quotes, `x' or 'x': a linker's. A long one may have been cut.
+std::optional<std::string> quoted_after(std::string_view line, std::string_view words) {
+    const std::size_t at = line.find(words);
+    if (at == line.npos || at + words.size() == line.size()) return {};
+    const std::string_view name = line.substr(at + words.size() + 1);
+    return plain_line(name.substr(0, name.find('\'')), longest_name);
+}
+
+} // namespace
+
 Verdict diagnose_linker(std::string_view printed, const std::string &name, const std::string &number) {
-    static const std::regex undefined{"undefined reference to [`']([^']+)'"},
-        twice{"multiple definition of [`']([^']+)'"};
     std::set<std::string> missing;
+    std::optional<std::string> twice;
     const std::string text = with_short_names(std::string{printed});
-    for (std::sregex_iterator it{text.begin(), text.end(), undefined}, end; it != end; ++it) missing.insert((*it)[1]);
-    if (std::smatch found; std::regex_search(text, found, twice)) {
-        if (found[1] == "main")
+    for (const Line &line : lines_of(text)) {
+        if (const auto its = quoted_after(line.text, "undefined reference to ")) missing.insert(*its);
+        if (const auto its = quoted_after(line.text, "multiple definition of "); its && !twice) twice = its;
+    }
+    if (twice) {
+        if (*twice == "main")
             return broken(Kind::does_not_link,
                           "Your file has a `main` of its own. The course has one already: remove yours. "
                           "`./course run "
                               + number + " --mine` runs the section's program with your code.");
-        return broken(Kind::does_not_link, '`' + found[1].str()
+        return broken(Kind::does_not_link, '`' + *twice
                                                + "` is defined twice, in your file and in the course: remove yours, or "
                                                  "give it a name that is not taken.");
     }
@@ -201,11 +221,17 @@ std::vector<Defined> functions_in(std::string_view symbols) {
 
 /// `Vec2 f(const Vec2 &x);` as the header has it, on one line.
 std::string declaration(const std::string &header, const std::string &function) {
-    std::smatch found;
-    if (!std::regex_search(header, found, std::regex{R"(\n([A-Za-z][^\n;{}]* )" + function + R"(\([^;{}]*\);))"}))
-        return {};
-    static const std::regex blanks{R"(\s+)"};
-    return std::regex_replace(found[1].str(), blanks, " ");
+    for (std::size_t name = 0; (name = header.find(' ' + function + '(', name)) != header.npos; ++name) {
+        const std::size_t begin = header.rfind('\n', name) + 1, end = header.find(';', name);
+        if (header[begin] == '/' || end == header.npos) continue; // a comment speaks of it
+        std::string text;
+        for (const char c : header.substr(begin, end + 1 - begin)) {
+            const bool blank = c == ' ' || c == '\n';
+            if (!blank || text.back() != ' ') text += blank ? ' ' : c;
+        }
+        return text;
+    }
+    return {};
 }
 
 } // namespace

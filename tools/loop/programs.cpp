@@ -1,13 +1,14 @@
 #include "loop/programs.hpp"
 
 #include "ground/complaint.hpp"
+#include "ground/lines.hpp"
 #include "ground/plain.hpp"
+#include "ground/text.hpp"
 #include "loop/diagnosis.hpp"
 
 #include <array>
 #include <cmath>
 #include <csignal>
-#include <regex>
 #include <sstream>
 
 namespace course {
@@ -32,18 +33,20 @@ std::string said_of(const Finished &finished, const std::string &trace) {
 }
 
 std::string first_error(const std::string &printed) {
-    static const std::regex undefined{R"(undefined reference to [`'](.*)')"};
-    static const std::array marks{undefined, std::regex{"multiple definition of"}, std::regex{"error: "},
-                                  std::regex{R"(^[^ ]+:\d+:\d+: )"}}; // a compiler that speaks another language
-    for (const std::regex &mark : marks) {
-        std::istringstream lines{printed};
-        for (std::string line; std::getline(lines, line);) {
-            if (!std::regex_search(line, mark)) continue;
-            if (std::smatch found; std::regex_search(line, found, undefined))
-                return found[1].str() + " is not defined; has its name or its signature changed?";
-            return line;
+    const auto lines = lines_of(printed);
+    const std::string_view undefined = "undefined reference to ";
+    for (const auto &[line, end] : lines)
+        if (const std::size_t at = line.find(undefined); at != line.npos && line.ends_with('\'')) {
+            const std::string_view quoted = line.substr(at + undefined.size()); // `name' or 'name'
+            return std::string{quoted.substr(1, quoted.size() - 2)}
+                   + " is not defined; has its name or its signature changed?";
         }
-    }
+    for (const char *mark : {"multiple definition of", "error: "})
+        for (const auto &[line, end] : lines)
+            if (contains(line, mark)) return std::string{line};
+    for (const auto &[line, end] : lines) // a compiler that speaks another language: file.cpp:12:5: …
+        if (const std::size_t colon = line.find(':'); colon < line.find(' ') && leading_number(line.substr(colon + 1)))
+            return std::string{line};
     return "";
 }
 

@@ -1,0 +1,52 @@
+#pragma once
+// Searches in text that others wrote. A regular expression of libstdc++ recurses once for each character that it
+// matches, so a long line of a student's file would end the program; these do not.
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace course {
+
+inline bool contains(std::string_view text, std::string_view words) { return text.find(words) != text.npos; }
+
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool is_all_digits(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+/// The number that `text` begins with, if it begins with one that fits.
+inline std::optional<int> leading_number(std::string_view text) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || number < 0) return {};
+    return number;
+}
+
+/// What is between the first `before` and the next `after`; nothing if one of them is missing.
+inline std::optional<std::string_view> between(std::string_view text, std::string_view before, std::string_view after) {
+    const std::size_t from = text.find(before);
+    if (from == text.npos) return {};
+    text.remove_prefix(from + before.size());
+    const std::size_t to = text.find(after);
+    if (to == text.npos) return {};
+    return text.substr(0, to);
+}
+
+inline void replace_all(std::string &text, std::string_view old, std::string_view with) {
+    for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size())
+        text.replace(at, old.size(), with);
+}
+
+/// Without anything that begins with `first`, as far as the next `last`: asides of a compiler.
+inline void erase_all(std::string &text, std::string_view first, std::string_view last) {
+    for (std::size_t at = 0; (at = text.find(first, at)) != text.npos;) {
+        const std::size_t end = text.find(last, at + first.size());
+        if (end == text.npos) return;
+        text.erase(at, end + last.size() - at);
+    }
+}
+
+} // namespace course
