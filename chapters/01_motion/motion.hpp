@@ -6,6 +6,8 @@
 #include <vector>
 
 /// Section 1: where things are, how they move, and where their middle is.
+/// A number that goes in must lie within ±1e5, both ends included; an answer may be larger.
+/// An answer is right to twelve digits of the largest term in its sum, unless its function says otherwise.
 namespace motion {
 
 using course::Vec2;
@@ -14,7 +16,7 @@ using course::Vec2;
 /// How fast something runs over the screen [px/s].
 /// @param px_per_frame       from each frame to the next [px/frame]; negative: to the left
 /// @param frames_per_second  [frame/s], positive
-/// @throws std::invalid_argument if `frames_per_second` is not positive, or a number not within ±1e5.
+/// @throws std::invalid_argument if `frames_per_second` is not positive, or a number is not within ±1e5.
 double px_per_second(double px_per_frame, double frames_per_second);
 
 //> Uniform motion
@@ -49,12 +51,12 @@ struct PointMass {
 };
 
 /// The point on which all of them together would balance [m].
-/// Nothing if there is no mass at all: if the list is empty, or every mass is 0.
-/// @throws std::invalid_argument if a mass is negative, or a number not within ±1e5.
+/// Nothing if there is no mass at all: if the list is empty, or every mass is 0. Less than 1e-100 kg may count as none.
+/// @throws std::invalid_argument if a mass is negative, or a number is not within ±1e5.
 std::optional<Vec2> centre_of_mass(const std::vector<PointMass> &bodies);
 
 //> Three steps
-/// One motion three times, each stepped on in a way of its own.
+/// The same motion three times, each stepped by a scheme of its own.
 struct Schemes {
     State explicit_euler; ///< moves with the velocity that it has at the beginning of a step
     State semi_implicit;  ///< moves with the velocity that it has at the end of it
@@ -62,19 +64,20 @@ struct Schemes {
     COURSE_FIELDS("1, 1, 1", explicit_euler, semi_implicit, exact)
 };
 
-/// Each of the three one step later, from where it was itself. A step of 0 changes nothing.
+/// The three states one step later, each from its own state before. A step of 0 changes nothing.
 /// @param acceleration  [m/s²]
 /// @param dt            length of the step [s], not negative
-/// @throws std::invalid_argument if `dt` is negative, or a number not within ±1e5.
+/// @throws std::invalid_argument if `dt` is negative, or a number is not within ±1e5.
 Schemes step(const Schemes &before, const Vec2 &acceleration, double dt);
 
 //> The middle of a plate
 /// The centre of mass of a flat plate, everywhere equally thick [m]: the centroid of a polygon.
-/// Far from the origin too: it is right to 1e-9 m for a square of a metre that is 1e5 m away.
-/// @param corners  in order, either way round [m]; sides that cross are not looked for
+/// For a square with sides between a centimetre and ten metres it is right to 1e-9 m, far from the origin too.
+/// @param corners  in order, either way round [m]; they may repeat; that no sides cross is not checked
 /// @throws std::invalid_argument if there are fewer than three corners, if they lie on one line, or if a number is not
-///         within ±1e5. They lie on one line if the area, without its sign, is below 1e-12 of the square of the longest
-///         distance between two corners; between 1e-13 and 1e-11, either answer is right.
+///         within ±1e5. They lie on one line if the area is at most 1e-13 of the square of the longest distance between
+///         two corners, and do not if it is 1e-11 of that or more. In between, either answer is right, as it is for a
+///         plate shorter than 1e-100 m; and the thinner the plate, the fewer digits are right.
 Vec2 centroid(const std::vector<Vec2> &corners);
 
 //> Three looks at a motion
@@ -94,6 +97,8 @@ struct Law {
 };
 
 /// The one such motion that was at these three places at these three times, which come in any order.
+/// It is right to 1e-8, of itself if it is larger than 1, for places within ±1000 m and times within ±10 s that are half
+/// a second or more apart. Closer together, or further from t = 0, fewer digits are right.
 /// @throws std::invalid_argument if two of the times are equal, or a number is not within ±1e5.
 Law law_of_motion(const Sample &first, const Sample &second, const Sample &third);
 
