@@ -1,15 +1,16 @@
 // Puts all of a section's wrong and right answers into one C++ file, and lists them for ctest.
 //
-//     generate ROOT NN_slug UNIT LIST TESTS SUBJECT KIND...
+//     answers-in-one ROOT NN_slug UNIT LIST TESTS SUBJECT KIND...
 //
-// UNIT and LIST are written; TESTS is the program that judges, SUBJECT the one made of UNIT; a kind is `wrong` or `right`. An answer is a file, tests/KIND/NN_slug/name.cpp, or a few lines of tests/KIND/NN_slug.diff:
+// It writes UNIT, the C++ file, and LIST, for ctest: TESTS is the program that judges, SUBJECT the one made of UNIT. A
+// KIND is `wrong` or `right`. An answer is a file, tests/KIND/NN_slug/name.cpp, or an entry in tests/KIND/NN_slug.diff:
 //
-//     7.2 meet_leaves_the_ends_open: touching is not meeting
+//     7.2 meet_leaves_the_ends_open: a touch is no meeting
 //     -    return low > 0 || high < 0;
-//     +    return low >= 0 || high <= 0;
+//     +    return (low >= 0 && high > 0) || (low < 0 && high <= 0);
 //
-// says which lines of the solution go (-), which come (+), and, where that takes more to be clear, which stay ( ). A blank
-// line ends a change; an answer may have several. Lines are compared without their indentation and their comments.
+// An entry says which lines of the solution go (-), which come (+), and, where more is needed to find the place, which
+// stay ( ). A blank line ends a change; an answer may have several. Indentation and comments are not compared.
 
 #include <algorithm>
 #include <filesystem>
@@ -100,10 +101,8 @@ struct Solution {
     }
 };
 
-/// Some lines that stand one after the other in the solution, and what they become.
-struct Change {
-    Lines before, after;
-};
+/// Lines that stand one after the other in the solution, each with what becomes of it, and those that come: - + or a blank.
+using Change = std::vector<std::pair<char, Line>>;
 
 struct Answer {
     Line head;
@@ -131,9 +130,7 @@ std::vector<Answer> read_differences(const fs::path &file) {
             auto &changes = answers.back().changes;
             if (!open) changes.emplace_back();
             open = true;
-            const Line bare{line.text.substr(1), line.file, line.number};
-            if (sign != '+') changes.back().before.push_back(bare);
-            if (sign != '-') changes.back().after.push_back(bare);
+            changes.back().emplace_back(sign, Line{line.text.substr(1), line.file, line.number});
         }
     }
     for (const Answer &answer : answers)
@@ -141,30 +138,46 @@ std::vector<Answer> read_differences(const fs::path &file) {
     return answers;
 }
 
-/// Replaces the lines that a change names, wherever they stand: once, or this is a mistake.
+/// Makes a change wherever its lines stand in the solution: once, or this is a mistake.
 void apply(const Change &change, const Answer &answer, Lines &solution, const fs::path &file) {
-    if (change.before.empty())
-        throw Complaint{change.after[0], "where does this line come? Write the line before it, with a blank in front"};
-    std::vector<std::size_t> kept; // of the solution, the lines with code
+    Lines before;
+    for (const auto &[sign, line] : change)
+        if (sign != '+') before.push_back(line);
+    if (before.empty())
+        throw Complaint{change[0].second, "where does this line come? Write the line before it, with a blank in front"};
+
+    std::vector<std::size_t> places; // of the solution's own lines that have code
     for (std::size_t i = 0; i < solution.size(); ++i)
-        if (!code_of(solution[i].text).empty()) kept.push_back(i);
+        if (*solution[i].file == file && !code_of(solution[i].text).empty()) places.push_back(i);
     const auto same = [&](std::size_t i, const Line &line) { return code_of(solution[i].text) == code_of(line.text); };
-    auto found = kept.end();
+    auto place = places.end();
     int times = 0;
-    for (auto at = kept.begin();; ++at, ++times) {
-        at = std::search(at, kept.end(), change.before.begin(), change.before.end(), same);
-        if (at == kept.end()) break;
-        found = at;
+    for (auto at = places.begin();; ++at, ++times) {
+        at = std::search(at, places.end(), before.begin(), before.end(), same);
+        if (at == places.end()) break;
+        place = at;
     }
-    const std::string what = change.before.size() == 1 ? "this line" : "these lines, one after the other,";
+    const std::string what = before.size() == 1 ? "this line" : "these lines, one after the other,";
     const std::string where = file.string() + ", in what belongs to exercise " + answer.exercise;
-    if (times == 0) throw Complaint{change.before[0], what + " must be in " + where + ": copy from there what goes"};
+    if (times == 0) throw Complaint{before[0], what + " must be in " + where + ": copy from there what goes"};
     if (times > 1)
-        throw Complaint{change.before[0], what + " must be once in " + where + ", not " + std::to_string(times)
-                                              + " times: add a line before or after that stays, with a blank in front"};
-    const std::size_t first = *found, last = *(found + static_cast<long>(change.before.size()) - 1);
-    solution.erase(solution.begin() + static_cast<long>(first), solution.begin() + static_cast<long>(last) + 1);
-    solution.insert(solution.begin() + static_cast<long>(first), change.after.begin(), change.after.end());
+        throw Complaint{before[0], what + " must be once in " + where + ", not " + std::to_string(times)
+                                       + " times: add a line before or after that stays, with a blank in front"};
+
+    std::size_t next = *place;
+    Lines changed{solution.begin(), solution.begin() + static_cast<long>(next)};
+    for (const auto &[sign, line] : change) {
+        if (sign == '+') {
+            changed.push_back(line);
+            continue;
+        }
+        for (; next < *place; ++next) changed.push_back(solution[next]);
+        if (sign == ' ') changed.push_back(solution[next]);
+        ++next;
+        ++place;
+    }
+    for (; next < solution.size(); ++next) changed.push_back(solution[next]);
+    solution = std::move(changed);
 }
 
 void write(std::ostream &out, const Lines &lines) {
@@ -260,7 +273,7 @@ class Unit {
 
 int main(int argc, char **argv) try {
     if (argc < 8) {
-        std::cerr << "usage: generate ROOT NN_slug UNIT LIST TESTS SUBJECT KIND...\n";
+        std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST TESTS SUBJECT KIND...\n";
         return 2;
     }
     const std::string section = argv[2], tests = argv[5], subject = argv[6];

@@ -71,12 +71,13 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
 -int two() { return 2; }
 +int two() { return 1; }
 
-7.1 begins_twice: two changes, and a line that stays to tell one from another
+7.1 begins_twice: two changes, and lines that stay to tell one from another
  int i = 0;
 -++i;
++i = 1;
 
++++i;
  return i;
-+// and ends
 )");
     INFO(done.err);
     REQUIRE(done.code == 0);
@@ -86,7 +87,7 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
           == helper + "int first() {\n    int i = 1;\n    ++i;\n\n    // again\n    ++i;\n    return i;\n}\n}\n");
     CHECK(course.answer("wrong_two_is_one") == "int two() { return 1; }\nint second() { return two(); }\n}\n");
     CHECK(course.answer("wrong_begins_twice")
-          == helper + "int first() {\nint i = 0;\n\n    // again\n    ++i;\nreturn i;\n// and ends\n}\n}\n");
+          == helper + "int first() {\n    int i = 0;\ni = 1;\n\n    // again\n    ++i;\n++i;\n    return i;\n}\n}\n");
     CHECK_THAT(course.read("unit.cpp"),
                ContainsSubstring("#line 5 \"" + course.path(course.wrong) + "\"\n    int i = 1;\n"));
     CHECK_THAT(course.read("list.cmake"),
