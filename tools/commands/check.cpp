@@ -40,6 +40,11 @@ struct Outcome {
     bool has(Kind kind) const {
         return std::any_of(verdicts.begin(), verdicts.end(), [kind](const Verdict &v) { return v.kind == kind; });
     }
+    /// Not started as long as any call says so: a stub that refuses bad input passes some tests by itself.
+    Kind state() const {
+        const Verdict *failure = first_failure();
+        return failure == nullptr ? Kind::passed : has(Kind::not_started) ? Kind::not_started : failure->kind;
+    }
 };
 
 std::vector<Outcome> by_exercise(const Tree &tree, const Section &section, const Judgement &judgement) {
@@ -70,8 +75,10 @@ void print(const Outcome &outcome, bool verbose) {
     const std::string head = exercise.number + ' ' + exercise.function + ", " + exercise.tier;
     if (failure == nullptr)
         std::cout << painted(Colour::green, "✓ " + head) << ": " << tests(verdicts.size()) << " passed\n";
-    else if (failure->kind == Kind::not_started && passed == 0) {
-        std::cout << painted(Colour::dim, "· " + head) << ": " << (verbose ? failure->sentence : "not started") << '\n';
+    else if (outcome.state() == Kind::not_started) {
+        const auto open = std::find_if(verdicts.begin(), verdicts.end(),
+                                       [](const Verdict &v) { return v.kind == Kind::not_started; });
+        std::cout << painted(Colour::dim, "· " + head) << ": " << (verbose ? open->sentence : "not started") << '\n';
         return;
     } else
         std::cout << painted(Colour::red, "✗ " + head) << ": " << passed << " of " << tests(verdicts.size())
@@ -127,16 +134,13 @@ void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
         return;
     }
     const auto &exercise = open->exercise;
-    const bool untouched = open->first_failure()->kind == Kind::not_started;
+    const bool untouched = open->state() == Kind::not_started;
     std::cout << "Next: " << exercise.number << ' ' << exercise.function << ". "
               << (untouched ? "Where to begin: ./course hint " : "Stuck? ./course hint ") << exercise.number << '\n';
 }
 
 /// What is remembered of an exercise: how far it is from done.
-std::string state_of(const Outcome &outcome) {
-    const Verdict *failure = outcome.first_failure();
-    return std::string{name_of(failure == nullptr ? Kind::passed : failure->kind)};
-}
+std::string state_of(const Outcome &outcome) { return std::string{name_of(outcome.state())}; }
 
 /// The same, said of no test in particular.
 Verdict nameless(Verdict verdict, const std::string &heading) {
