@@ -1,6 +1,7 @@
 // course weave: brings the listings and outputs of the book up to date, or says where they are not.
 #include "book/weaver.hpp"
 
+#include "book/budgets.hpp"
 #include "book/links.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
@@ -57,7 +58,10 @@ class Command {
 
     void section(const Section &section) {
         const bool readable = page(page_of(tree, section));
-        if (check && readable) add(missing_parts(tree, section));
+        if (check && readable) {
+            add(missing_parts(tree, section));
+            add(exceeded_budgets(read_file(tree.chapter(section)), tree.chapter(section)));
+        }
         ++chapters;
     }
 
