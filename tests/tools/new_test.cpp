@@ -88,7 +88,7 @@ TEST_CASE("new writes every file of a section, its line and its entry, and chang
                ContainsSubstring(
                    "| 12 | Time | to come |\n| 13 | [Springs and so on](chapters/13_springs/README.md) | |\n\n"));
     CHECK_THAT(after.at("chapters/13_springs/README.md"),
-               StartsWith("# 13 Springs and so on\n") && ContainsSubstring("$ ./course run 13\n"));
+               StartsWith("# 13 Springs and so on\n") && ContainsSubstring("$ ./course run 13 pulls --mine\n"));
     CHECK_THAT(after.at("chapters/13_springs/springs.hpp"),
                ContainsSubstring("namespace springs {")
                    && ContainsSubstring("COURSE_EXERCISE(\"13.1\", core, springs, pull"));
@@ -304,7 +304,7 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
     const Finished tested = run({"ctest", "--test-dir", copy.build.string(), "--output-on-failure", "-R",
                                  "^13_springs\\.(solution|stub|wrong_|right_)"});
     succeeds(tested);
-    CHECK_THAT(tested.out, ContainsSubstring("100% tests passed, 0 tests failed out of 5"));
+    CHECK_THAT(tested.out, ContainsSubstring("100% tests passed, 0 tests failed out of 7"));
 
     const Finished untouched = course({"check", "13"});
     CHECK(untouched.code == 1);
