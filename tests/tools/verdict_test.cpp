@@ -401,12 +401,13 @@ TEST_CASE("for the slips that are made most, a compiler's words are explained") 
         return diagnose_compiler("/x/07.cpp:3:5: error: " + error + "\n", "/x/07.cpp", "07.cpp").sentence;
     };
     CHECK(said("control reaches end of non-void function [-Werror=return-type]")
-          == "control reaches end of non-void function. There is a way through this function without a `return`.");
+          == "control reaches end of non-void function. Some path through this function has no `return`.");
     CHECK(said("could not convert ‘a * b’ from ‘Eigen::Product<Eigen::Matrix<double, 2, 1>, Eigen::Matrix<double, 2, "
                "1>, 0>’")
               .ends_with("write a.dot(b)."));
-    CHECK(said("expected ‘;’ before ‘}’ token")
-          == "expected ';' before '}' token. Look at the end of the line above: is its ; there?");
+    CHECK(said("expected ‘;’ before ‘}’ token") == "expected ';' before '}' token");
+    CHECK(said("expected ‘;’ before ‘}’ token\n   12 | }\n      | ^")
+              .ends_with("token. Look at the end of the line above: is its ; there?"));
 }
 
 TEST_CASE("no line is so long, and no byte so strange, that what a compiler or linker says of it does harm") {
@@ -481,11 +482,11 @@ TEST_CASE("an error in a file that a student only uses is told where the student
 }
 
 TEST_CASE("the slips that are made most are named beside the compiler's words") {
-    CHECK(advice("no match for 'operator^' (operand types are 'double' and 'int')")
+    CHECK(advice({"no match for 'operator^' (operand types are 'double' and 'int')", "", "", ""})
           == "^ is not a power: write t * t.");
-    CHECK(advice("suggest parentheses around assignment used as truth value")
+    CHECK(advice({"suggest parentheses around assignment used as truth value", "", "", ""})
           == "= gives a value; to compare, write ==.");
-    CHECK(advice("something else").empty());
+    CHECK(advice({"something else", "", "", ""}).empty());
     CHECK(with_short_names(
               "'const Eigen::CwiseBinaryOp<sum<double, double>, const Eigen::Matrix<double, 2, 1> >' and 'int'")
           == "'sum of Vec2s' and 'int'");

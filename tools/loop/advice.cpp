@@ -1,43 +1,200 @@
 #include "loop/advice.hpp"
 
+#include "ground/lines.hpp"
 #include "ground/text.hpp"
 
 #include <array>
-#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace course {
 namespace {
 
+constexpr const char *call_it = "A call needs parentheses: a.x(), not a.x.";
+constexpr const char *two_at_a_time = "Compare two at a time: a < b && b < c.";
+constexpr const char *no_way_back = "Some path through this function has no `return`.";
+constexpr const char *copy_it = "It is const, so it cannot be changed: copy it, and change the copy.";
+constexpr const char *two_components = "A Vec2 has two components: write Vec2{x, y}.";
+constexpr const char *same_result = "The header gives this function another result: copy its line from there.";
+constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
+
+/// A slip that the compiler's words alone give away, or together with a word of its notes.
 struct Slip {
-    const char *words; ///< a part of what the compiler says
+    const char *words;
+    const char *note;
     const char *means;
 };
 
 constexpr std::array slips{
-    Slip{"non-void function", "There is a way through this function without a `return`."},
-    Slip{"no return statement", "There is a way through this function without a `return`."},
-    Slip{"unresolved overloaded function type", "A call needs parentheses: a.x(), not a.x."},
-    Slip{"invalid use of member function", "A call needs parentheses: a.x(), not a.x."},
-    Slip{"invalid use of non-static member function", "A call needs parentheses: a.norm(), not a.norm."},
-    Slip{"comparison in operand of", "Compare two at a time: a < b && b < c."},
-    Slip{"product of Vec2s", "For the dot product of two vectors write a.dot(b)."},
-    Slip{"to 'require_number(", "require_range takes numbers, Vec2s and lists of them: give it a struct's fields one "
-                                "by one, as start.position, start.velocity."},
-    Slip{"INVALID_VECTOR_VECTOR_PRODUCT", "Two vectors have no product with *: a.dot(b) is their dot product."},
-    Slip{"IT_IS_READ_ONLY", "Write Vec2 in the place of auto."},
-    Slip{"assignment used as truth value", "= gives a value; to compare, write ==."},
-    Slip{"do not have their mathematical meaning", "Compare two at a time: a < b && b < c."},
-    Slip{"operator^", "^ is not a power: write t * t."},
-    Slip{"no match for 'operator", "Is one of them a number, and the other a vector?"},
-    Slip{"function-definition is not allowed here", "Is a } missing above this line?"},
-    Slip{"does not name a type", "Is it misspelt? Or is there a } too many above this line?"},
-    Slip{"expected ',' or ';' before", "Look at the end of the line above: is its ; there?"},
-    Slip{"expected ';' before", "Look at the end of the line above: is its ; there?"},
-    Slip{"ambiguating new declaration", "The header gives this function another result: copy its line from there."},
-    Slip{"to 'std::optional<", "To answer nothing, write return {};"},
-    Slip{"of different signedness", "What counts a list's elements is a std::size_t: for (std::size_t i = 0; …)."},
+    Slip{"non-void function", "", no_way_back},
+    Slip{"no return statement", "", no_way_back},
+    Slip{"unresolved overloaded function type", "", call_it},
+    Slip{"cannot resolve overloaded function", "", call_it},
+    Slip{"reference to non-static member function must be called", "", call_it},
+    Slip{"invalid use of member function", "", call_it},
+    Slip{"invalid use of non-static member function", "", call_it},
+    Slip{"comparison in operand of", "", two_at_a_time},
+    Slip{"do not have their mathematical meaning", "", two_at_a_time},
+    Slip{"with boolean expression is always", "", two_at_a_time},
+    Slip{"with expression of type 'bool' is always", "", two_at_a_time},
+    Slip{"product of Vec2s", "", "For the dot product of two vectors write a.dot(b)."},
+    Slip{"INVALID_VECTOR_VECTOR_PRODUCT", "", "Two vectors have no product with *: a.dot(b) is their dot product."},
+    Slip{"IT_IS_READ_ONLY", "", "Write Vec2 in the place of auto."},
+    Slip{"FLOATING_POINT_ARGUMENT_PASSED__INTEGER_WAS_EXPECTED", "", two_components},
+    Slip{"call to 'require_number", "",
+         "require_range takes numbers, Vec2s and lists of them: give it a struct's "
+         "fields one by one, as start.position, start.velocity."},
+    Slip{"assignment used as truth value", "", "= gives a value; to compare, write ==."},
+    Slip{"result of an assignment as a condition", "", "= gives a value; to compare, write ==."},
+    Slip{"function-definition is not allowed here", "", "Is a } missing above this line?"},
+    Slip{"function definition is not allowed here", "", "Is a } missing above this line?"},
+    Slip{"ambiguating new declaration", "", same_result},
+    Slip{"functions that differ only in their return type", "", same_result},
+    Slip{"of different signedness", "", count_in_size},
+    Slip{"of different signs", "", count_in_size},
+    Slip{"push_back", "expects 1 argument", "push_back takes one value: put braces round it, push_back({a, b})."},
+    Slip{"push_back", "requires single argument", "push_back takes one value: put braces round it, push_back({a, b})."},
+    Slip{"assignment of read-only", "", copy_it},
+    Slip{"crement of read-only", "", copy_it},
+    Slip{"in read-only object", "", copy_it},
+    Slip{"discards qualifiers", "", copy_it},
+    Slip{"returns a const value", "", copy_it},
+    Slip{"with const-qualified type", "", copy_it},
+    Slip{"function is not marked const", "", copy_it},
+    Slip{"drops 'const' qualifier", "", copy_it},
+    Slip{"no viable overloaded '", "not marked const", copy_it},
+    Slip{"no viable overloaded '", "for object argument", copy_it},
+    Slip{"no matching member function for call", "not marked const", copy_it},
 };
+
+/// All that stands in plain quotes.
+std::vector<std::string> quoted(std::string_view words) {
+    std::vector<std::string> found;
+    while (const auto next = between(words, "'", "'")) {
+        found.emplace_back(*next);
+        words.remove_prefix(static_cast<std::size_t>(next->data() + next->size() + 1 - words.data()));
+    }
+    return found;
+}
+
+bool is_optional(std::string_view type) { return contains(type, "std::optional<"); }
+bool is_vector(std::string_view type) { return type.ends_with("Vec2") || type.ends_with("sum of Vec2s"); }
+bool is_number(std::string_view type) {
+    if (type.starts_with("const ")) type.remove_prefix(6);
+    return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int";
+}
+
+/// "expected ';' before 'double'": GCC names what comes after the gap, Clang stands in it.
+std::string about_semicolon(const Said &said) {
+    if (!said.words.starts_with("expected") || !contains(said.words, "';'") || said.code.empty()) return {};
+    const auto names = quoted(said.words);
+    if (contains(said.words, "before '") && without_blanks(said.code).starts_with(names.back()))
+        return "Look at the end of the line above: is its ; there?";
+    const std::string_view code = without_blanks_behind(std::string_view{said.code}.substr(0, said.code.find("//")));
+    const std::size_t caret = said.caret.find('^');
+    const bool at_the_end = caret != said.caret.npos && caret >= code.size();
+    return at_the_end ? "A ; is missing at the end of this line." : "";
+}
+
+/// 2 * {x, y}: Clang names the operator, GCC stops at the brace, as it does elsewhere too.
+std::string about_braces(const Said &said) {
+    constexpr const char *write_vec2 = "Write Vec2 before the braces: 2 * Vec2{x, y}.";
+    if (said.words.starts_with("initializer list cannot be used on the right hand side of operator"))
+        return contains("'+' '-' '*' '/'", said.words.substr(said.words.size() - 3)) ? write_vec2 : "";
+    if (!said.words.starts_with("expected primary-expression before '{'")) return {};
+    std::string code = said.code;
+    std::erase(code, ' ');
+    for (const char *slip : {"*{", "+{", "-{", "/{"})
+        if (contains(code, slip)) return write_vec2;
+    return {};
+}
+
+/// A field of a struct that an optional holds, asked of the optional.
+std::string about_member(const Said &said) {
+    const auto names = quoted(said.words);
+    const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
+    if (names.size() < 2 || (!gcc && !clang) || !is_optional(gcc ? names[0] : names[1])) return {};
+    return "It may be nothing: ask first, if (found), and then write found->" + (gcc ? names[1] : names[0]) + '.';
+}
+
+/// Two operands that do not go together.
+std::string about_operands(const Said &said) {
+    const bool gcc = contains(said.words, "operand types are '") || contains(said.words, "invalid operands of types '");
+    if (!gcc && !contains(said.words, "invalid operands to binary expression (")) return {};
+    if (contains(said.words, "operator^") || (!gcc && contains(said.code, "^")))
+        return "^ is not a power: write t * t.";
+    const auto names = quoted(said.words);
+    const bool operator_first = contains(said.words, "no match for '");
+    if (names.size() < (operator_first ? 3 : 2)) return {};
+    const std::string &left = names[operator_first ? 1 : 0], &right = names[operator_first ? 2 : 1];
+    const bool assigns = contains("operator= operator+= operator-= operator*= operator/= ", names[0] + ' ');
+    if (operator_first && assigns && left.starts_with("const ")) return copy_it;
+    if (is_optional(left) || is_optional(right))
+        return "An optional may be nothing: ask first, if (found), and then compare *found, or its field found->t.";
+    if ((is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right)))
+        return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
+               "a.norm().";
+    return {};
+}
+
+/// A value of one type where another is wanted.
+std::string about_conversion(const Said &said) {
+    const auto names = quoted(said.words);
+    if (names.size() < 2
+        || !(contains(said.words, "convert") || contains(said.words, "conversion")
+             || contains(said.words, "incompatible type")))
+        return {};
+    const bool clang_assigns = said.words.starts_with("assigning to '"); // 'double' from incompatible type 'Vec2'
+    const std::string &from = names[names.size() - (clang_assigns ? 1 : 2)],
+                      &to = names[names.size() - (clang_assigns ? 2 : 1)];
+    if (is_optional(to) && (is_number(from) || from == "bool" || contains(from, "nullptr_t")))
+        return "To answer nothing, write return {};";
+    if (is_optional(from) && !is_optional(to))
+        return "It may be nothing: ask first, if (found), and then write *found.";
+    if (is_vector(from) && is_number(to))
+        return "A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().";
+    if (is_number(from) && is_vector(to)) return two_components;
+    return {};
+}
+
+/// std::min(t, 1) and its like.
+std::string about_two_types(const Said &said) {
+    const bool is_it = contains(said.words, "call to 'min") || contains(said.words, "call to 'max")
+                       || contains(said.words, "call to 'clamp");
+    const auto types = between(said.notes, "deduced conflicting types", "\n");
+    if (!is_it || !types) return {};
+    if (contains(*types, "unsigned"))
+        return "All must be of one type: the size of a list as an int is int(list.size()).";
+    return contains(*types, "'double'") && contains(*types, "'int'") ? "All must be of one type: write 1.0, not 1."
+                                                                     : "";
+}
+
+/// A header that is not included. GCC says which one has the name; Clang does not know.
+std::string about_header(const Said &said) {
+    const auto write = [](std::string_view header) {
+        return "Write #include <" + std::string{header} + "> at the top of your file.";
+    };
+    if (const auto header = between(said.notes, "did you forget to '#include <", ">")) return write(*header);
+    if (!said.words.starts_with("no member named '") || !contains(said.words, "in namespace 'std'")) return {};
+    constexpr std::array<std::pair<const char *, const char *>, 15> headers{{{"cout", "iostream"},
+                                                                             {"cerr", "iostream"},
+                                                                             {"cin", "iostream"},
+                                                                             {"endl", "iostream"},
+                                                                             {"sort", "algorithm"},
+                                                                             {"count_if", "algorithm"},
+                                                                             {"clamp", "algorithm"},
+                                                                             {"find_if", "algorithm"},
+                                                                             {"ranges", "algorithm"},
+                                                                             {"accumulate", "numeric"},
+                                                                             {"numbers", "numbers"},
+                                                                             {"optional", "optional"},
+                                                                             {"array", "array"},
+                                                                             {"set", "set"},
+                                                                             {"map", "map"}}};
+    for (const auto &[name, header] : headers)
+        if (quoted(said.words).front() == name) return write(header);
+    return {};
+}
 
 /// Where a type that begins at `from` ends: behind the last of its angle brackets.
 std::size_t end_of_type(std::string_view text, std::size_t from) {
@@ -52,9 +209,12 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
 
 } // namespace
 
-std::string advice(const std::string &said) {
-    for (const auto &[words, means] : slips)
-        if (said.find(words) != said.npos) return means;
+std::string advice(const Said &said) {
+    for (const auto about :
+         {about_semicolon, about_braces, about_member, about_operands, about_conversion, about_two_types, about_header})
+        if (std::string means = about(said); !means.empty()) return means;
+    for (const auto &[words, note, means] : slips)
+        if (contains(said.words, words) && contains(said.notes, note)) return means;
     return {};
 }
 
@@ -62,11 +222,14 @@ std::string with_short_names(std::string text) {
     erase_all(text, " {aka ", "}");
     erase_all(text, " (aka '", "')");
     erase_all(text, " [with ", "]");
-    for (const char *spelling : {"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Eigen::Matrix<double, 2, 1>"})
+    for (const char *spelling : {"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Eigen::Matrix<double, 2, 1, 0>",
+                                 "Eigen::Matrix<double, 2, 1>", "course::Vec2"})
         replace_all(text, spelling, "Vec2");
-    for (const auto &[type, name] : {std::pair{"Eigen::Product<", "product of Vec2s"},
-                                     {"Eigen::CwiseBinaryOp<", "sum of Vec2s"},
-                                     {"Eigen::CwiseUnaryOp<", "sum of Vec2s"}}) {
+    for (const char *type : {"Product<", "CwiseBinaryOp<", "CwiseUnaryOp<"})
+        replace_all(text, std::string{"Eigen::"} + type, type); // Clang leaves it out here and there
+    for (const auto &[type, name] : {std::pair{"Product<", "product of Vec2s"},
+                                     {"CwiseBinaryOp<", "sum of Vec2s"},
+                                     {"CwiseUnaryOp<", "sum of Vec2s"}}) {
         for (std::size_t at; (at = text.find(type)) != text.npos;) text.replace(at, end_of_type(text, at) - at, name);
         replace_all(text, std::string{"const "} + name, name);
     }

@@ -8,18 +8,19 @@
 
 #include <algorithm>
 #include <set>
-#include <utility>
 
 namespace course {
 namespace {
 
 constexpr std::size_t longest_name = 300; ///< [characters] of what is shown of a symbol, or of a compiler's words
+constexpr std::size_t longest_line = 160; ///< [characters] of a line of code
 
-/// "/long/path/07_x.cpp:12:5: error: 'a' was not declared": where and what.
+/// An error or a warning: "/long/path/07_x.cpp:12:5: error: 'a' was not declared", and the lines that belong to it.
 struct Remark {
+    bool is_error = false;
     std::string file;
     int line = 0;
-    std::string what;
+    Said said;
 };
 
 /// Takes ":12" from the end of a place, and gives back the 12.
@@ -31,50 +32,91 @@ std::optional<int> take_number(std::string_view &place) {
     return number;
 }
 
-std::optional<Remark> parse(const Line &line, const std::string &severity) {
-    const std::string words = ": " + severity + ": ";
-    const std::size_t mark = line.text.find(words);
-    if (mark == line.text.npos) return {};
-    std::string_view place = line.text.substr(0, mark);
-    const auto last = take_number(place), before = take_number(place); // line and column, or the line alone
-    return Remark{std::string{place}, before.value_or(last.value_or(0)),
-                  std::string{line.text.substr(mark + words.size())}};
+std::optional<Remark> parse(std::string_view line) {
+    for (const char *severity : {": error: ", ": fatal error: ", ": warning: "}) {
+        const std::size_t mark = line.find(severity);
+        if (mark == line.npos) continue;
+        Remark remark;
+        remark.is_error = contains(severity, "error");
+        std::string_view place = line.substr(0, mark), words = line.substr(mark + std::string_view{severity}.size());
+        if (words.starts_with("too many errors emitted")) return {};
+        if (words.starts_with("static_assert failed")
+            && words.ends_with('"')) // Clang: what is asserted, "what it says"
+            words = words.substr(words.rfind('"', words.size() - 2) + 1);
+        const auto last = take_number(place), before = take_number(place); // line and column, or the line alone
+        remark.file = place;
+        remark.line = before.value_or(last.value_or(0));
+        remark.said.words =
+            plain_line(with_short_names(std::string{words.substr(0, words.find(" [-W"))}), longest_name);
+        return remark;
+    }
+    return {};
+}
+
+/// The line of code that follows an error, and the one with its caret: GCC puts "   12 | " before it, Clang nothing.
+void read_code(const std::vector<Line> &lines, std::size_t next, Said &said) {
+    if (next + 1 >= lines.size()) return;
+    const std::string_view code = lines[next].text, caret = lines[next + 1].text;
+    const std::size_t bar = code.find(" | ");
+    if (bar != code.npos && is_all_digits(without_blanks(code.substr(0, bar)))) {
+        said.code = code.substr(bar + 3);
+        if (caret.size() > bar + 3 && caret.find('|') == bar + 1) said.caret = caret.substr(bar + 3);
+    } else if (caret.find_first_not_of(" ~^") == caret.npos && contains(caret, "^")) {
+        said.code = code;
+        said.caret = caret;
+    }
+}
+
+/// All errors and warnings, in order. One that is made in a file which the student only uses is moved to where his own
+/// file causes it. GCC tells that before: "07_x.cpp:26:26:   required from here", or "inlined from 'f' at
+/// 07_x.cpp:43:18"; Clang behind it: "07_x.cpp:26:26: note: in instantiation of … requested here".
+std::vector<Remark> remarks_in(std::string_view printed, const std::filesystem::path &file) {
+    std::string text{printed};
+    for (const char *quote : {"‘", "’"}) replace_all(text, quote, "'");
+    const auto lines = lines_of(text);
+    const std::string place = file.string() + ':';
+    const auto line_in_file = [&](std::string_view line) {
+        const std::size_t at = line.find(place);
+        return at == line.npos ? 0 : leading_number(line.substr(at + place.size())).value_or(0);
+    };
+    std::vector<Remark> remarks;
+    int cause = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string_view line = lines[i].text;
+        if (auto remark = parse(line)) {
+            if (remark->file == file.string()) read_code(lines, i + 1, remark->said);
+            else if (cause != 0) {
+                remark->file = file.string();
+                remark->line = cause;
+            }
+            cause = 0;
+            remarks.push_back(std::move(*remark));
+            continue;
+        }
+        if (contains(line, "required from") || contains(line, "inlined from"))
+            if (const int here = line_in_file(line); here != 0) cause = here;
+        if (remarks.empty()) continue;
+        Remark &last = remarks.back();
+        last.said.notes.append(line).append("\n");
+        if (last.file != file.string() && line.ends_with("requested here"))
+            if (const int here = line_in_file(line); here != 0) {
+                last.file = file.string();
+                last.line = here;
+            }
+    }
+    return remarks;
 }
 
 std::string shown(const std::string &file, const std::filesystem::path &students, const std::string &shown_name) {
     return file == students.string() ? shown_name : std::filesystem::path{file}.filename().string();
 }
 
-/// What the compiler says, with plain quotes and short names, without the flag behind it; and what it means.
-std::string plain(std::string said) {
-    for (const char *quote : {"‘", "’"}) replace_all(said, quote, "'");
-    const std::string text = with_short_names(said.substr(0, said.find(" [-W")));
-    const std::string more = advice(text);
-    return more.empty() ? text : text + ". " + more;
+/// What the compiler says, and what it means.
+std::string explained(const Said &said) {
+    const std::string more = advice(said);
+    if (more.empty()) return said.words;
+    return said.words + (std::string_view{".?!"}.find(said.words.back()) == std::string_view::npos ? ". " : " ") + more;
 }
-
-/// Where in the student's file a remark has its cause, that is made in a file which the student only uses:
-/// "07_x.cpp:26:26:   required from here", or "inlined from 'f' at 07_x.cpp:43:18".
-class Causes {
-  public:
-    explicit Causes(const std::filesystem::path &file) : place{file.string() + ':'} {}
-
-    void read(const Line &line) {
-        const std::size_t at = line.text.find(place);
-        if (at == line.text.npos) return;
-        if (contains(line.text, "required from") || contains(line.text, "inlined from"))
-            last = leading_number(line.text.substr(at + place.size())).value_or(last);
-    }
-    /// The remark, moved to its cause if there is one; the next remark has a cause of its own.
-    Remark at_its_cause(Remark remark, const std::filesystem::path &file) {
-        const int line = std::exchange(last, 0);
-        return line == 0 || remark.file == file.string() ? remark : Remark{file.string(), line, remark.what};
-    }
-
-  private:
-    std::string place;
-    int last = 0;
-};
 
 Verdict broken(Kind kind, std::string sentence) {
     Verdict verdict;
@@ -98,47 +140,35 @@ std::optional<Verdict> diagnose_text(std::string_view text, const std::string &n
 }
 
 Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name) {
-    const auto lines = lines_of(printed);
     Verdict verdict = broken(Kind::does_not_compile, "");
-    int errors = 0;
-    Causes causes{file};
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        causes.read(lines[i]);
-        auto remark = parse(lines[i], "error");
-        if (!remark) remark = parse(lines[i], "fatal error");
-        const auto header = between(lines[i].text, "#include <", ">");
-        if (errors == 1 && header && contains(lines[i].text, "did you forget to "))
-            verdict.sentence += ". Write #include <" + std::string{*header} + "> at the top of your file.";
-        if (!remark || ++errors > 1) continue;
-        const bool elsewhere = remark->file != file.string();
-        remark = causes.at_its_cause(*remark, file);
-        verdict.sentence = plain(remark->what);
-        verdict.file = shown(remark->file, file, name);
-        verdict.line = remark->line;
-        for (std::size_t code = i + 1; // the line of code, unless it is one of a file that nobody has written here
-             !elsewhere && code < lines.size() && code <= i + 2 && lines[code].text.find('|') != std::string::npos;
-             ++code)
-            verdict.printed.emplace_back(lines[code].text);
-    }
-    if (errors == 0)
+    auto remarks = remarks_in(printed, file);
+    std::erase_if(remarks, [](const Remark &remark) { return !remark.is_error; });
+    if (remarks.empty()) {
+        const std::string_view first = printed.substr(0, printed.find('\n'));
         verdict.sentence =
-            "The compiler stopped: " + std::string{lines.empty() ? "it said nothing." : lines.front().text};
-    verdict.printed_more = static_cast<std::size_t>(std::max(0, errors - 1));
+            "The compiler stopped: " + (first.empty() ? "it said nothing." : plain_line(first, longest_name));
+        return verdict;
+    }
+    const Remark &first = remarks.front();
+    verdict.sentence = explained(first.said);
+    verdict.file = shown(first.file, file, name);
+    verdict.line = first.line;
+    if (const auto &[words, code, caret, notes] = first.said; !code.empty()) {
+        const std::string number = std::to_string(first.line);
+        const std::string margin(std::max<std::size_t>(number.size(), 5), ' ');
+        verdict.printed = {margin.substr(number.size()) + number + " | " + plain_line(code, longest_line),
+                           margin + " | " + plain_line(caret, longest_line)};
+    }
+    verdict.printed_more = remarks.size() - 1;
     return verdict;
 }
 
 std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
                                        const std::string &name) {
     std::vector<std::string> warnings;
-    Causes causes{file};
-    for (const auto &line : lines_of(printed)) {
-        causes.read(line);
-        auto remark = parse(line, "warning");
-        if (!remark) continue;
-        remark = causes.at_its_cause(*remark, file);
-        if (remark->file == file.string())
-            warnings.push_back(name + ':' + std::to_string(remark->line) + ": " + plain(remark->what));
-    }
+    for (const Remark &remark : remarks_in(printed, file))
+        if (!remark.is_error && remark.file == file.string())
+            warnings.push_back(name + ':' + std::to_string(remark.line) + ": " + explained(remark.said));
     return warnings;
 }
 
@@ -190,7 +220,8 @@ Verdict diagnose_linker(std::string_view printed, const std::string &name, const
                                                  "give it a name that is not taken.");
     }
     if (missing.empty())
-        return broken(Kind::does_not_link, "The linker stopped: " + plain(text.substr(0, text.find('\n'))));
+        return broken(Kind::does_not_link,
+                      "The linker stopped: " + plain_line(text.substr(0, text.find('\n')), longest_name));
     std::string names;
     for (const auto &one : missing) names += (names.empty() ? "`" : ", `") + one + '`';
     return broken(Kind::does_not_link,

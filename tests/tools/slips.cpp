@@ -1,0 +1,107 @@
+// Slips that beginners make, each with what `check` adds to the compiler's words: see advice_test.cpp, which has this file
+// compiled by GCC and by Clang. A line without a comment, or with `// nothing`, has to be explained by its compiler alone.
+// clang-format off
+#include "course.hpp"
+
+#include <algorithm>
+#include <optional>
+
+using course::Vec2;
+
+struct Spark { Vec2 position; double age{}; };
+
+std::vector<Spark> changed_pool(const std::vector<Spark> &pool, const Spark &spark) {
+    pool.push_back(spark);                     // It is const, so it cannot be changed: copy it, and change the copy.
+    pool.pop_back();                           // It is const, so it cannot be changed: copy it, and change the copy.
+    pool[0] = spark;                           // It is const, so it cannot be changed: copy it, and change the copy.
+    pool[0].age = 1;                           // It is const, so it cannot be changed: copy it, and change the copy.
+    pool[0].age += 1;                          // It is const, so it cannot be changed: copy it, and change the copy.
+    pool[0].position = Vec2{1, 2};             // It is const, so it cannot be changed: copy it, and change the copy.
+    pool[0].position += Vec2{1, 2};            // It is const, so it cannot be changed: copy it, and change the copy.
+    for (Spark &each : pool) each.age = 1;     // It is const, so it cannot be changed: copy it, and change the copy.
+    return pool;
+}
+void changed_parameter(const Spark &spark, const Vec2 &v, const double t) {
+    spark.age = 1;                             // It is const, so it cannot be changed: copy it, and change the copy.
+    spark = Spark{};                           // It is const, so it cannot be changed: copy it, and change the copy.
+    v.x() = 3;                                 // It is const, so it cannot be changed: copy it, and change the copy.
+    v *= 2;                                    // It is const, so it cannot be changed: copy it, and change the copy.
+    t = 3;                                     // It is const, so it cannot be changed: copy it, and change the copy.
+}
+Vec2 times_braces(double x, double y) {
+    Vec2 a = 2 * {x, y};                       // Write Vec2 before the braces: 2 * Vec2{x, y}.
+    return a;
+}
+Vec2 plus_braces(Vec2 a) {
+    a = a + {1, 2};                            // Write Vec2 before the braces: 2 * Vec2{x, y}.
+    return a;
+}
+bool other_braces(Vec2 a) {
+    return a == {1, 2};                        // nothing
+}
+double field_of_an_optional(const std::optional<Spark> &found) {
+    return found.age;                          // It may be nothing: ask first, if (found), and then write found->age.
+}
+double field_of_a_struct(const Spark &spark) {
+    return spark.speed;                        // nothing
+}
+bool compared_optional(const std::optional<Spark> &found, const std::optional<double> &t) {
+    if (found > 0) return true;                // An optional may be nothing: ask first, if (found), and then compare *found, or its field found->t.
+    if (1 == found) return true;               // An optional may be nothing: ask first, if (found), and then compare *found, or its field found->t.
+    double x = t;                              // It may be nothing: ask first, if (found), and then write *found.
+    return x > 0;
+}
+double two_types(double t, const std::vector<Spark> &pool, int capacity) {
+    t = std::min(t, 1);                        // All must be of one type: write 1.0, not 1.
+    t = std::max(0, t);                        // All must be of one type: write 1.0, not 1.
+    t = std::clamp(t, 0, 1);                   // All must be of one type: write 1.0, not 1.
+    capacity = std::min(pool.size(), capacity);// All must be of one type: the size of a list as an int is int(list.size()).
+    return t + std::min(t);                    // nothing
+}
+std::vector<Vec2> two_values(double x, double y, std::vector<Vec2> list, Spark spark) {
+    list.push_back(x, y);                      // push_back takes one value: put braces round it, push_back({a, b}).
+    list.push_back(spark);                     // nothing
+    return list;
+}
+double semicolons(double x, double y) {
+    double a = x + y
+    double b = 2;                              // Look at the end of the line above: is its ; there?
+    x += y                                     // A ; is missing at the end of this line.
+    y += 2;
+    double c = x + y) * 2;                     // nothing
+    double d = 2 x;                            // nothing
+    return a
+}
+double operands(Vec2 a, Vec2 b, double t) {
+    t = t ^ 2;                                 // ^ is not a power: write t * t.
+    a = a ^ 2;                                 // ^ is not a power: write t * t.
+    a = a + 1;                                 // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
+    if (a < b) return 1;                       // nothing
+    if (1 < a) return 1;                       // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
+    t = a;                                     // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+    Vec2 c = t;                                // A Vec2 has two components: write Vec2{x, y}.
+    t = a.x * 2;                               // A call needs parentheses: a.x(), not a.x.
+    t = a.x;                                   // A call needs parentheses: a.x(), not a.x.
+    return c.x();
+}
+double product(Vec2 a, Vec2 b) {
+    return a * b;                              // For the dot product of two vectors write a.dot(b).
+}
+std::optional<Spark> nothing(bool none, Vec2 a) {
+    if (none) return false;                    // To answer nothing, write return {};
+    if (none) return 0;                        // To answer nothing, write return {};
+    return a;                                  // nothing
+}
+void spark_range(const Spark &spark) {
+    course::require_range(spark);              // require_range takes numbers, Vec2s and lists of them: give it a struct's fields one by one, as start.position, start.velocity.
+}
+void automatic(Vec2 a, Vec2 b) {
+    auto c = a + b;
+    c += b;                                    // Write Vec2 in the place of auto.
+}
+bool warnings(double t, const std::vector<Spark> &pool) {
+    for (int i = 0; i < pool.size(); ++i) t += 1;  // The size of a list is a std::size_t: for (std::size_t i = 0; …).
+    if (t = 1) return true;                    // = gives a value; to compare, write ==.
+    return 0 <= t <= 1;                        // Compare two at a time: a < b && b < c.
+}
+bool nothing(bool none, Vec2 a);               // The header gives this function another result: copy its line from there.
