@@ -25,9 +25,12 @@
     root.classList.toggle('contents-shown', shown);
     menu.setAttribute('aria-expanded', String(shown));
   }
-  menu.addEventListener('click', () => showContents(!root.classList.contains('contents-shown')));
-  one('#site-contents').addEventListener('click', (event) => {
-    if (event.target.closest('a')) showContents(false);
+  menu.addEventListener('click', () => {
+    showContents(!root.classList.contains('contents-shown'));
+    if (root.classList.contains('contents-shown')) one('#site-contents [aria-current]')?.focus();
+  });
+  document.addEventListener('click', ({ target }) => {
+    if (target.closest('#site-contents a') || !target.closest('#site-contents, #site-menu')) showContents(false);
   });
   document.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape' || !root.classList.contains('contents-shown')) return;
@@ -36,6 +39,21 @@
   });
   const here = one('#site-contents [aria-current]');
   if (here) here.closest('nav').scrollTop = here.offsetTop - 100;
+
+  // The part that is being read: the last one whose heading has been passed.
+  const parts = all('#site-contents .parts a').map((link) => ({ link, heading: document.getElementById(link.hash.slice(1)) }));
+  function markPart() {
+    const passed = parts.filter(({ heading }) => heading.getBoundingClientRect().top < innerHeight / 3).at(-1);
+    for (const { link } of parts) {
+      if (link === passed?.link) link.setAttribute('aria-current', 'location');
+      else link.removeAttribute('aria-current');
+    }
+  }
+  if (parts.length > 0) {
+    // All that is above the line a third down the window counts as seen, so that a jump past a heading is noticed.
+    const observer = new IntersectionObserver(markPart, { rootMargin: '1000000px 0px -66% 0px' });
+    for (const { heading } of parts) observer.observe(heading);
+  }
 
   // Listings can be copied. Whatever scrolls sideways can be scrolled with the keyboard.
   for (const listing of all('pre')) {
@@ -66,12 +84,22 @@
   }
   function reachByKeys() {
     for (const box of all('pre, .table, .katex-display')) {
-      if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
-      else box.removeAttribute('tabindex');
+      const scrolls = box.scrollWidth > box.clientWidth;
+      for (const [name, value] of [['tabindex', '0'], ['role', 'group'], ['aria-label', 'Scrolls sideways']]) {
+        if (scrolls) box.setAttribute(name, value);
+        else box.removeAttribute(name);
+      }
     }
   }
   reachByKeys();
   addEventListener('resize', reachByKeys);
+
+  // In code one name is a link many times: the key Tab stops at the first of them.
+  const stopsAt = new Set();
+  for (const link of all('pre a.code')) {
+    if (stopsAt.has(link.href)) link.tabIndex = -1;
+    stopsAt.add(link.href);
+  }
   document.addEventListener('toggle', reachByKeys, true);
 
   // A fold opens for a link into it, and on paper.

@@ -238,9 +238,38 @@ describe('reading', () => {
     await page.keyboard.press('Escape');
     assert.equal(await contents.isVisible(), false);
     await page.getByRole('button', { name: 'Contents' }).click();
+    assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-current')), 'page');
+    await page.mouse.click(380, 700);
+    assert.equal(await contents.isVisible(), false, 'a tap outside closes them');
+    await page.getByRole('button', { name: 'Contents' }).click();
     await contents.getByRole('link', { name: 'Errata' }).click();
     assert.equal(await contents.isVisible(), false);
     assert.match(page.url(), /#errata$/);
+    await context.close();
+  });
+
+  test('the contents mark the part that is being read', async () => {
+    const { page, context } = await open(chapters[0]);
+    assert.equal(await page.locator('.parts [aria-current]').count(), 0);
+    for (const at of [2, 1]) {
+      const link = page.locator('#site-contents .parts a').nth(at);
+      await page.evaluate((id) => document.getElementById(id).scrollIntoView(), (await link.getAttribute('href')).slice(1));
+      await page.locator('.parts [aria-current=location]').waitFor();
+      await page.waitForFunction((n) => document.querySelectorAll('#site-contents .parts a')[n].matches('[aria-current=location]'), at);
+      assert.equal(await page.locator('.parts [aria-current]').count(), 1);
+    }
+    await page.evaluate(() => scrollTo(0, document.body.scrollHeight)); // past all headings at once
+    await page.waitForFunction(() => [...document.querySelectorAll('#site-contents .parts a')].at(-1).matches('[aria-current=location]'));
+    await page.evaluate(() => scrollTo(0, 0));
+    await page.waitForFunction(() => !document.querySelector('.parts [aria-current]'));
+    await context.close();
+  });
+
+  test('a name that is a link many times is one stop of the key Tab', async () => {
+    const { page, context } = await open(chapters[0]);
+    const stops = await page.$$eval('pre a.code', (links) => links.filter((link) => link.tabIndex === 0).map((link) => link.href));
+    assert.ok(stops.length > 0);
+    assert.equal(new Set(stops).size, stops.length);
     await context.close();
   });
 
@@ -258,6 +287,8 @@ describe('reading', () => {
       const { page, context } = await open(chapters[0], { width, javaScriptEnabled: false });
       assert.equal(await page.locator('#site-contents').isVisible(), true);
       assert.equal(await page.locator('.katex').first().isVisible(), true);
+      await page.emulateMedia({ colorScheme: 'dark' });
+      assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 23, 29)', 'dark, where the system is');
       for (const button of await page.locator('button').all()) assert.equal(await button.isVisible(), false);
       await context.close();
     }
