@@ -12,6 +12,7 @@ option(COURSE_WRONG_ANSWERS "Judge tests/wrong: what the tests reject depends on
 set(COURSE_SECTIONS "" CACHE INTERNAL "")
 add_custom_target(programs)
 add_custom_target(section-tests)
+add_custom_target(checks) # what `./course test` needs: all of the sections, and every kind of verdict
 add_custom_target(figures)
 add_executable(answers-in-one tests/answers/generate.cpp)
 target_link_libraries(answers-in-one PRIVATE course_flags)
@@ -147,6 +148,7 @@ macro(section_tests)
   # Everything in one process, for sanitizers and where there is no fork;
   add_executable(${section}_direct $<TARGET_OBJECTS:${section}_reference> $<TARGET_OBJECTS:${section}_cases>)
   in_one_process(direct)
+  add_dependencies(checks ${section}_loop ${section}_direct ${section}_subject_solution ${section}_subject_stub ${section}_answers)
   add_test(NAME ${section}.direct COMMAND ${section}_direct)
 
   # and with the student's file, compiled for a debugger.

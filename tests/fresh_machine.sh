@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
-# Does README's promise hold on a machine that has nothing? Makes a bare Debian 12 in a folder, clones this checkout
+# Does README's promise hold on a machine that has nothing? Makes a bare Debian in a folder, clones this checkout
 # into it, to a path with a space, and types README's two commands there. Needs root; installs debootstrap if missing.
-#   tests/fresh_machine.sh                 the last commit
+#   tests/fresh_machine.sh                 the last commit, on Debian 12
+#   tests/fresh_machine.sh trixie          the last commit, on Debian 13; or whichever release is named
 #   tests/fresh_machine.sh --uncommitted   what lies here now
 #   tests/fresh_machine.sh --keep          leaves the root to look around in, and says how
 set -euo pipefail
 
-keep=no uncommitted=no
+keep=no uncommitted=no release=bookworm
 for option; do
     case $option in
     --keep) keep=yes ;;
     --uncommitted) uncommitted=yes ;;
-    *) sed -n '2,6s/^# //p' "$0"; exit 2 ;;
+    [a-z]*) release=$option ;;
+    *) sed -n '2,7s/^# //p' "$0"; exit 2 ;;
     esac
 done
 checkout=$(cd "$(dirname "$0")/.." && pwd -P)
@@ -51,8 +53,8 @@ trap leave EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM
 
-echo "A bare Debian 12 in $machine"
-debootstrap --variant=minbase bookworm "$machine" "$address" >"$machine.log" 2>&1 ||
+echo "A bare Debian, $release, in $machine"
+debootstrap --variant=minbase "$release" "$machine" "$address" >"$machine.log" 2>&1 ||
     { tail -n 20 "$machine.log" >&2; stop "debootstrap failed, as shown above ($machine.log)"; }
 mv "$machine.log" "$machine/var/log/debootstrap.log"
 
@@ -60,6 +62,7 @@ mv "$machine.log" "$machine/var/log/debootstrap.log"
 : >"$machine/etc/apt/sources.list"
 debian_entries | while IFS='|' read -r codename site; do
     case $codename in bookworm | bookworm-updates | bookworm-security) ;; *) continue ;; esac
+    codename=$release${codename#bookworm}
     printf 'Types: deb\nURIs: %s\nSuites: %s\nComponents: main\nSigned-By: %s\n\n' "$site" "$codename" \
         /usr/share/keyrings/debian-archive-keyring.gpg
 done >"$machine/etc/apt/sources.list.d/debian.sources"

@@ -241,9 +241,15 @@ course help doctor
 leaves_with 0
 has "$out" './course doctor'
 
-claim='tests: everything is built, ctest gets the further arguments and its failure is 1'
-ctest_leaves=8
+claim='test: what shows that the course works is built and run, and ctest gets the further arguments'
 course test -R 'a b'
+leaves_with 0
+has "$did" 'build checks'
+has "$out" "ctest: --test-dir $build --output-on-failure --no-tests=error --exclude-regex ^(tools\\.|tool-tests|script\$) -R a b"
+
+claim='test --all: everything is built, all tests run, and a failure of ctest is 1'
+ctest_leaves=8
+course test --all -R 'a b'
 leaves_with 1
 has "$did" 'build all'
 has "$out" "ctest: --test-dir $build --output-on-failure --no-tests=error -R a b"

@@ -9,7 +9,9 @@ Usage: ./course [command]
                       checks the book, makes its site; --yes: without asking
   ./course setup      only the installing; --yes: without asking
   ./course doctor     one line for each tool: what was found, what is needed, what to type
-  ./course test       builds everything and runs all tests; what follows goes to ctest: ./course test -R verdict
+  ./course test       shows that the course works here: the solutions pass, wrong answers fail, and each kind of mistake
+                      gets its words; --all: also the tests of the course program, some minutes more, as CI does.
+                      What follows goes to ctest: ./course test -R 07_
 
   ./course --version  says which version of the course this is
   COURSE_BUILD=/some/folder ./course    builds there instead of in build/default
@@ -49,12 +51,21 @@ Next: type ./course open, open the first exercise in your editor, and type ./cou
 END
 }
 
-# The whole suite; ctest's closing lines are the last.
-test_all() {
+# The tests of the sections and of what a student reads; with --all, those of the course program and of this script
+# too. ctest's closing lines are the last.
+run_tests() {
+    wanted=checks
+    case ${1-} in
+    --all)
+        shift
+        wanted=all
+        ;;
+    *) set -- --exclude-regex '^(tools\.|tool-tests|script$)' "$@" ;;
+    esac
     take_build_folder
     configure
     make_the_program
-    must 3 'everything' cmake --build "$build"
+    target 3 'tests' "$wanted"
     leave_build_folder
     export CTEST_PARALLEL_LEVEL="${CTEST_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
     ctest --test-dir "$build" --output-on-failure --no-tests=error "$@"
@@ -73,7 +84,7 @@ case $command in
 test)
     shift
     case ${1-} in -h | --help) help; exit ;; esac
-    test_all "$@"
+    run_tests "$@"
     ;;
 esac
 
