@@ -7,6 +7,10 @@
 #include <vector>
 
 /// Section 11: many small things that start, move, glow and go out.
+///
+/// What goes in lies within ±1e5, both ends included; what comes out may be larger. Numbers that are computed are right
+/// to 1e-12, or to 1e-12 of their size where that is more than 1. After n terms, bounces or added angles it is n times
+/// that; and an angle of 1e5 rad is itself only known to 1e-11.
 namespace particles {
 
 using course::Vec2;
@@ -22,7 +26,8 @@ struct Particle {
 };
 
 //> What goes in
-/// Refuses a particle with a number that is not within ±1e5, with a negative age, or with a life that is not positive.
+/// Refuses a particle with a number that is not within ±1e5 (which itself is allowed), with a negative age, or with a
+/// life that is not positive. One that is dead is not refused.
 /// @throws std::invalid_argument naming the number; "not a number" is none.
 inline void require_particle(const Particle &particle) {
     course::require_range(particle.position, particle.velocity, particle.age, particle.life);
@@ -46,7 +51,7 @@ std::optional<Pool> start(const Pool &pool, const Particle &particle);
 /// Where a rounding decides between two neighbouring shades, either is right.
 /// @param age     [s], not negative
 /// @param life    all of it [s], positive; not the life of one shade
-/// @param shades  any whole number from 1
+/// @param shades  any whole number from 1; with two billion of them, a loop over all would take seconds
 /// @throws std::invalid_argument if a parameter is not as it must be, or if `age` or `life` is not a number within ±1e5.
 std::optional<int> shade(double age, double life, int shades);
 
@@ -62,6 +67,7 @@ struct World {
 
 /// The particle one step of `dt` later. The scheme is semi-implicit: first the velocity changes, then the position, by
 /// the new velocity. Then it is `dt` older. Nothing if it is dead by then: outside of the picture, or at its life's end.
+/// Where it was before does not matter. Where a rounding decides whether it is dead, either is right.
 /// @param dt  [s], not negative
 /// @throws std::invalid_argument as `require_particle` says, if the picture's width or height is not positive, if `dt`
 ///         is negative, or if anything is not a number within ±1e5.
@@ -73,7 +79,7 @@ std::optional<Particle> step(const Particle &particle, const World &world, doubl
 /// @param count  how many, not negative; 0: an empty list
 /// @param speed  [m/s], not negative
 /// @param first  [rad]; 0 is to the right
-/// @throws std::invalid_argument if a parameter is not as it must be, or not a number within ±1e5.
+/// @throws std::invalid_argument if `count` or `speed` is negative, or if `speed` or `first` is not a number within ±1e5.
 std::vector<Vec2> ring(int count, double speed, double first);
 
 //> An explosion
@@ -115,7 +121,7 @@ struct Due {
 
 /// How many particles of `rate` a second are due in a frame of `dt`. No part of one is lost: `count` and the new carry
 /// are together what was carried and what the frame adds. So in any time they are within one of `rate` times it,
-/// however it is cut into frames.
+/// however it is cut into frames. Where a rounding decides whether one is whole, either is right.
 /// @param rate   [1/s], not negative
 /// @param carry  what the frame before has left [1], from 0 up to, but without, 1
 /// @param dt     [s], not negative
@@ -156,7 +162,7 @@ Particle fly(const Particle &particle, const std::vector<Wall> &walls, double re
 /// order. Of a b c d e f let a, d and f be dead: then three live, b and c stay, and e moves, which makes e b c.
 /// Behind them stand the newborn in their order, as they are, until there are `capacity` in all.
 /// @param pool      at most `capacity` particles; dead are those whose age has reached their life
-/// @param capacity  not negative
+/// @param capacity  not negative; it may be far more than memory has room for
 /// @throws std::invalid_argument for any particle as `require_particle` says, or if the capacity is negative, or less
 ///         than what is in the pool.
 std::vector<Particle> renew(const std::vector<Particle> &pool, const std::vector<Particle> &newborn, int capacity);
