@@ -1,5 +1,6 @@
 // The wire, and the session that owns the verdict, against processes that lie.
 
+#include "ground/lines.hpp"
 #include "ground/plain.hpp"
 #include "loop/advice.hpp"
 #include "loop/diagnosis.hpp"
@@ -362,13 +363,70 @@ TEST_CASE("JUnit files are XML whatever a student prints, and count what failed"
     Verdict ours = wrong;
     ours.kind = Kind::no_verdict;
     Verdict passed{"7.1", "fine", Kind::passed, "", {}, {}, "", "", "", "", "", 0, {}, 0};
-    pugi::xml_document read;
-    REQUIRE(read.load_string(junit({{Section{"07_x"}, {wrong, ours, passed}}}).c_str()));
+    ours.test = "ours";
+    Verdict later = wrong;
+    later.test = "later";
+    later.kind = Kind::not_started;
+    Verdict computed = wrong;
+    computed.test = "computed";
+    computed.sentence.clear();
+    computed.label = "speed";
+    Verdict accepts = wrong;
+    accepts.test = "accepts";
+    accepts.sentence = "It accepted:";
+    accepts.accepted = {"dt < 0", "x = \x01\xff"};
+    Report report{Section{"07_x"},
+                  "a \x1b\n\xff<file>.cpp",
+                  12,
+                  {{"7.1", "core", "f"}},
+                  {},
+                  {},
+                  {wrong, ours, passed, later, computed, accepts}};
+    for (const Verdict &verdict : report.verdicts) report.tests.push_back({"7.1", verdict.test});
+    report.tests.push_back({"7.1", "forgotten"});
+
+    const auto read_back = [&] {
+        const std::string xml = junit({report});
+        for (const Line &line : lines_of(xml)) CHECK(plain_line(line.text, 100'000) == line.text); // XML's characters
+        pugi::xml_document read;
+        REQUIRE(read.load_string(xml.c_str()));
+        return read;
+    };
+    const auto read = read_back();
     const auto suite = read.child("testsuites").child("testsuite");
-    CHECK(suite.attribute("tests").as_int() == 3);
-    CHECK(suite.attribute("failures").as_int() == 1);
-    CHECK(suite.attribute("errors").as_int() == 1);
-    CHECK(suite.child("testcase").child("failure").attribute("message").as_string() == std::string{"]]> </failure>"});
+    CHECK(suite.attribute("tests").as_int() == 7);
+    CHECK(suite.attribute("failures").as_int() == 3);
+    CHECK(suite.attribute("errors").as_int() == 2);
+    CHECK(suite.attribute("skipped").as_int() == 1);
+    const auto property = [](const pugi::xml_node &node, const char *name) {
+        return std::string{
+            node.child("properties").find_child_by_attribute("name", name).attribute("value").as_string()};
+    };
+    CHECK(property(suite, "seed") == "12");
+    CHECK(property(suite, "file") == "a ? ?<file>.cpp");
+    CHECK(property(suite, "course version").find('.') != std::string::npos);
+    const auto message = [&](const char *test, const char *element) {
+        const auto node = suite.find_child_by_attribute("name", test);
+        CHECK(property(node, "tier") == "core");
+        return std::string{node.child(element).attribute("message").as_string()};
+    };
+    CHECK(message("<b> & \"quotes\"", "failure") == "]]> </failure>");
+    CHECK(message("ours", "error") == "]]> </failure>");
+    CHECK(message("later", "skipped") == "]]> </failure>");
+    CHECK(message("computed", "failure") == "speed: got 1, want 2");
+    CHECK(message("accepts", "failure") == "It accepted: dt < 0; x = ??");
+    CHECK(message("forgotten", "error").starts_with("This test has no verdict"));
+
+    Verdict unbuilt;
+    unbuilt.kind = Kind::does_not_compile;
+    unbuilt.sentence = "expected ';'";
+    unbuilt.file = "a.cpp";
+    unbuilt.line = 3;
+    report.unbuilt = unbuilt;
+    const auto without = read_back();
+    CHECK(without.child("testsuites").child("testsuite").attribute("failures").as_int() == 7);
+    for (const auto &test : without.child("testsuites").child("testsuite").children("testcase"))
+        CHECK(test.child("failure").attribute("message").as_string() == std::string{"a.cpp:3: expected ';'"});
 }
 
 TEST_CASE("of all that a compiler says, the first error is shown, with how many there are") {

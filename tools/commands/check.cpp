@@ -166,10 +166,11 @@ class Check {
 
     int once() {
         if (!options.junit.empty()) make_room(options.junit);
-        std::vector<std::pair<Section, std::vector<Verdict>>> judged;
+        std::vector<Report> judged;
         int code = all_well;
-        for (const Section &section : chosen()) {
-            if (!judged.empty()) std::cout << '\n';
+        const std::vector<Section> sections = chosen();
+        for (const Section &section : sections) {
+            if (&section != &sections.front()) std::cout << '\n';
             Judgement judgement = course::judge(tree, section, file_of(section), options.seed);
             report(section, judgement);
             if (only && judgement.judged())
@@ -177,7 +178,7 @@ class Check {
             code = std::max(code, judgement.our_fault()    ? +our_fault
                                   : judgement.all_passed() ? +all_well
                                                            : +something_to);
-            judged.emplace_back(section, judgement.verdicts);
+            if (!options.junit.empty()) judged.push_back(report_on(section, judgement));
         }
         if (!options.junit.empty()) write_file(options.junit, junit(judged));
         return code;
@@ -207,6 +208,17 @@ class Check {
         if (!options.what.empty()) return {tree.section(options.what)};
         if (const auto section = first_unfinished(tree)) return {*section};
         return {tree.sections().back()};
+    }
+
+    /// For a machine: of the section, or of the exercise that was asked for.
+    Report report_on(const Section &section, const Judgement &judgement) const {
+        Report result{
+            section, tree.shown(file_of(section)), options.seed, catalogue(tree, section), tests_of(tree, section), {},
+            {}};
+        if (judgement.judged()) result.verdicts = judgement.verdicts;
+        else result.unbuilt = judgement.verdicts.front();
+        if (only) std::erase_if(result.tests, [&](const KnownTest &test) { return test.exercise != only->number; });
+        return result;
     }
 
     fs::path file_of(const Section &section) const {

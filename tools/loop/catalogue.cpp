@@ -14,6 +14,21 @@ std::filesystem::path file_of(const Tree &tree, const Section &section) {
     return tree.build / "catalogue" / (section.name + ".json");
 }
 
+/// One of the lists that the section's tests printed when they were built.
+template <class Element, class Read>
+std::vector<Element> read_list(const Tree &tree, const Section &section, const char *name, Read read) {
+    const std::filesystem::path file = file_of(tree, section);
+    if (!is_built(tree, section)) throw Complaint{section.name + " is not built yet: type ./course, which builds all"};
+    const auto found = nlohmann::json::parse(read_file(file), nullptr, false);
+    std::vector<Element> result;
+    try {
+        for (const auto &element : found.at(name)) result.push_back(read(element));
+    } catch (const nlohmann::json::exception &) {
+        throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes it anew"};
+    }
+    return result;
+}
+
 std::string numbers(const std::vector<Exercise> &exercises) {
     std::string result;
     for (const Exercise &e : exercises) result += (result.empty() ? "" : ", ") + e.number;
@@ -48,16 +63,15 @@ FoundExercise by_function(const Tree &tree, const std::string &word) {
 bool is_built(const Tree &tree, const Section &section) { return std::filesystem::exists(file_of(tree, section)); }
 
 std::vector<Exercise> catalogue(const Tree &tree, const Section &section) {
-    const std::filesystem::path file = file_of(tree, section);
-    if (!is_built(tree, section)) throw Complaint{section.name + " is not built yet: type ./course, which builds all"};
-    const auto found = nlohmann::json::parse(read_file(file), nullptr, false);
-    std::vector<Exercise> result;
-    try {
-        for (const auto &e : found.at("exercises")) result.push_back({e.at("number"), e.at("tier"), e.at("function")});
-    } catch (const nlohmann::json::exception &) {
-        throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes it anew"};
-    }
-    return result;
+    return read_list<Exercise>(tree, section, "exercises", [](const nlohmann::json &e) {
+        return Exercise{e.at("number"), e.at("tier"), e.at("function")};
+    });
+}
+
+std::vector<KnownTest> tests_of(const Tree &tree, const Section &section) {
+    return read_list<KnownTest>(tree, section, "tests", [](const nlohmann::json &e) {
+        return KnownTest{e.at("exercise"), e.at("claim")};
+    });
 }
 
 bool is_number_of_exercise(std::string_view words) {

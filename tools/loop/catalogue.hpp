@@ -21,6 +21,16 @@ bool is_built(const Tree &tree, const Section &section);
 /// @throws Complaint if the section is not built yet.
 std::vector<Exercise> catalogue(const Tree &tree, const Section &section);
 
+/// A test of a section, as the list of tests has it.
+struct KnownTest {
+    std::string exercise; ///< "7.2"
+    std::string claim;    ///< its name
+};
+
+/// Every test of a section, in the order of its file: known before any of them runs.
+/// @throws Complaint if the section is not built yet.
+std::vector<KnownTest> tests_of(const Tree &tree, const Section &section);
+
 /// Whether these words can only mean an exercise: "7.2".
 bool is_number_of_exercise(std::string_view words);
 

@@ -1,36 +1,106 @@
 #include "loop/junit.hpp"
 
+#include "ground/lines.hpp"
+#include "ground/plain.hpp"
+
 #include <pugixml.hpp>
 
 #include <algorithm>
 #include <sstream>
 
 namespace course {
+namespace {
 
-std::string junit(const std::vector<std::pair<Section, std::vector<Verdict>>> &judged) {
+/// Text that XML can hold: paths and what students print may have any bytes.
+std::string plain(std::string_view text) {
+    constexpr std::size_t longest = 2000;
+    std::string lines;
+    for (const Line &line : lines_of(text)) lines += (lines.empty() ? "" : "\n") + plain_line(line.text, longest);
+    return lines;
+}
+
+void set(pugi::xml_node node, const char *name, const std::string &value) {
+    std::string line = plain(value);
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    node.append_attribute(name) = line.c_str();
+}
+
+void add_property(pugi::xml_node node, const char *name, const std::string &value) {
+    pugi::xml_node properties = node.child("properties");
+    if (!properties) properties = node.append_child("properties");
+    pugi::xml_node property = properties.append_child("property");
+    set(property, "name", name);
+    set(property, "value", value);
+}
+
+/// What happened, in one line.
+std::string message(const Verdict &verdict) {
+    std::string text =
+        verdict.file.empty() || verdict.test != "" ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ";
+    text += verdict.sentence;
+    for (const std::string &input : verdict.accepted) text += (input == verdict.accepted.front() ? " " : "; ") + input;
+    if (!text.empty()) return text;
+    return (verdict.label.empty() ? "" : verdict.label + ": ") + "got " + verdict.got + ", want " + verdict.want
+           + (verdict.tolerance.empty() ? "" : " ± " + verdict.tolerance);
+}
+
+/// The verdict on a test: its own, that on the whole file, or none.
+Verdict verdict_on(const KnownTest &test, const Report &report) {
+    if (report.unbuilt) return *report.unbuilt;
+    for (const Verdict &verdict : report.verdicts)
+        if (verdict.test == test.claim) return verdict;
+    Verdict none;
+    none.kind = Kind::no_verdict;
+    none.sentence = "This test has no verdict: a mistake of ours, not of yours.";
+    return none;
+}
+
+const char *element_of(Kind kind) {
+    switch (kind) {
+    case Kind::passed: return "";
+    case Kind::not_started: return "skipped";
+    case Kind::no_verdict: return "error";
+    default: return "failure";
+    }
+}
+
+void add_test(pugi::xml_node suite, const KnownTest &test, const Report &report) {
+    const Verdict verdict = verdict_on(test, report);
+    pugi::xml_node node = suite.append_child("testcase");
+    set(node, "classname", test.exercise);
+    set(node, "name", test.claim);
+    for (const Exercise &exercise : report.exercises)
+        if (exercise.number == test.exercise) add_property(node, "tier", exercise.tier);
+    if (verdict.passed()) return;
+    pugi::xml_node what = node.append_child(element_of(verdict.kind));
+    set(what, "type", std::string{name_of(verdict.kind)});
+    set(what, "message", message(verdict));
+    what.text() = plain(explain(verdict, 0)).c_str();
+}
+
+} // namespace
+
+std::string junit(const std::vector<Report> &reports) {
     pugi::xml_document document;
     pugi::xml_node suites = document.append_child("testsuites");
-    for (const auto &[section, verdicts] : judged) {
-        const auto count = [&verdicts = verdicts](auto &&of) {
-            return static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(), of));
-        };
-        const auto no_verdict = [](const Verdict &v) { return v.kind == Kind::no_verdict; };
+    for (const Report &report : reports) {
         pugi::xml_node suite = suites.append_child("testsuite");
-        suite.append_attribute("name") = section.name.c_str();
-        suite.append_attribute("tests") = static_cast<int>(verdicts.size());
-        suite.append_attribute("failures") = count([&](const Verdict &v) { return !v.passed() && !no_verdict(v); });
-        suite.append_attribute("errors") = count(no_verdict);
-        for (const Verdict &verdict : verdicts) {
-            pugi::xml_node test = suite.append_child("testcase");
-            test.append_attribute("classname") =
-                verdict.exercise.empty() ? section.name.c_str() : verdict.exercise.c_str();
-            test.append_attribute("name") = verdict.test.empty() ? "compiles and links" : verdict.test.c_str();
-            if (verdict.passed()) continue;
-            pugi::xml_node failure = test.append_child(no_verdict(verdict) ? "error" : "failure");
-            failure.append_attribute("type") = std::string{name_of(verdict.kind)}.c_str();
-            failure.append_attribute("message") = verdict.sentence.c_str();
-            failure.text() = explain(verdict, 0).c_str();
-        }
+        set(suite, "name", report.section.name);
+        pugi::xml_attribute tests = suite.append_attribute("tests"), failures = suite.append_attribute("failures"),
+                            errors = suite.append_attribute("errors"), skipped = suite.append_attribute("skipped");
+        add_property(suite, "course version", COURSE_VERSION);
+        add_property(suite, "file", report.file);
+        add_property(suite, "seed", std::to_string(report.seed));
+        for (const KnownTest &test : report.tests) add_test(suite, test, report);
+        const auto count = [&](const char *element) {
+            const auto cases = suite.children("testcase");
+            return static_cast<int>(std::count_if(
+                cases.begin(), cases.end(), [&](const pugi::xml_node &test) { return !test.child(element).empty(); }));
+        };
+        tests = static_cast<int>(report.tests.size());
+        failures = count("failure");
+        errors = count("error");
+        skipped = count("skipped");
     }
     std::ostringstream out;
     document.save(out, "  ");

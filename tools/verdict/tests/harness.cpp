@@ -2,7 +2,7 @@
 //
 //     07_segment_intersection SUBJECT               what a student reads
 //     07_segment_intersection SUBJECT --json FILE   the same for the `course` program, one verdict a line
-//     07_segment_intersection --catalogue           the section's exercises, as JSON
+//     07_segment_intersection --catalogue           the section's exercises and tests, as JSON
 //
 // Catch2 finds the tests and runs them. What it would print is never looked at: the session owns the verdict.
 
@@ -92,7 +92,10 @@ nlohmann::json catalogue(const std::string &section) {
                         {"function", exercise->function},
                         {"arguments", exercise->arguments},
                         {"result", exercise->unit}});
-    return {{"section", section}, {"exercises", list}};
+    nlohmann::json tests = nlohmann::json::array();
+    for (const Catch::TestCaseInfo *test : Catch::getRegistryHub().getTestCaseRegistry().getAllInfos())
+        tests.push_back({{"exercise", exercise_of(*test)}, {"claim", test->name}});
+    return {{"section", section}, {"exercises", list}, {"tests", tests}};
 }
 
 /// Which of the tests a process runs: one of several equal parts, in the order of the file; of one exercise, or of all.
