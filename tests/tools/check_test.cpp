@@ -39,6 +39,9 @@ TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its
     CHECK(not_begun.out == "· 7.2 meet, core: not started\nNext: 7.2 meet. Where to begin: ./course hint 7.2\n");
     CHECK(not_begun.code == 1);
 
+    CHECK(count(check("7.1", "tests/verdicts/warnings.cpp").out, "warning ") == 1);
+    CHECK(count(check("7.2", "tests/verdicts/warnings.cpp").out, "warning ") == 0);
+
     const auto other = check("7.2", "tests/verdicts/wrong_answer.cpp"); // of 7.1
     CHECK(count(other.out, "7.1") == 0);
     CHECK(check("7.9", "solutions/07_segment_intersection.cpp").code == 2);

@@ -552,6 +552,20 @@ TEST_CASE("the slips that are made most are named beside the compiler's words") 
           == "'std::vector<Vec2>::size_type' to 'double'");
 }
 
+TEST_CASE("asked for one exercise, check hides the warnings in the functions of the others") {
+    const std::string text = "int helper() {\n}\n\nint meet(int a,\n         int b) {\n    a = b;\n}\n"
+                             "bool turn(int);\nint turn(int a) { return a; }\nint last() {\r\n}\n";
+    std::vector<std::string> all;
+    for (int line = 1; line <= 11; ++line) all.push_back("07.cpp:" + std::to_string(line) + ": a word");
+    const auto left = [&](const std::vector<std::string> &others) {
+        return warnings_about(all, text, "07.cpp", others);
+    };
+    CHECK(left({}) == all);
+    CHECK(left({"meet"}) == std::vector{all[0], all[1], all[2], all[7], all[8], all[9], all[10]});
+    CHECK(left({"turn"})
+          == std::vector{all[0], all[1], all[2], all[3], all[4], all[5], all[6], all[7], all[9], all[10]});
+}
+
 TEST_CASE("code below a throw that should have gone is never reached, and told") {
     const std::string stub = "int f() {\n    throw course::NotYet{\"begin\"};\n}\n";
     CHECK(find_unreached(stub, "07.cpp").empty());

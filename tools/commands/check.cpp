@@ -4,6 +4,7 @@
 #include "ground/files.hpp"
 #include "ground/terminal.hpp"
 #include "loop/catalogue.hpp"
+#include "loop/diagnosis.hpp"
 #include "loop/judge.hpp"
 #include "loop/junit.hpp"
 #include "loop/memory.hpp"
@@ -221,13 +222,21 @@ class Check {
         return result;
     }
 
+    /// Without those in the functions of other exercises than the one that was asked for.
+    std::vector<std::string> warnings_of_it(const Section &section, const Judgement &judgement) const {
+        std::vector<std::string> others;
+        for (const Exercise &exercise : catalogue(tree, section))
+            if (exercise.number != only->number) others.push_back(exercise.function);
+        return warnings_about(judgement.warnings, read_file(file_of(section)), tree.shown(file_of(section)), others);
+    }
+
     fs::path file_of(const Section &section) const {
         return options.file.empty() ? tree.written_exercise(section) : fs::path{options.file};
     }
 
     void report(const Section &section, const Judgement &judgement) {
         const std::string name = options.file.empty() ? "exercises/" + section.name + ".cpp" : options.file;
-        print_warnings(judgement.warnings, options.verbose);
+        print_warnings(only ? warnings_of_it(section, judgement) : judgement.warnings, options.verbose);
         if (!judgement.judged()) {
             print_unbuilt(judgement.verdicts.front(), name);
             if (options.file.empty()) keep_in_mind(section, {}, judgement.verdicts.front().kind);

@@ -172,6 +172,29 @@ std::vector<std::string> find_warnings(std::string_view printed, const std::file
     return warnings;
 }
 
+std::vector<std::string> warnings_about(const std::vector<std::string> &warnings, std::string_view text,
+                                        const std::string &name, const std::vector<std::string> &others) {
+    std::set<int> lines; // of the others' functions, from the one with the name to the brace at the left edge
+    int number = 0;
+    bool inside = false;
+    for (const Line &line : lines_of(text)) {
+        ++number;
+        const std::string_view code = without_blanks_behind(line.text);
+        const auto begins = [&](const std::string &function) { return contains(code, ' ' + function + '('); };
+        const bool at_the_left = !code.empty() && code[0] != ' ' && code[0] != '\t' && code[0] != '/';
+        if (at_the_left && !code.ends_with(';')) inside = inside || std::any_of(others.begin(), others.end(), begins);
+        if (inside) lines.insert(number);
+        if (at_the_left && code.ends_with('}')) inside = false;
+    }
+    std::vector<std::string> about;
+    for (const std::string &warning : warnings) {
+        const std::size_t place = warning.starts_with(name + ':') ? name.size() + 1 : warning.size();
+        const auto its = leading_number(std::string_view{warning}.substr(place));
+        if (!its || !lines.contains(*its)) about.push_back(warning);
+    }
+    return about;
+}
+
 std::vector<std::string> find_unreached(std::string_view text, const std::string &name) {
     std::vector<std::string> found;
     int line = 0, thrown = 0; // where the last NotYet stands, until its braces end

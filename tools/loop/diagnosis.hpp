@@ -23,6 +23,12 @@ Verdict diagnose_compiler(std::string_view errors, const std::filesystem::path &
 std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
                                        const std::string &shown_name);
 
+/// Those of these warnings that concern one exercise: all but the ones inside the functions of the others.
+/// @param text    of the student's file
+/// @param others  functions of the other exercises
+std::vector<std::string> warnings_about(const std::vector<std::string> &warnings, std::string_view text,
+                                        const std::string &shown_name, const std::vector<std::string> &others);
+
 /// Where something stands below a `throw course::NotYet` in the same braces, which is never reached: a line each, as
 /// warnings are.
 std::vector<std::string> find_unreached(std::string_view text, const std::string &shown_name);

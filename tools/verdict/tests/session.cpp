@@ -234,6 +234,30 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
     }
 }
 
+/// What the last call answers in a new process, where no other came before it; nothing if it does not answer.
+std::optional<std::string> Session::ask_alone() const {
+    Subject alone{program, answer};
+    const auto until = Clock::now() + std::chrono::seconds{1};
+    const auto hello = alone.receive(until);
+    wire::Writer request;
+    request.put(last_exercise->index);
+    request.bytes += last_arguments;
+    if (!hello || hello->header.frame != wire::Frame::hello || !alone.send(1, request.bytes, until)) return {};
+    const auto reply = alone.receive(until);
+    if (!reply || reply->header.frame != wire::Frame::result) return {};
+    return reply->payload;
+}
+
+/// Says so if the last call is answered differently without the calls before it. Asked twice: code that answers anything
+/// at random remembers nothing.
+void Session::look_for_memory() {
+    const auto alone = ask_alone();
+    if (!alone || *alone == last_result || ask_alone() != alone) return;
+    verdict.sentence += (verdict.sentence.empty() ? "" : " ") + std::string{"Asked alone, your function gives "}
+                        + last_exercise->describe_result(*last_exercise, *alone)
+                        + ": something is remembered from an earlier call. Look for `static`, or a global variable.";
+}
+
 Verdict Session::end(bool asserted_something) {
     if (verdict.passed() && !asserted_something)
         note_verdict(Kind::no_verdict, "This test asserts nothing: a mistake of ours, not of yours.");
@@ -266,6 +290,7 @@ Verdict Session::end(bool asserted_something) {
     }
     if (never_starts && never_starts->printed.empty()) never_starts->printed = verdict.printed;
     subject.reset();
+    if (verdict.call && calls > 1) look_for_memory();
     return std::move(verdict);
 }
 

@@ -43,6 +43,8 @@ class Session {
     void start();
     void judge_end(int status, bool before_main);
     void note_verdict(Kind kind, std::string sentence);
+    std::optional<std::string> ask_alone() const;
+    void look_for_memory();
 
     std::filesystem::path program;
     std::string answer;
