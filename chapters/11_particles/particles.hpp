@@ -9,8 +9,8 @@
 /// Section 11: many small things that start, move, glow and go out.
 ///
 /// What goes in lies within ±1e5, both ends included; what comes out may be larger. Numbers that are computed are right
-/// to 1e-12, or to 1e-12 of their size where that is more than 1. After n terms, bounces or added angles it is n times
-/// that; and an angle of 1e5 rad is itself only known to 1e-11.
+/// to 1e-12, or to 1e-12 of the largest number that goes into them where that is more than 1. After n terms, bounces or
+/// added angles it is n times that.
 namespace particles {
 
 using course::Vec2;
