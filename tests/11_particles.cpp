@@ -998,8 +998,9 @@ TEST_CASE("what goes in may be as large as 1e5, and what comes out larger", "[11
     // a wall that leans by 22.5 degrees turns what falls at 45 degrees straight up
     const Vec2 along{std::cos(pi / 8), std::sin(pi / 8)}, normal{-along.y(), along.x()}, falling{1e5, -1e5},
         up{0, 1e5 * std::sqrt(2)};
+    const std::vector<Wall> leaning{{.start = -1000 * along, .end = 1000 * along}};
     const double t = -10 / falling.dot(normal);
-    CHECK_THAT(fly(flying(10 * normal, falling), {{{-1000 * along}, {1000 * along}}}, 1, 1),
+    CHECK_THAT(fly(flying(10 * normal, falling), leaning, 1, 1),
                IsNear(flying(10 * normal + t * falling + (1 - t) * up, up, 1), 1e-11));
 }
 
