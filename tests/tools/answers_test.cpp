@@ -78,6 +78,13 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
 
 +++i;
  return i;
+
+7.1 ends_twice: a line that has come is not the one that goes
+ int i = 0;
++return i;
+
+-return i;
++return 0;
 )");
     INFO(done.err);
     REQUIRE(done.code == 0);
@@ -88,6 +95,9 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
     CHECK(course.answer("wrong_two_is_one") == "int two() { return 1; }\nint second() { return two(); }\n}\n");
     CHECK(course.answer("wrong_begins_twice")
           == helper + "int first() {\n    int i = 0;\ni = 1;\n\n    // again\n    ++i;\n++i;\n    return i;\n}\n}\n");
+    CHECK(course.answer("wrong_ends_twice")
+          == helper
+                 + "int first() {\n    int i = 0;\nreturn i;\n    ++i;\n\n    // again\n    ++i;\nreturn 0;\n}\n}\n");
     CHECK_THAT(course.read("unit.cpp"),
                ContainsSubstring("#line 5 \"" + course.path(course.wrong) + "\"\n    int i = 1;\n"));
     CHECK_THAT(course.read("list.cmake"),
