@@ -39,7 +39,7 @@ chmod 755 "$machine"
 inside=
 leave() { # whatever happens: what was mounted in there was so in a namespace, which ends with its first process
     if [ -n "$inside" ]; then
-        kill -KILL "$inside"
+        kill -KILL "$inside" 2>/dev/null || true # it may have ended by itself
         wait "$inside" || true
         sleep 1
     fi

@@ -68,7 +68,7 @@ constexpr std::array slips{
 };
 
 /// All that stands in plain quotes.
-std::vector<std::string> quoted(std::string_view words) {
+std::vector<std::string> in_quotes(std::string_view words) {
     std::vector<std::string> found;
     while (const auto next = between(words, "'", "'")) {
         found.emplace_back(*next);
@@ -87,7 +87,7 @@ bool is_number(std::string_view type) {
 /// "expected ';' before 'double'": GCC names what comes after the gap, Clang stands in it.
 std::string about_semicolon(const Said &said) {
     if (!said.words.starts_with("expected") || !contains(said.words, "';'") || said.code.empty()) return {};
-    const auto names = quoted(said.words);
+    const auto names = in_quotes(said.words);
     if (contains(said.words, "before '") && without_blanks(said.code).starts_with(names.back()))
         return "Look at the end of the line above: is its ; there?";
     const std::string_view code = without_blanks_behind(std::string_view{said.code}.substr(0, said.code.find("//")));
@@ -111,7 +111,7 @@ std::string about_braces(const Said &said) {
 
 /// A field of a struct that an optional holds, asked of the optional.
 std::string about_member(const Said &said) {
-    const auto names = quoted(said.words);
+    const auto names = in_quotes(said.words);
     const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
     if (names.size() < 2 || (!gcc && !clang) || !is_optional(gcc ? names[0] : names[1])) return {};
     return "It may be nothing: ask first, if (found), and then write found->" + (gcc ? names[1] : names[0]) + '.';
@@ -123,7 +123,7 @@ std::string about_operands(const Said &said) {
     if (!gcc && !contains(said.words, "invalid operands to binary expression (")) return {};
     if (contains(said.words, "operator^") || (!gcc && contains(said.code, "^")))
         return "^ is not a power: write t * t.";
-    const auto names = quoted(said.words);
+    const auto names = in_quotes(said.words);
     const bool operator_first = contains(said.words, "no match for '");
     if (names.size() < (operator_first ? 3 : 2)) return {};
     const std::string &left = names[operator_first ? 1 : 0], &right = names[operator_first ? 2 : 1];
@@ -139,7 +139,7 @@ std::string about_operands(const Said &said) {
 
 /// A value of one type where another is wanted.
 std::string about_conversion(const Said &said) {
-    const auto names = quoted(said.words);
+    const auto names = in_quotes(said.words);
     if (names.size() < 2
         || !(contains(said.words, "convert") || contains(said.words, "conversion")
              || contains(said.words, "incompatible type")))
@@ -192,7 +192,7 @@ std::string about_header(const Said &said) {
                                                                              {"set", "set"},
                                                                              {"map", "map"}}};
     for (const auto &[name, header] : headers)
-        if (quoted(said.words).front() == name) return write(header);
+        if (in_quotes(said.words).front() == name) return write(header);
     return {};
 }
 
