@@ -6,13 +6,17 @@
 #include <vector>
 
 /// Section 7: where, and whether, two straight ways meet.
+///
+/// Numbers that go in lie within ±1e5, both ends included; those that come out may be larger.
+/// They are checked to 1e-12, and less strictly where nearly parallel lines, a graze, many bounces or numbers of very
+/// different size make more of a rounding.
 namespace segment_intersection {
 
 using course::Vec2;
 
 //> A segment
 /// A straight way from one point to another; both ends belong to it. It may be a single point, and one that is shorter
-/// than 1e-100 m may count as one.
+/// than 1e-60 m may count as one.
 struct Segment {
     Vec2 start; ///< [m]
     Vec2 end;   ///< [m]
@@ -38,7 +42,7 @@ std::optional<Crossing> crossing(const Segment &motion, const Segment &wall);
 
 //> Do they meet?
 /// Whether two segments have a point in common. Ends belong to them, so touching is meeting.
-/// On a grid (whole numbers up to 1000, all times one power of two, 1e-60 or more) the answer is exact.
+/// On a grid (whole numbers from -1000 to 1000, all times one power of two, 1e-60 or more) the answer is exact.
 /// Off it, where a gap or an overlap is no wider than a rounding, either answer is right.
 /// @throws std::invalid_argument if a number is not within ±1e5.
 bool meet(const Segment &first, const Segment &second);
@@ -58,10 +62,10 @@ struct Mover {
     COURSE_FIELDS("m, m/s", position, velocity)
 };
 
-/// On a wall, or at its end, means: no farther from it than this [m].
+/// On a wall, or at its end, means: no farther from it than this [m]. So no corner leaks.
 inline constexpr double touching = 1e-9;
 
-/// After so many bounces in one call a mover rests until the call's time is over.
+/// After so many bounces in one call a mover stays where it is, with the velocity it has then, until the time is over.
 inline constexpr int most_bounces = 1000;
 
 /// The mover `dt` seconds later, in a room with smooth elastic walls. At a wall the part of its velocity along the
@@ -91,7 +95,7 @@ struct Touch {
 /// A wall that is a point is a post; a disc of radius 0 is a point.
 /// A disc that touches the wall, or overlaps it, as it starts: t = 0 if its centre is coming nearer to the wall.
 /// Nothing if it stays clear of the wall, or starts by leaving it or keeping its distance.
-/// Where a graze is decided by a rounding, either answer is right.
+/// Where a graze is decided by a rounding, either answer is right. A point that meets only an end of a wall grazes it.
 /// @param radius  [m], not negative
 /// @throws std::invalid_argument if the radius is negative, or anything is not a number within ±1e5.
 std::optional<Touch> first_touch(const Segment &motion, double radius, const Segment &wall);
@@ -99,7 +103,7 @@ std::optional<Touch> first_touch(const Segment &motion, double radius, const Seg
 //> Which way does it turn?
 /// The sign of the determinant D = a.x b.y - a.y b.x [m²] of two segments, a and b being their end minus their start:
 /// 1 if `second` points to the left of `first`, -1 if to the right, 0 if parallel or too close to tell.
-/// It is never the wrong sign, and 0 only if |D| <= 1e-15 (|a.x b.y| + |a.y b.x|) + 1e-300 m².
+/// It is 0 only if |D| <= 1e-15 (|a.x b.y| + |a.y b.x|) + 1e-300 m², and never the wrong sign of a |D| above 1e-300 m².
 /// @throws std::invalid_argument if a number is not within ±1e5.
 int turn(const Segment &first, const Segment &second);
 
