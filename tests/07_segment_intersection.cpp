@@ -311,7 +311,7 @@ bool shadows_meet(const Segment &first, const Segment &second) {
 TEST_CASE("on a grid, two segments meet unless a gap can be seen between them from some side", "[7.2]") {
     const int size = GENERATE(2, 5, 1000); // on a small one they touch and overlap often
     Dice dice;
-    for (int i = 0; i < course::cases(60000); ++i) {
+    for (int i = 0; i < course::cases(30000); ++i) {
         const double unit = grid_unit(dice); // [m], from 1e-60 to 64
         const Segment first{dice.grid(-size, size), dice.grid(-size, size)};
         const Segment second{dice.grid(-size, size), dice.grid(-size, size)};
@@ -474,7 +474,7 @@ Points shared_by_ends(const Segment &first, const Segment &second) {
 TEST_CASE("on a grid, what they share is found by the ends that lie on the other one", "[7.3]") {
     const int size = GENERATE(1, 2, 5, 1000);
     Dice dice;
-    for (int i = 0; i < course::cases(60000); ++i) {
+    for (int i = 0; i < course::cases(30000); ++i) {
         const double unit = grid_unit(dice);
         const Segment first{dice.grid(-size, size), dice.grid(-size, size)};
         const Segment second{dice.grid(-size, size), dice.grid(-size, size)};

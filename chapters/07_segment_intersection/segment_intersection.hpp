@@ -6,10 +6,9 @@
 #include <vector>
 
 /// Section 7: where, and whether, two straight ways meet.
-///
-/// Numbers that go in lie within ±1e5, both ends included; those that come out may be larger.
-/// They are checked to 1e-12, and less strictly where nearly parallel lines, a graze, many bounces or numbers of very
-/// different size make more of a rounding.
+/// A number that goes in must lie within ±1e5, both ends included; an answer may be larger.
+/// An answer is right to 1e-12, or to 1e-12 of its size where that is more than 1. Nearly parallel lines, a graze, many
+/// bounces, and numbers that differ by many powers of ten lose more, and the tests allow for it.
 namespace segment_intersection {
 
 using course::Vec2;
