@@ -40,12 +40,13 @@ inline const double not_a_number = std::nan("");
 #define CHECK(...) REQUIRE(__VA_ARGS__)
 #define CHECK_FALSE(...) REQUIRE_FALSE(__VA_ARGS__)
 #define CHECK_THAT(...) REQUIRE_THAT(__VA_ARGS__)
-#define CHECK_THROWS_AS(...) REQUIRE_THROWS_AS(__VA_ARGS__)
 
 // A test of refusals goes on where input is accepted, and its verdict lists all that was:
 //     CHECK_OUT_OF_RANGE_REFUSED(bounce, {mover, room, 1.0}); // each number of these, in turn out of range or none
-//     CHECK_REFUSED(bounce(mover, room, -1.0), "dt is negative");
-#define CHECK_REFUSED(call, input) COURSE_CHECK_NONE_ACCEPTED(course::accepts([&] { static_cast<void>(call); }, input))
+//     CHECK_REFUSED(bounce(mover, room, -1.0), "dt is negative"); // or without words: then the arguments are listed
+#define CHECK_REFUSED(call, ...)                                                                                       \
+    COURSE_CHECK_NONE_ACCEPTED(course::accepts([&] { static_cast<void>(call); } __VA_OPT__(, ) __VA_ARGS__))
+#define CHECK_THROWS_AS(call, invalid_argument) CHECK_REFUSED(call)
 #define CHECK_OUT_OF_RANGE_REFUSED(exercise, ...)                                                                      \
     COURSE_CHECK_NONE_ACCEPTED(course::accepts_out_of_range(exercise, __VA_ARGS__))
 #define COURSE_CHECK_NONE_ACCEPTED(accepted)                                                                           \

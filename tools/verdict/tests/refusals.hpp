@@ -10,8 +10,8 @@
 
 namespace course {
 
-/// Whether this call accepts its input, which is noted for the verdict; otherwise it throws std::invalid_argument.
-inline bool accepts(const std::function<void()> &call, const std::string &input, const std::string &value = {}) {
+/// Whether this call accepts its input, which is noted for the verdict, by its arguments if it has no name; otherwise it throws std::invalid_argument.
+inline bool accepts(const std::function<void()> &call, const std::string &input = {}, const std::string &value = {}) {
     try {
         call();
     } catch (const std::invalid_argument &) {

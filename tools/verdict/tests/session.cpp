@@ -68,6 +68,13 @@ void Session::begin(std::string exercise, std::string test) {
 }
 
 void Session::accept(const std::string &input, const std::string &value) {
+    if (input.empty() && last_exercise != nullptr) {
+        std::string all;
+        for (const std::string &argument : last_exercise->describe_arguments(*last_exercise, last_arguments))
+            all += (all.empty() ? "" : ", ") + argument;
+        accepted.emplace_back(all, "");
+        return;
+    }
     if (value.empty() || accepted.empty() || accepted.back().first != input) accepted.emplace_back(input, value);
     else accepted.back().second += ", " + value;
 }
@@ -278,8 +285,12 @@ Verdict Session::end(bool asserted_something) {
         verdict.kind = Kind::wrong;
         verdict.sentence = "Your code accepted input that it must refuse with std::invalid_argument:";
         verdict.call.reset();
+        constexpr std::size_t most = 20;
         for (const auto &[input, value] : accepted)
-            verdict.accepted.push_back(value.empty() ? input : input + " = " + value);
+            if (verdict.accepted.size() < most)
+                verdict.accepted.push_back(value.empty() ? input : input + " = " + value);
+        if (accepted.size() > most)
+            verdict.accepted.push_back("and " + std::to_string(accepted.size() - most) + " more");
     }
     if (subject && !verdict.passed()) {
         const std::string printed = subject->printed();
