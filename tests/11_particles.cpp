@@ -1144,17 +1144,18 @@ TEST_CASE("after most_bounces bounces it waits, and the call ends", "[11.8]") {
 }
 
 TEST_CASE("the last bounce before it waits is the 1000th", "[11.8]") {
-    // 1024 times a second from one side to the other: no time is rounded
+    // 1024 times a second from one side to the other, first from x = 0.25: no time is rounded
     const std::vector<Wall> slit{{{0, 9}, {0, -9}}, {{1, -9}, {1, 9}}};
-    const auto after = [&](double bounces) { return fly(flying({0, 0}, {1024, 0}), slit, 1, bounces / 1024); };
-    const auto waits = [](double x, double velocity, double bounces) {
-        return IsNear(flying({x, 0}, {velocity, 0}, bounces / 1024), 1e-9);
+    const auto time = [](double bounces) { return (bounces - 0.25) / 1024; };
+    const auto after = [&](double bounces) { return fly(flying({0.25, 0}, {1024, 0}), slit, 1, time(bounces)); };
+    const auto is_at = [&](double x, double velocity, double bounces) {
+        return IsNear(flying({x, 0}, {velocity, 0}, time(bounces)), 1e-9);
     };
     static_assert(most_bounces == 1000);
-    CHECK_THAT(after(998.5), waits(0.5, 1024, 998.5));
-    CHECK_THAT(after(999.5), waits(0.5, -1024, 999.5));
-    for (const double more : {1000.5, 1001.5, 1002.5, 3000.5}) CHECK_THAT(after(more), waits(0, 1024, more));
-    for (int again = 0; again < 20; ++again) CHECK_THAT(after(700.5), waits(0.5, 1024, 700.5)); // each call counts anew
+    CHECK_THAT(after(998.5), is_at(0.5, 1024, 998.5));
+    CHECK_THAT(after(999.5), is_at(0.5, -1024, 999.5));
+    for (const double more : {1000.5, 1001.5, 1002.5, 3000.5}) CHECK_THAT(after(more), is_at(0, 1024, more));
+    for (int again = 0; again < 20; ++again) CHECK_THAT(after(700.5), is_at(0.5, 1024, 700.5)); // each call counts anew
 
     // to and fro through a square: each of its corners takes two bounces
     const std::vector<Wall> square{{{-1, 0}, {2, 0}}, {{1, -1}, {1, 2}}, {{2, 1}, {-1, 1}}, {{0, 2}, {0, -1}}};
