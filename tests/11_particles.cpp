@@ -143,12 +143,12 @@ TEST_CASE("a dead particle keeps its slot: only a free one is used", "[11.1]") {
     CHECK_THAT(start({just_dead, long_dead}, spark), IsNear(no_room));
 }
 
-TEST_CASE("a pool may have tens of thousands of slots", "[11.1]") {
-    Pool pool(20'000, spark);
+TEST_CASE("a pool may have thousands of slots", "[11.1]") {
+    Pool pool(5'000, spark);
     pool.back().reset();
     const Pool after = start(pool, numbered(7)).value();
-    CHECK_THAT(after, HasSize(20'000).of("slots"));
-    CHECK_THAT(changed(pool, after), IsNear(std::vector{19'999}).of("slots that changed"));
+    CHECK_THAT(after, HasSize(5'000).of("slots"));
+    CHECK_THAT(changed(pool, after), IsNear(std::vector{4'999}).of("slots that changed"));
     CHECK_THAT(after.back(), IsNear(std::optional{numbered(7)}).of("the last slot"));
 }
 
@@ -459,8 +459,8 @@ TEST_CASE("all are equally fast, and together they go nowhere", "[11.4]") {
                IsNear(Vec2{speed * std::cos(first), speed * std::sin(first)}, rounding).of("first velocity [m/s]"));
 }
 
-TEST_CASE("a ring may be of tens of thousands", "[11.4]") {
-    const int count = 70'000;
+TEST_CASE("a ring may be of thousands", "[11.4]") {
+    const int count = 12'000;
     const std::vector<Vec2> velocities = ring(count, 3, 0.5);
     CHECK_THAT(velocities, HasSize(std::size_t(count)));
     const Vec2 ahead{3 * std::cos(0.5), 3 * std::sin(0.5)}, left{-ahead.y(), ahead.x()};
@@ -470,7 +470,7 @@ TEST_CASE("a ring may be of tens of thousands", "[11.4]") {
                IsNear(Vec2{-left}, count * rounding).of("velocity after three quarters [m/s]"));
 }
 
-TEST_CASE("a speed or an angle may be as large as 1e5, or tiny", "[11.4]") {
+TEST_CASE("a speed or an angle may be as large as 1e5, or tiny, and each ring is made anew", "[11.4]") {
     CHECK_THAT(ring(2, 1e5, 0), IsNear(std::vector<Vec2>{{1e5, 0}, {-1e5, 0}}, 1e-10)); // π is rounded as well
     CHECK_THAT(ring(2, 1e5, 5e-10), IsNear(std::vector<Vec2>{{1e5, 5e-5}, {-1e5, -5e-5}}, 1e-10));
     CHECK_THAT(ring(2, 5e-10, 0), IsNear(std::vector<Vec2>{{5e-10, 0}, {-5e-10, 0}}, rounding));
@@ -479,9 +479,7 @@ TEST_CASE("a speed or an angle may be as large as 1e5, or tiny", "[11.4]") {
         CHECK_THAT(ring(2, 1, first), IsNear(std::vector<Vec2>{want, -want}, rounding_of_1e5));
     }
     CHECK_THAT(ring(2, -0.0, 1), IsNear(std::vector<Vec2>{{0, 0}, {0, 0}}));
-}
 
-TEST_CASE("each ring is made anew: a small and slow one after a large and fast one", "[11.4]") {
     CHECK_THAT(ring(4, 5, 0), IsNear(std::vector<Vec2>{{5, 0}, {0, 5}, {-5, 0}, {0, -5}}, rounding));
     CHECK_THAT(ring(2, 3, 0), IsNear(std::vector<Vec2>{{3, 0}, {-3, 0}}, rounding));
     CHECK_THAT(ring(4, 5, pi), IsNear(std::vector<Vec2>{{-5, 0}, {0, -5}, {5, 0}, {0, 5}}, rounding));
@@ -566,12 +564,12 @@ TEST_CASE("no chances, no particles; no speed, no motion", "[11.5]") {
     CHECK_THAT(explosion({0, 0.7}, 7), IsNear(std::vector<Vec2>{{0, 0}}, rounding));
 }
 
-TEST_CASE("velocities stand in the order of their pairs", "[11.5]") {
+TEST_CASE("velocities stand in the order of their pairs, and each explosion is made anew", "[11.5]") {
     CHECK_THAT(explosion({0.81, 0.5, 0.25, 0, 0.49, 0.25}, 10),
                IsNear(std::vector<Vec2>{{-9, 0}, {5, 0}, {0, 7}}, rounding));
-    const std::vector<Vec2> many = explosion(std::vector<double>(70'000, 0.25), 10);
-    CHECK_THAT(many, HasSize(35'000));
-    CHECK_THAT(many.back(), IsNear(Vec2{0, 5}, rounding).of("last velocity [m/s]"));
+
+    CHECK_THAT(explosion({0.25, 0.5}, 10), IsNear(std::vector<Vec2>{{-5, 0}}, rounding));
+    CHECK_THAT(explosion({0.25, 0.5}, 2), IsNear(std::vector<Vec2>{{-1, 0}}, rounding));
 }
 
 TEST_CASE("a chance may be tiny or nearly 1, and the fastest speed tiny or 1e5", "[11.5]") {
@@ -583,11 +581,6 @@ TEST_CASE("a chance may be tiny or nearly 1, and the fastest speed tiny or 1e5",
     CHECK_THAT(explosion({0.25, nearly_1}, 10), IsNear(std::vector<Vec2>{{5, -1e-12 * pi}}, rounding));
     CHECK_THAT(explosion({0.25, 0.5}, 5e-10), IsNear(std::vector<Vec2>{{-2.5e-10, 0}}, rounding));
     CHECK_THAT(explosion({-0.0, -0.0}, -0.0), IsNear(std::vector<Vec2>{{0, 0}}));
-}
-
-TEST_CASE("each explosion is made anew: a slow one after a fast one", "[11.5]") {
-    CHECK_THAT(explosion({0.25, 0.5}, 10), IsNear(std::vector<Vec2>{{-5, 0}}, rounding));
-    CHECK_THAT(explosion({0.25, 0.5}, 2), IsNear(std::vector<Vec2>{{-1, 0}}, rounding));
 }
 
 TEST_CASE("an odd number of chances, one that is none, and a speed that is none, are refused", "[11.5]") {
@@ -906,13 +899,9 @@ TEST_CASE("a wall may be tiny, huge or very steep", "[11.8]") {
     const Vec2 turned{20 - 40 / (1 + lean * lean), 40 * lean / (1 + lean * lean)};
     CHECK_THAT(fly(flying({-10, 0}, {20, 0}), steep, 1, 1),
                IsNear(flying(Vec2{0.05, 0} + 0.4975 * turned, turned, 1), rounding_of_1e5));
-}
 
-TEST_CASE("there may be thousands of walls", "[11.8]") {
-    std::vector<Wall> walls;
-    for (int i = 0; i < 5000; ++i) walls.push_back({{100.0 + i, 50}, {100.5 + i, 50}}); // none of them in its way
-    walls.push_back(ground[0]);
-    CHECK_THAT(fly(flying({4, 3}, {2, -2}), walls, 0.5, 2), IsNear(flying({8, 0.5}, {2, 1}, 2), rounding));
+    for (const Vec2 &end : {Vec2{1e-3, 0}, Vec2{0, -1e-3}, Vec2{8e-4, 8e-4}})
+        CHECK_THAT(fly(flying({4, 3}, {2, -2}), {{{0, 0}, end}}, 1, 1), IsNear(flying({6, 1}, {2, -2}, 1), rounding));
 }
 
 TEST_CASE("where it meets none it flies straight on", "[11.8]") {
@@ -929,9 +918,11 @@ TEST_CASE("it grows older by dt, lives as long as before, and death does not sto
     CHECK_THAT(fly(old, ground, 0.5, 0), IsNear(old, rounding));
     const Particle over{.position = {4, 3}, .velocity = {2, -2}, .age = 4, .life = 4};
     CHECK_THAT(fly(over, ground, 0.5, 2), IsNear(Particle{{8, 0.5}, {2, 1}, 6, 4}, rounding));
+
+    for (const Particle &particle : unusual) CHECK_THAT(fly(particle, {}, 1, 0), IsNear(particle, rounding));
 }
 
-TEST_CASE("the first wall in time turns it, wherever that stands in the list", "[11.8]") {
+TEST_CASE("the first wall in time turns it, wherever that stands in the list, be it behind thousands", "[11.8]") {
     const Wall near{.start = {0, 2}, .end = {20, 2}}, far{.start = {0, 0}, .end = {20, 0}};
     const Particle want = flying({14, 3.5}, {2, 0.5}, 5); // 2 s to y = 2 at 1 m/s, then 0.5 m/s back for 3 s
     CHECK_THAT(fly(flying({4, 4}, {2, -1}), {near, far}, 0.5, 5), IsNear(want, rounding)); // 4 s to the far one
@@ -943,6 +934,11 @@ TEST_CASE("the first wall in time turns it, wherever that stands in the list", "
                IsNear(flying({2, 0.5}, {-5, 0.5}, 3), rounding));
     CHECK_THAT(fly(flying({2, 2}, {10, -1}), {right, ground[0]}, 0.5, 3),
                IsNear(flying({2, 0.5}, {-5, 0.5}, 3), rounding));
+
+    std::vector<Wall> walls;
+    for (int i = 0; i < 5000; ++i) walls.push_back({{100.0 + i, 50}, {100.5 + i, 50}}); // none of them in its way
+    walls.push_back(ground[0]);
+    CHECK_THAT(fly(flying({4, 3}, {2, -2}), walls, 0.5, 2), IsNear(flying({8, 0.5}, {2, 1}, 2), rounding));
 }
 
 TEST_CASE("on a wall: what approaches bounces at once, what leaves or flies along is let go", "[11.8]") {
@@ -950,9 +946,7 @@ TEST_CASE("on a wall: what approaches bounces at once, what leaves or flies alon
     CHECK_THAT(fly(flying({5, height}, {4, -2}), ground, 0.5, 1), IsNear(flying({9, 1}, {4, 1}, 1), 1e-11));
     CHECK_THAT(fly(flying({5, height}, {4, 2}), ground, 0.5, 1), IsNear(flying({9, 2}, {4, 2}, 1), 1e-11));
     CHECK_THAT(fly(flying({5, height}, {4, 0}), ground, 0.5, 1), IsNear(flying({9, 0}, {4, 0}, 1), 1e-11));
-}
 
-TEST_CASE("what is behind a wall bounces if that is within `touching`, and else it passes", "[11.8]") {
     for (const double behind : {2e-10, 0.96e-9})
         CHECK_THAT(fly(flying({5, -behind}, {4, -2}), ground, 0.5, 1), IsNear(flying({9, 1}, {4, 1}, 1), 1e-8));
     for (const double behind : {1.05e-9, 5e-9, 1e-6})
@@ -1190,12 +1184,6 @@ TEST_CASE("what is no particle, no wall, no restitution or no time is refused", 
     check_refused({{4, 3}, {2, -2}, 7, 5}, 0); // dead, and in no time
 }
 
-TEST_CASE("walls of 1e-3 m are not refused, nor any particle that is allowed", "[11.8]") {
-    for (const Vec2 &end : {Vec2{1e-3, 0}, Vec2{0, -1e-3}, Vec2{8e-4, 8e-4}})
-        CHECK_THAT(fly(flying({4, 3}, {2, -2}), {{{0, 0}, end}}, 1, 1), IsNear(flying({6, 1}, {2, -2}, 1), rounding));
-    for (const Particle &particle : unusual) CHECK_THAT(fly(particle, {}, 1, 0), IsNear(particle, rounding));
-}
-
 // ------------------------------------------------------------------------------------------------------ 11.9 renew
 
 namespace {
@@ -1250,10 +1238,12 @@ TEST_CASE("one that is dead does not fill a gap", "[11.9]") {
     CHECK_THAT(renew(three, {}, 6), IsNear(std::vector{three[4], three[1], three[2]}));
 }
 
-TEST_CASE("where nobody is dead nobody moves", "[11.9]") {
+TEST_CASE("where nobody is dead nobody moves, even if two are alike", "[11.9]") {
     const std::vector<Particle> row = row_of("abcdefg");
     for (const int capacity : {7, 100, 1'000'001, std::numeric_limits<int>::max()})
         CHECK_THAT(renew(row, {}, capacity), IsNear(row));
+
+    CHECK_THAT(renew({spark, spark}, {spark}, 3), IsNear(std::vector{spark, spark, spark}));
 }
 
 TEST_CASE("where all are dead the pool is empty, and new ones find room", "[11.9]") {
@@ -1268,6 +1258,8 @@ TEST_CASE("no more start than fit, and the first come first", "[11.9]") {
     CHECK_THAT(renew(row, young, 4), IsNear(std::vector{row[0], row[1], young[0], young[1]}));
     CHECK_THAT(renew(row, young, 2), IsNear(row));
     CHECK_THAT(renew(row_of("a."), young, 2), IsNear(std::vector{row[0], young[0]})); // the dead make room first
+    const int most = std::numeric_limits<int>::max();
+    CHECK_THAT(renew({row[0]}, {young[0]}, most), IsNear(std::vector{row[0], young[0]}));
 }
 
 TEST_CASE("a newborn goes in as it is, and its age is not looked at until the next time", "[11.9]") {
@@ -1276,23 +1268,19 @@ TEST_CASE("a newborn goes in as it is, and its age is not looked at until the ne
     for (const Particle &particle : unusual) CHECK_THAT(renew({}, {particle}, 1), IsNear(std::vector{particle}));
 }
 
-TEST_CASE("two particles may be alike", "[11.9]") {
-    CHECK_THAT(renew({spark, spark}, {spark}, 3), IsNear(std::vector{spark, spark, spark}));
-}
-
-TEST_CASE("a pool may hold tens of thousands", "[11.9]") {
+TEST_CASE("a pool may hold thousands", "[11.9]") {
     const auto check_is = [](const std::vector<Particle> &after, const std::vector<Particle> &want) {
         CHECK_THAT(after, HasSize(want.size()));
         CHECK_THAT(std::ranges::equal(after, want, same), IsTrue("each place holds the particle that belongs there"));
     };
-    std::vector<Particle> pool(20'000, spark);
+    std::vector<Particle> pool(5'000, spark);
     pool.back() = numbered(7);
-    for (const std::size_t i : {0u, 19'998u}) pool[i].age = pool[i].life;
-    std::vector<Particle> want(19'998, spark);
+    for (const std::size_t i : {0u, 4'998u}) pool[i].age = pool[i].life;
+    std::vector<Particle> want(4'998, spark);
     want[0] = pool.back(); // the last one moves
-    check_is(renew(pool, {}, 20'000), want);
+    check_is(renew(pool, {}, 5'000), want);
 
-    const std::vector<Particle> newborn(11'000, numbered(3));
+    const std::vector<Particle> newborn(10'001, numbered(3));
     check_is(renew({}, newborn, 1'000'001), newborn);
 }
 
