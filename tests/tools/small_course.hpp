@@ -16,8 +16,8 @@
 namespace course {
 
 struct SmallCourse {
-    SmallCourse() {
-        std::string name = (std::filesystem::temp_directory_path() / "a course XXXXXX").string(); // blanks and all
+    explicit SmallCourse(const std::string &folder = "a course XXXXXX") {
+        std::string name = (std::filesystem::temp_directory_path() / folder).string();
         tree.root = ::mkdtemp(name.data());
         tree.build = tree.root / "build" / "default";
         write("CMakeLists.txt", "project(x)\nsection(06_reflection)\nsection(07_wall_meeting)\n");

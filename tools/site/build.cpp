@@ -39,11 +39,10 @@ class Builder {
     }
 
   private:
-    std::string quoted(const fs::path &path) const { return '"' + path.string() + '"'; }
-
     /// Runs one of our tools; its words are for whoever can mend what it complains of.
-    std::string run_tool(const std::vector<std::string> &command, const std::string &what) const {
-        const Finished finished = run(command, {.deadline = 300, .folder = tree.root});
+    std::string run_tool(const std::vector<std::string> &command, const std::string &what,
+                         const fs::path &folder) const {
+        const Finished finished = run(command, {.deadline = 300, .folder = folder});
         if (finished.timed_out) throw Complaint{what + " did not end within five minutes"};
         if (finished.code != 0)
             throw Complaint{what + " failed:\n" + without_root(finished.err.empty() ? finished.out : finished.err)};
@@ -51,32 +50,34 @@ class Builder {
     }
 
     std::string without_root(std::string text) const {
-        const std::string root = tree.root.string() + '/';
-        for (std::size_t at; (at = text.find(root)) != text.npos;) text.erase(at, root.size());
+        for (const std::string root : {work.string() + '/', tree.root.string() + '/'})
+            for (std::size_t at; (at = text.find(root)) != text.npos;) text.erase(at, root.size());
         return text;
     }
 
     // Doxygen
 
+    /// Doxygen reads copies, by names relative to the folder that it runs in: in its settings a path of the machine's
+    /// would be looked through for quotes and for `$(HOME)`.
     void run_doxygen() {
         std::string input;
-        const auto add = [&](const fs::path &file, const std::string &text) {
-            const fs::path page = work / "pages" / (page_name(tree, file) + ".markdown");
-            write_file(page, text);
-            input += " \\\n    " + quoted(page);
+        const auto add = [&](const std::string &name, const std::string &text) {
+            write_file(work / name, text);
+            input += " \\\n    " + name;
         };
-        for (const fs::path &file : markdown_pages(tree)) add(file, doxygen_page(tree, file, read_file(file)));
+        const auto page = [&](const fs::path &file) { return "pages/" + page_name(tree, file) + ".markdown"; };
+        for (const fs::path &file : markdown_pages(tree)) add(page(file), doxygen_page(tree, file, read_file(file)));
         for (const fs::path &file : source_pages(tree)) {
-            add(file, doxygen_source(tree, file, read_file(file)));
-            const bool is_interface = file.extension() == ".hpp" && path_in(tree, file).starts_with("chapters/");
-            if (is_interface) input += " \\\n    " + quoted(file);
+            const std::string name = path_in(tree, file), text = read_file(file);
+            add(page(file), doxygen_source(tree, file, text));
+            if (file.extension() == ".hpp" && name.starts_with("chapters/")) add(name, text); // an interface
         }
-        const fs::path settings = work / "Doxyfile";
-        write_file(settings, "@INCLUDE = " + quoted(tree.root / "docs" / "Doxyfile")
-                                 + "\nLAYOUT_FILE = " + quoted(tree.root / "docs" / "layout.xml")
-                                 + "\nSTRIP_FROM_PATH = " + quoted(tree.root) + "\nOUTPUT_DIRECTORY = " + quoted(work)
-                                 + "\nGENERATE_TAGFILE = " + quoted(work / "names.tag") + "\nINPUT =" + input + '\n');
-        run_tool({tools.doxygen, settings.string()}, "Doxygen");
+        write_file(work / "layout.xml", read_file(tree.root / "docs" / "layout.xml"));
+        write_file(work / "Doxyfile", read_file(tree.root / "docs" / "Doxyfile")
+                                          + "\nLAYOUT_FILE = layout.xml\nSTRIP_FROM_PATH = .\nOUTPUT_DIRECTORY = ."
+                                            "\nGENERATE_TAGFILE = names.tag\nINPUT ="
+                                          + input + '\n');
+        run_tool({tools.doxygen, "Doxyfile"}, "Doxygen", work);
     }
 
     /// What Doxygen has written, but for the lists that nobody reads.
@@ -102,7 +103,8 @@ class Builder {
     std::string run_node(const char *script, const nlohmann::json &input, const fs::path &library) const {
         const fs::path file = work / (std::string{script} + ".json");
         write_file(file, input.dump());
-        return run_tool({tools.node, (tree.root / "docs" / script).string(), library.string(), file.string()}, script);
+        return run_tool({tools.node, (tree.root / "docs" / script).string(), library.string(), file.string()}, script,
+                        tree.root);
     }
 
     /// All formulas of all drafts, in order, as HTML.
