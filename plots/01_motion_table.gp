@@ -5,7 +5,7 @@ set output ARG2
 set key top left
 set xrange [-0.2:5.6]; set yrange [*<45:100<*] # wider only for what is far off: yours
 set xlabel 't [s]'; set ylabel 'x [m]'
-yours = ARGC > 2 ? "ARG3 using 1:2 every 5 with points lt 2 pt 6 ps 1.2 lw 2 title 'yours'" : "NaN notitle"
+yours = with_yours("ARG3 using 1:2 every 5 with points lt 2 pt 6 ps 1.2 lw 2 title 'yours'")
 before = NaN
 gain(x) = (change = x - before, before = x, change) # from one row of the table to the next
 plot ARG1 using 1:2 with lines lt 1 notitle, \

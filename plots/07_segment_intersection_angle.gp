@@ -9,7 +9,7 @@ set xrange [1e-12:1]; set yrange [1e-17:1e2]
 set xtics 1e-12,1e3,1; set ytics 1e-16,1e4,1
 set xlabel 'angle between the segments (its tangent)'; set ylabel 'error of the point [m]' offset 0.5,0
 set label 'slope −1' at 5e-7,1e-8 textcolor rgb DIM
-yours = ARGC > 2 ? "ARG3 using 1:2 with points lt 2 pt 4 ps 0.8 title 'yours, largest'" : "NaN notitle"
+yours = with_yours("ARG3 using 1:2 with points lt 2 pt 4 ps 0.8 title 'yours, largest'")
 plot ARG1 using 1:2 with points lt 1 pt 7 ps 0.5 title 'largest of 501', \
      ARG1 using 1:3 with points lt 3 pt 9 ps 0.5 title 'middle one', \
      4e-16 / x with lines lc rgb DIM lw 1 dt (5,4) title '4 · 10^{-16} m / angle', \

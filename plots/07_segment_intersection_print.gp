@@ -11,7 +11,7 @@ set label 'motion' at 10.4,5.02 rotate by -18 textcolor lt 1
 set label 'wall, to (17, 10)' at 9.7,5.72 rotate by 29 textcolor rgb DIM
 set label 'to (18, 11)' at 9.3,6.02 rotate by 30 textcolor rgb DIM
 wall(row, x) = $0 == row ? x : NaN
-yours = ARGC > 2 ? "ARG3 using (wall(0, $5)):6 with points lt 2 pt 6 ps 1.8 lw 2 title 'yours'" : "NaN notitle"
+yours = with_yours("ARG3 using (wall(0, $5)):6 with points lt 2 pt 6 ps 1.8 lw 2 title 'yours'")
 plot ARG1 using (wall(0, $1)):2:($3 - $1):($4 - $2) with vectors nohead lc rgb DIM lw 3 notitle, \
      ARG1 using (wall(1, $1)):2:($3 - $1):($4 - $2) with vectors nohead lc rgb DIM lw 2 dt (6,5) notitle, \
      7 - (x - 4) / 3 with lines lt 1 notitle, \

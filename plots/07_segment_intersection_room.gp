@@ -6,8 +6,8 @@ set size ratio -1
 set key outside top center horizontal
 set xrange [0:12]; set yrange [-0.3:7.3]
 set xlabel 'x [m]'; set ylabel 'y [m]'
-yours = ARGC > 2 ? "ARG3 using 2:3 with lines lt 2 lw 1 dt (6,4) title 'yours'" : "NaN notitle"
-seconds = ARGC > 2 ? "ARG3 using 2:3 every 20 with points lt 2 pt 6 ps 0.7 lw 1 title 'yours, each second'" : "NaN notitle"
+yours = with_yours("ARG3 using 2:3 with lines lt 2 lw 1 dt (6,4) title 'yours'")
+seconds = with_yours("ARG3 using 2:3 every 20 with points lt 2 pt 6 ps 0.7 lw 1 title 'yours, each second'")
 plot ARG1 using 4:5 every ::0::7 with lines lc rgb DIM lw 3 notitle, \
      ARG1 using 2:3 with lines lt 1 lw 1 title 'reference', \
      ARG1 using 2:3 every 20 with points pt 7 ps 0.4 lc rgb INK title 'each second', \

@@ -6,7 +6,7 @@ set size ratio -1
 set key outside top center horizontal
 set xrange [-1:19]; set yrange [-0.5:11.5]
 set xlabel 'x [m]'; set ylabel 'y [m]'
-yours = ARGC > 2 ? "ARG3 using 6:7 with points lt 2 pt 6 ps 1.6 lw 2 title 'yours'" : "NaN notitle"
+yours = with_yours("ARG3 using 6:7 with points lt 2 pt 6 ps 1.6 lw 2 title 'yours'")
 plot ARG1 using 4:5 with linespoints lc rgb DIM lw 3 pt 7 ps 0.5 notitle, \
      ARG1 using 4:5:(sprintf('s = %g', $1)) every ::0::1 with labels left offset 0.7,-0.6 textcolor rgb DIM notitle, \
      ARG1 using 4:5:(sprintf('s = %g', $1)) every ::3 with labels right offset -0.5,0.7 textcolor rgb DIM notitle, \

@@ -7,7 +7,7 @@ set key inside left top
 set xrange [0:48]; set yrange [0:30]
 set xlabel 'x [m]'; set ylabel 'y [m]'
 of_shade(k, y, shade) = shade == k ? y : NaN
-yours = ARGC > 2 ? "ARG3 using 2:3 with points lt 2 pt 6 ps 0.5 lw 1 title 'yours'" : "NaN notitle"
+yours = with_yours("ARG3 using 2:3 with points lt 2 pt 6 ps 0.5 lw 1 title 'yours'")
 plot ARG1 using 2:(of_shade(0, $3, $4)) with points lt 4 pt 7 ps 0.35 title 'first quarter of life', \
      ARG1 using 2:(of_shade(1, $3, $4)) with points lt 6 pt 7 ps 0.3 title 'second', \
      ARG1 using 2:(of_shade(2, $3, $4)) with points lt 5 pt 7 ps 0.25 title 'third', \

@@ -237,7 +237,7 @@ TEST_CASE("a student's curve is drawn over the reference's where the script has 
     const Place place;
     place.write("plots/07_lines_rise.gp",
                 "#> Figure: x\nload 'style.gp'\nset output ARG2\n"
-                "yours = ARGC > 2 ? \"ARG3 using 1:2 with lines lt 2 title 'yours'\" : \"NaN notitle\"\n"
+                "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n"
                 "plot ARG1 using 1:2 with lines title 'reference', @yours\n");
     place.write("mine's.tsv", "# t[s]\tx[m]\n0\t1\n3\t2\n");
     Figure figure = place.figure();
@@ -473,7 +473,7 @@ std::string plotted(const std::string &program) {
     const Place place;
     place.write("plots/07_lines_rise.gp",
                 "#> Figure: x\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange [0:5]\n"
-                "yours = ARGC > 2 ? \"ARG3 using 1:2 with lines lt 2 title 'yours'\" : \"NaN notitle\"\n"
+                "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n"
                 "plot ARG1 using 1:2 with lines title 'reference', @yours\n");
     place.write("exercises/07_lines.cpp", "");
     place.write("build/plots/mine/07_lines_rise.svg", "of yesterday");
