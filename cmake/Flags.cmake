@@ -12,10 +12,10 @@ set(COURSE_WARNINGS
 set(COURSE_OPTIMIZATION -O1) # compiles as fast as -O0: much of Eigen is gone before it is written out
 set(COURSE_CODE_FLAGS
     -ffp-contract=off    # a * b + c is rounded twice on every machine
-    -ftrivial-auto-var-init=pattern # a number that nobody has set is a strange one, never the right one by luck
+    -ftrivial-auto-var-init=pattern # an uninitialized number has a strange value, never the right one by luck
     -Werror=return-type) # a forgotten return is undefined behaviour: never let it run
 set(COURSE_DEFINITIONS
-    EIGEN_INITIALIZE_MATRICES_BY_NAN # a vector that nobody has set shows
+    EIGEN_INITIALIZE_MATRICES_BY_NAN # so has an uninitialized vector
     _GLIBCXX_ASSERTIONS)             # v[7] beyond the end is an assertion, not luck
 
 # Ours, and a student's: who has not begun has not used a parameter either. (For Clang the order of the two matters.)

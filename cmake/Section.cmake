@@ -134,10 +134,12 @@ macro(section_tests)
 
   add_custom_target(${section}_loop ALL DEPENDS ${missing} ${catalogue} ${section}_tests ${section}_server ${earlier_objects} course_pch)
   add_dependencies(section-tests ${section}_loop)
-  list(TRANSFORM earlier_objects REPLACE "(.+)" "\"\\1\"" OUTPUT_VARIABLE earlier_json)
-  list(JOIN earlier_json ", " earlier_json)
-  set_property(GLOBAL APPEND_STRING PROPERTY course_sections_json
-    ",\n  {\"name\": \"${section}\", \"server\": \"$<TARGET_OBJECTS:${section}_server>\", \"missing\": \"${missing}\", \"earlier\": [${earlier_json}]}")
+  set(json "{}")
+  put_into_json(json name ${section})
+  put_into_json(json server $<TARGET_OBJECTS:${section}_server>)
+  put_into_json(json missing ${missing})
+  put_list_into_json(json earlier ${earlier_objects})
+  set_property(GLOBAL PROPERTY course_json_${section} "${json}")
 
   set(all_cases --all-cases) # of what is generated; the others are judged as a student's check is
   add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
@@ -163,7 +165,7 @@ endmacro()
 macro(in_one_process whose)
   target_sources(${section}_${whose} PRIVATE tools/verdict/tests/direct.cpp ${earlier_objects})
   read_earlier_headers_first(${section}_${whose})
-  target_link_libraries(${section}_${whose} PRIVATE course_student_flags Catch2::Catch2WithMain course::gmp)
+  target_link_libraries(${section}_${whose} PRIVATE course_student_flags Catch2::Catch2WithMain course::GMP)
   target_include_directories(${section}_${whose} PRIVATE tests tools ${chapter})
   target_compile_definitions(${section}_${whose} PRIVATE COURSE_SECTION="${slug}.hpp")
   set_target_properties(${section}_${whose} PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${whose})
@@ -196,7 +198,7 @@ macro(section_answers)
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${unit}_if_built.cmake)
 endmacro()
 
-# A program with somebody's functions in it, and what the tests must say of them.
+# A program that serves the functions of one file, and the test that its verdicts are as expected.
 macro(add_subject name expect)
   add_executable(${section}_subject_${name} $<TARGET_OBJECTS:${section}_server> ${earlier_objects} ${ARGN})
   set_target_properties(${section}_subject_${name} PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${name}
@@ -237,6 +239,30 @@ macro(section_figures)
     ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${PROJECT_SOURCE_DIR}/tests/${section}.cpp)
 endmacro()
 
+# TEXT as a string of JSON.
+function(quote_for_json result text)
+  string(REPLACE "\\" "\\\\" text "${text}")
+  string(REPLACE "\"" "\\\"" text "${text}")
+  set(${result} "\"${text}\"" PARENT_SCOPE)
+endfunction()
+
+# Sets a member of the JSON in the variable OBJECT to a text, or to an array of texts.
+function(put_into_json object member text)
+  quote_for_json(text "${text}")
+  string(JSON json SET "${${object}}" ${member} "${text}")
+  set(${object} "${json}" PARENT_SCOPE)
+endfunction()
+function(put_list_into_json object member)
+  string(JSON json SET "${${object}}" ${member} "[]")
+  set(index 0)
+  foreach(text ${ARGN})
+    quote_for_json(text "${text}")
+    string(JSON json SET "${json}" ${member} ${index} "${text}")
+    math(EXPR index "${index} + 1")
+  endforeach()
+  set(${object} "${json}" PARENT_SCOPE)
+endfunction()
+
 # After the last section: what concerns all of them.
 function(finish_course)
   foreach(folder solutions tests tests/stubs) # not exercises: it is the student's, who may keep an older answer there
@@ -249,15 +275,20 @@ function(finish_course)
     endforeach()
   endforeach()
 
-  get_property(sections GLOBAL PROPERTY course_sections_json)
-  string(REGEX REPLACE "^," "" sections "${sections}")
-  string(JOIN "\", \"" flags ${COURSE_LOOP})
-  string(JOIN "\", \"" precompiled ${COURSE_LOOP_PCH})
-  set(link ${extra} ${COURSE_LOOP_LINK}) # a sanitizer's flags are the linker's, too
-  list(TRANSFORM link REPLACE "(.+)" "\"\\1\"")
-  string(JOIN ", " link ${link})
-  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/course.json CONTENT
-"{\n \"compiler\": \"${CMAKE_CXX_COMPILER}\",\n \"cmake\": \"${CMAKE_COMMAND}\",\n \"flags\": [\"${flags}\"],\n \"precompiled\": [\"${precompiled}\"],\n \"link\": [${link}],\n \"nm\": \"${CMAKE_NM}\",\n \"sections\": [${sections}\n ]\n}\n")
+  set(json "{\"sections\": []}")
+  put_into_json(json compiler ${CMAKE_CXX_COMPILER})
+  put_into_json(json cmake ${CMAKE_COMMAND})
+  put_into_json(json nm ${CMAKE_NM})
+  put_list_into_json(json flags ${COURSE_LOOP})
+  put_list_into_json(json precompiled ${COURSE_LOOP_PCH})
+  put_list_into_json(json link ${extra} ${COURSE_LOOP_LINK}) # a sanitizer's flags are the linker's, too
+  set(number 0)
+  foreach(section ${COURSE_SECTIONS})
+    get_property(section_json GLOBAL PROPERTY course_json_${section})
+    string(JSON json SET "${json}" sections ${number} "${section_json}")
+    math(EXPR number "${number} + 1")
+  endforeach()
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/course.json CONTENT "${json}\n")
 
   get_property(book GLOBAL PROPERTY course_book)
   add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/book.stamp

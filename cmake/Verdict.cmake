@@ -9,7 +9,7 @@ target_include_directories(course_verdict PUBLIC ${PROJECT_SOURCE_DIR}/tools)
 target_link_libraries(course_verdict PUBLIC course_flags nlohmann_json::nlohmann_json)
 
 add_library(course_harness OBJECT ${PROJECT_SOURCE_DIR}/tools/verdict/tests/harness.cpp) # the main of all section tests
-target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2 CLI11::CLI11 course::gmp)
+target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2 CLI11::CLI11 course::GMP)
 
 # gold links in a third of the default linker's time, and comes with it.
 set(CMAKE_REQUIRED_LINK_OPTIONS -fuse-ld=gold)
@@ -20,7 +20,7 @@ if(COURSE_HAS_GOLD)
   set(COURSE_LOOP_LINK -fuse-ld=gold)
 endif()
 
-# The precompiled header that stands before every student's file.
+# The precompiled header that is included before every student's file.
 separate_arguments(extra NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(COURSE_LOOP ${extra} -std=c++20 ${COURSE_OPTIMIZATION} ${COURSE_CODE_FLAGS} ${COURSE_WARNINGS} -Wno-unused-parameter)
@@ -55,7 +55,7 @@ function(add_student_objects name)
   target_compile_options(${name} PRIVATE ${COURSE_LOOP_PCH})
 endfunction()
 
-# The objects of a library with every symbol weak: they serve where nobody stronger does.
+# The objects of a library with every symbol made weak: a definition elsewhere takes precedence.
 function(add_weak_object output library)
   add_custom_command(OUTPUT ${output}
     COMMAND ${CMAKE_OBJCOPY} --weaken $<TARGET_OBJECTS:${library}> ${output}

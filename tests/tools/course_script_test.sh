@@ -9,7 +9,7 @@ trap 'rm -rf "$lab"' EXIT
 checks=0
 failures=0
 
-# ---- a machine: tools in bin/, headers in usr/include, apt's answers in files -------------------------------------
+# ---- a machine: tools in bin/, what CMake finds in found, apt's answers in files -------------------------------------
 
 machine() { # machine CLAIM: a new one, with everything installed, nothing built
     claim=$1
@@ -17,27 +17,22 @@ machine() { # machine CLAIM: a new one, with everything installed, nothing built
     tree="$lab/frame by frame"
     build="$tree/build/default"
     bin=$lab/bin
-    mkdir -p "$tree/tools/setup" "$tree/tools/commands" "$tree/cmake" "$tree/chapters" "$bin" "$lab/sources" "$lab/usr/include/eigen3/Eigen/src/Core/util" \
-        "$lab/usr/include/catch2" "$lab/usr/include/CLI" "$lab/usr/include/nlohmann/detail" "$lab/usr/include/x86_64-linux-gnu"
+    mkdir -p "$tree/tools/setup" "$tree/tools/commands" "$tree/cmake" "$tree/chapters" "$bin" "$lab/sources"
     cp "$checkout/course" "$tree/"
-    cp "$checkout"/tools/setup/*.sh "$tree/tools/setup/"
+    cp "$checkout"/tools/setup/* "$tree/tools/setup/"
     echo '{}' >"$tree/CMakePresets.json"
     : >"$tree/CMakeLists.txt"
     : >"$tree/chapters/course.hpp"
-    for tool in sh env cat sed awk grep cut head tail tr paste mkdir mv rm cp ls find date sleep sort install readlink flock touch getconf; do
+    for tool in sh env cat sed awk grep cut head tail tr paste mkdir mv rm cp ls find date sleep sort install readlink flock touch getconf mktemp tr; do
         ln -s "$(command -v "$tool")" "$bin/$tool" 2>/dev/null
     done
 
     fake id 'echo "$FAKE_ID"'
     fake ctest 'echo "ctest: $*"; exit "${FAKE_CTEST:-0}"'
-    fake ninja 'echo 1.11.1'
-    fake gnuplot 'echo gnuplot 5.4 patchlevel 4'
-    fake doxygen 'echo 1.9.4'
-    fake node 'echo v18.20.4'
-    fake c++ 'cat >/dev/null; echo "__clang_major__ __clang_minor__ 12 2 0"'
+    sed -n '/^[^#]/s/|.*/|fine|99/p' "$checkout/tools/setup/needs" >"$lab/found"
     fake cmake '
         case "$*" in
-        --version) echo cmake version 3.25.1 ;;
+        *-DCOURSE_LOOK=ON*) [ ! -e "$LAB/found" ] || cp "$LAB/found" "$4/found" ;;
         *--preset*) echo "cmake: $*" >>"$LAB/did"
             for build; do :; done
             [ "$build" != --fresh ] || { echo fresh >>"$LAB/did"; build="$LAB/frame by frame/build/default"; }
@@ -52,28 +47,6 @@ machine() { # machine CLAIM: a new one, with everything installed, nothing built
             fi ;;
         esac'
     ln -s "$(command -v chmod)" "$bin/chmod"
-    header() { printf '%s\n' "$2" >"$lab/usr/include/$1"; }
-    header eigen3/Eigen/src/Core/util/Macros.h '#define EIGEN_WORLD_VERSION 3
-#define EIGEN_MAJOR_VERSION 4
-#define EIGEN_MINOR_VERSION 0'
-    header catch2/catch_version_macros.hpp '#define CATCH_VERSION_MAJOR 3
-#define CATCH_VERSION_MINOR 7
-#define CATCH_VERSION_PATCH 1'
-    header CLI/Version.hpp '#define CLI11_VERSION "2.1.2"'
-    header nlohmann/detail/abi_macros.hpp '#define NLOHMANN_JSON_VERSION_MAJOR 3   // NOLINT
-#define NLOHMANN_JSON_VERSION_MINOR 11  // NOLINT
-#define NLOHMANN_JSON_VERSION_PATCH 2   // NOLINT'
-    header cmark_version.h '#define CMARK_VERSION_STRING "0.30.2"'
-    header pugixml.hpp '#	define PUGIXML_VERSION 1130 // 1.13'
-    header gmpxx.h ''
-    header x86_64-linux-gnu/gmp.h '#define __GNU_MP_VERSION            6
-#define __GNU_MP_VERSION_MINOR      2
-#define __GNU_MP_VERSION_PATCHLEVEL 1'
-    header gumbo.h ''
-    mkdir -p "$lab/usr/lib/x86_64-linux-gnu/pkgconfig" "$lab/usr/share/javascript/katex" "$lab/usr/share/javascript/lunr"
-    echo 'Version: 0.10.1' >"$lab/usr/lib/x86_64-linux-gnu/pkgconfig/gumbo.pc"
-    echo 'x={version:"0.16.4",render:y}' >"$lab/usr/share/javascript/katex/katex.js"
-    echo ' * lunr - A bit like Solr - 2.3.9' >"$lab/usr/share/javascript/lunr/lunr.js"
 }
 
 fake() {
@@ -95,7 +68,7 @@ with_apt() {
         *update*) [ ! -e "$LAB/offers.later" ] || mv "$LAB/offers.later" "$LAB/offers"
             [ ! -e "$LAB/targets.later" ] || mv "$LAB/targets.later" "$LAB/targets" ;;
         *--download-only*) ;;
-        *install*) cp -R "$LAB/away/." "$LAB/" ;;
+        *install*) sed "s/|.*/|fine|99/" "$LAB/all" >"$LAB/found" ;;
         esac'
     cat >"$lab/offers" <<'END'
 g++ 4:12.2.0-3
@@ -105,7 +78,8 @@ libeigen3-dev 3.4.0-4
 catch2 2.13.10-1
 libcli11-dev 2.1.2
 nlohmann-json3-dev 3.11.2-2
-libcmark-dev 0.30.2-6
+libfmt-dev 9.1.0+ds1-2
+libcmark-gfm-dev 0.29.0.gfm.6-6
 libpugixml-dev 1.13-0.2
 libgmp-dev 2:6.2.1
 gnuplot-nox 5.4.4
@@ -139,17 +113,17 @@ offers() { # offers PACKAGE VERSION: the release has this one
     mv "$lab/offers.new" "$lab/offers"
 }
 
-without() { # without FILE...: not installed yet
-    for file; do
-        mkdir -p "$lab/away/$(dirname "$file")"
-        mv "$lab/$file" "$lab/away/$file"
-    done
+without() { # without NAME...: CMake does not find it
+    for name; do has_only "$name" 'missing|'; done
 }
-catch2=usr/include/catch2/catch_version_macros.hpp
+has_only() { # has_only NAME VERDICT: what CMake says of it
+    cp "$lab/found" "$lab/all"
+    sed "s/^$1|.*/$1|$2/" "$lab/all" >"$lab/found"
+}
 
 # course ARGUMENT...: types it there; what it says is in $out and $err, its code in $code.
 course() {
-    (cd "$tree" && env -i PATH="$bin" HOME="$lab" LAB="$lab" COURSE_PREFIXES="$lab/usr" FAKE_ID="${who:-0}" FAKE_TOOL="${tool_leaves:-0}" \
+    (cd "$tree" && env -i PATH="$bin" HOME="$lab" LAB="$lab" FAKE_ID="${who:-0}" FAKE_TOOL="${tool_leaves:-0}" \
         FAKE_CTEST="${ctest_leaves:-0}" COURSE_BUILD="${elsewhere-}" ./course "$@") >"$lab/${mine-}out" 2>"$lab/${mine-}err" </dev/null
     code=$?
     echo "$code" >"$lab/${mine-}code"
@@ -336,25 +310,20 @@ done
 machine 'doctor: all is there'
 course doctor
 leaves_with 0
-is "$(grep -c found "$lab/out")" 16
-has "$out" 'found GCC 12.2.0, need GCC 12 or Clang 14'
-has "$out" 'pugixml         found 1.13, need 1.12'
-has "$out" 'gnuplot         found 5.4.4, need 5.4'
-has "$out" 'Gumbo           found 0.10.1, need 0.10'
-has "$out" 'Node.js         found 18.20.4, need 18'
-has "$out" 'KaTeX           found 0.16.4, need 0.16'
-has "$out" 'lunr            found 2.3.9, need 2.3'
+is "$(grep -c found "$lab/out")" "$(grep -c '^[^#]' "$checkout/tools/setup/needs")"
+has "$out" 'compiler    found 99, need GCC 12 or Clang 14'
+has "$out" 'gnuplot     found 99, need 5.4'
 
 claim='doctor: too old, missing, and what to type'
 with_apt
-without bin/gnuplot $catch2
-fake cmake 'echo cmake version 3.9.12'
-fake c++ 'cat >/dev/null; echo 13 1 4 2 1'
+without gnuplot Catch2
+has_only CMake 'too old|3.9.12'
+has_only compiler 'too old|Clang 13.1'
 course doctor
 leaves_with 2
-has "$out" 'CMake           found 3.9.12, need 3.25, type apt-get install cmake'
-has "$out" 'gnuplot         found nothing, need 5.4, type apt-get install gnuplot-nox'
-has "$out" 'Catch2          found nothing, need 3.0, type ./course setup'
+has "$out" 'CMake       found 3.9.12, need 3.25, type apt-get install cmake'
+has "$out" 'gnuplot     found nothing, need 5.4, type apt-get install gnuplot-nox'
+has "$out" 'Catch2      found nothing, need 3, type ./course setup'
 has "$out" 'found Clang 13.1, need GCC 12 or Clang 14, type apt-get install g++'
 who=1000 course doctor
 has "$out" 'let root type apt-get install gnuplot-nox'
@@ -363,17 +332,30 @@ who=1000 course doctor
 has "$out" 'type sudo apt-get install gnuplot-nox'
 
 machine 'a command on a machine without the tools says how to get them'
-without bin/cmake bin/gnuplot
+without CMake gnuplot
 course check 7
 leaves_with 2
 is "$err" 'course: missing here: CMake, gnuplot. Type ./course, which installs what is missing'
 
+machine 'without a compiler or CMake nothing can be looked for, so all is installed'
+with_apt
+offers libcatch2-dev 3.7.1-0.6
+cp "$lab/found" "$lab/all"
+rm "$lab/found"
+course doctor
+leaves_with 2
+has "$out" 'Only with them can the others be found'
+course setup
+leaves_with 0
+has "$did" ' g++ cmake ninja-build '
+has "$did" 'libcmark-gfm-dev libcmark-gfm-extensions-dev'
+
 machine 'another system: it lists names and versions, and stops'
-without bin/gnuplot $catch2
+without gnuplot Catch2
 course
 leaves_with 2
-has "$out" 'Catch2          3.0'
-has "$out" 'gnuplot         5.4'
+has "$out" 'Catch2      3'
+has "$out" 'gnuplot     5.4'
 is "$did" ''
 
 # ---- installing --------------------------------------------------------------------------------------------------
@@ -381,7 +363,7 @@ is "$did" ''
 installs='apt-get --quiet --yes install --no-install-recommends --no-remove'
 machine 'only what is missing is installed, without reading lists or adding sources in vain'
 with_apt
-without bin/gnuplot usr/include/gmpxx.h
+without gnuplot GMP
 course --yes
 leaves_with 0
 has "$did" "$installs --download-only libgmp-dev gnuplot-nox
@@ -392,7 +374,7 @@ is "$(ls "$lab/sources")" debian.sources
 
 machine 'Catch2 from backports: the stanza of Debian in deb822, with its key'
 with_apt
-without $catch2
+without Catch2
 course setup
 leaves_with 0
 is "$did" "apt-get --quiet --yes update -o Dir::Etc::SourceList=$lab/sources/frame-by-frame.sources -o Dir::Etc::SourceParts=- -o APT::Get::List-Cleanup=0
@@ -408,7 +390,7 @@ Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg'
 
 machine 'deb822 with comments, a switched-off stanza, a key of several lines and other options'
 with_apt
-without $catch2
+without Catch2
 targets "$lab/sources/debian.sources:2"
 cat >"$lab/sources/debian.sources" <<'END'
 # Written by an installer
@@ -448,14 +430,14 @@ Trusted: yes'
 
 machine 'one-line sources, with options and without'
 with_apt
-without $catch2
+without Catch2
 targets "$lab/sources.list:2"
 printf '# deb cdrom:[Debian 12]/ bookworm main\ndeb [ arch=amd64 signed-by=/k/d.gpg ] http://mirror.example/debian bookworm main contrib # mine\n' >"$lab/sources.list"
 course setup
 is "$(sed 1d "$lab/sources/frame-by-frame.list")" 'deb [ arch=amd64 signed-by=/k/d.gpg ] http://mirror.example/debian bookworm-backports main'
 machine 'one-line sources, without options'
 with_apt
-without $catch2
+without Catch2
 targets "$lab/sources.list:1"
 echo 'deb http://mirror.example/debian/ bookworm main' >"$lab/sources.list"
 course setup
@@ -463,7 +445,7 @@ is "$(sed 1d "$lab/sources/frame-by-frame.list")" 'deb http://mirror.example/deb
 
 machine 'a machine that has never read its lists: the source is announced as a possibility, then added'
 with_apt
-without $catch2
+without Catch2
 mv "$lab/offers" "$lab/offers.later"
 mv "$lab/targets" "$lab/targets.later"
 course setup
@@ -473,7 +455,7 @@ has "$out" 'adding the source bookworm-backports'
 
 machine 'a release with Catch2 3 of its own: no source'
 with_apt
-without $catch2
+without Catch2
 offers libcatch2-dev 3.7.1-0.6
 course setup
 leaves_with 0
@@ -481,14 +463,14 @@ is "$(ls "$lab/sources")" debian.sources
 has_not "$out" backports
 machine 'Ubuntu names it otherwise'
 with_apt
-without $catch2
+without Catch2
 offers catch2 3.4.0-1
 course setup
 has "$did" "$installs catch2"
 
 machine 'no backports to be had: said, and the source taken away again'
 with_apt
-without $catch2
+without Catch2
 : >"$lab/no-backports"
 course setup
 leaves_with 2
@@ -497,7 +479,7 @@ is "$(ls "$lab/sources")" debian.sources
 
 machine 'a release that is too old is found out before anything is installed'
 with_apt
-without bin/cmake $catch2
+without CMake Catch2
 offers cmake 3.18.4
 course
 leaves_with 2
@@ -506,7 +488,7 @@ has_not "$did" ' install '
 
 machine 'apt-get fails: one sentence each'
 with_apt
-without bin/gnuplot
+without gnuplot
 echo 'E: Could not get lock /var/lib/dpkg/lock-frontend. It is held by process 77 (unattended-upgr)' >"$lab/fails.apt"
 course
 leaves_with 2
@@ -540,7 +522,7 @@ on_terminal() {
     keys=$1
     shift
     (for key in $keys; do sleep 0.4; printf '%b' "$key"; done; sleep 0.2) |
-        (cd "$tree" && env -i PATH="$bin" SHELL=/bin/sh TERM=xterm HOME="$lab" LAB="$lab" COURSE_PREFIXES="$lab/usr" FAKE_ID=0 \
+        (cd "$tree" && env -i PATH="$bin" SHELL=/bin/sh TERM=xterm HOME="$lab" LAB="$lab" FAKE_ID=0 \
             "$script" -qec "./course $*" /dev/null) >"$lab/out" 2>"$lab/err"
     code=$?
     out=$(tr -d '\r' <"$lab/out")
@@ -553,7 +535,7 @@ script=$(command -v script)
 if script -qec true /dev/null >/dev/null 2>&1; then
     machine 'on a terminal it asks once, and takes no for an answer'
     with_apt
-    without bin/gnuplot
+    without gnuplot
     on_terminal 'n\n' setup
     leaves_with 2
     has "$out" 'Install them with apt-get? [Y/n]'

@@ -31,7 +31,10 @@ help_all() {
 # Everything a fresh machine needs, up to a checked book.
 everything() {
     take_build_folder
-    install_missing
+    if [ ! -f "$build/.looked" ] || [ -n "$(find "$root/tools/setup/needs" -newer "$build/.looked")" ]; then
+        install_missing
+        : >"$build/.looked"
+    fi
     configure
     make_the_program
     target 3 'programs' programs

@@ -1,179 +1,42 @@
 # shellcheck shell=sh
 # What a machine must have, and how it gets it. Read by ./course; it says what it does through steps.sh.
 
-# The table: key | name | least version | packages of Debian and Ubuntu that may have it, best first | why.
-needs() {
-    cat <<'END'
-compiler|C++20 compiler|12|g++|compiles your answers and everything else (or Clang 14)
-cmake|CMake|3.25|cmake|describes the build
-ninja|Ninja|1.10|ninja-build|does the build, and only what has changed
-eigen|Eigen|3.4|libeigen3-dev|vectors and matrices, in the chapters and in your answers
-catch2|Catch2|3.0|libcatch2-dev catch2|the tests are written with it
-cli11|CLI11|2.1|libcli11-dev|the command line of ./course
-json|nlohmann JSON|3.9|nlohmann-json3-dev|what the course keeps: your progress, lists of exercises
-cmark|cmark|0.30|libcmark-dev|reads the chapters, to prove that text and code agree
-pugixml|pugixml|1.12|libpugixml-dev|writes test reports, checks figures
-gmp|GMP with gmpxx|6.2|libgmp-dev|exact fractions, against which some tests judge
-gnuplot|gnuplot|5.4|gnuplot-nox|draws the figures
-doxygen|Doxygen|1.9.4|doxygen|makes pages of chapters and headers, for the book's site
-gumbo|Gumbo|0.10|libgumbo-dev|reads the site's pages, to finish them and to check their links
-node|Node.js|18|nodejs|runs KaTeX and lunr, while the site is built
-katex|KaTeX|0.16|libjs-katex|typesets the site's formulas
-lunr|lunr|2.3|libjs-lunr|the site's search
-END
-}
+# The table of what is needed: name | least version | packages | why.
+needs() { grep -v '^#' "$root/tools/setup/needs"; }
 
-# found KEY: prints the version that this machine has, or nothing.
-found() {
-    case $1 in
-    compiler) compiler ;;
-    cmake) cmake --version 2>/dev/null | sed -n 's/^cmake version //p' ;;
-    ninja) ninja --version 2>/dev/null ;;
-    gnuplot) gnuplot --version 2>/dev/null | sed -n 's/^gnuplot \([0-9.]*\) patchlevel /\1./p' ;;
-    eigen) defined EIGEN_WORLD_VERSION EIGEN_MAJOR_VERSION EIGEN_MINOR_VERSION in \
-        eigen3/Eigen/src/Core/util/Macros.h Eigen/src/Core/util/Macros.h eigen3/Eigen/Version Eigen/Version ;;
-    catch2) defined CATCH_VERSION_MAJOR CATCH_VERSION_MINOR CATCH_VERSION_PATCH in \
-        catch2/catch_version_macros.hpp catch2/catch.hpp ;;
-    cli11) defined CLI11_VERSION in CLI/Version.hpp CLI11/CLI11.hpp ;;
-    json) defined NLOHMANN_JSON_VERSION_MAJOR NLOHMANN_JSON_VERSION_MINOR NLOHMANN_JSON_VERSION_PATCH in \
-        nlohmann/detail/abi_macros.hpp nlohmann/json.hpp ;;
-    cmark) defined CMARK_VERSION_STRING in cmark_version.h ;;
-    pugixml) defined PUGIXML_VERSION in pugixml.hpp | sed 's/^\([0-9]\)\([0-9][0-9]\).*/\1.\2/' ;; # 1130 is 1.13
-    gmp) [ -z "$(header gmpxx.h)" ] ||
-        defined __GNU_MP_VERSION __GNU_MP_VERSION_MINOR __GNU_MP_VERSION_PATCHLEVEL in gmp.h ;;
-    doxygen) doxygen --version 2>/dev/null | sed 's/ .*//' ;;
-    gumbo)
-        file=$(beside lib/pkgconfig/gumbo.pc 'lib/*-linux-gnu*/pkgconfig/gumbo.pc')
-        [ -z "$file" ] || sed -n 's/^Version: //p' "$file"
-        ;;
-    node) { node --version || nodejs --version; } 2>/dev/null | sed 's/^v//' ;;
-    katex) script katex.js katex | grep -o '{version:"[0-9.]*"' | sed 's/[^0-9.]//g' ;;
-    lunr) script lunr.js lunr | sed -n 's/^ \* lunr - .* - \([0-9.]*\)$/\1/p' ;;
-    esac
-}
-
-# The compiler that CMake will take: CXX, or the first of these.
-compiler() {
-    for cxx in ${CXX:-c++ g++ clang++}; do
-        command -v "$cxx" >/dev/null || continue
-        # shellcheck disable=SC2046 # five words: the version of Clang, if it is one, and that of GCC
-        set -- $(echo __clang_major__ __clang_minor__ __GNUC__ __GNUC_MINOR__ __GNUC_PATCHLEVEL__ |
-            "$cxx" -E -P -x c++ - 2>/dev/null)
-        case ${1-} in
-        '') ;;
-        __clang_major__) echo "GCC $3.$4.$5" ;;
-        *) echo "Clang $1.$2" ;;
-        esac
-        return
-    done
-}
-
-# header NAME...: the first of these headers where compilers and CMake look.
-header() {
-    for name; do
-        set -- "$@" "include/$name" "include/*-linux-gnu*/$name"
-        shift
-    done
-    beside "$@"
-}
-
-# beside FILE...: the first of these files below one of the places where things are installed.
-beside() {
-    IFS=:
-    for prefix in ${CMAKE_PREFIX_PATH-} ${COURSE_PREFIXES:-/usr/local:/opt/homebrew:/usr}; do
-        for name; do
-            for file in "$prefix/"$name; do # a pattern, perhaps
-                if [ -f "$file" ]; then
-                    printf '%s\n' "$file"
-                    break 3
-                fi
-            done
-        done
-    done
-    unset IFS
-}
-
-# script FILE PACKAGE: the text of a library of JavaScript, as Debian or npm installs it.
-script() {
-    file=$(beside "share/javascript/$2/$1" "lib/node_modules/$2/dist/$1" "lib/node_modules/$2/$1")
-    [ -z "$file" ] || cat "$file"
-}
-
-# defined MACRO... in HEADER...: the macros' values, with dots between them, in the first of the headers there is.
-defined() {
-    macros=
-    while [ "$1" != in ]; do
-        macros="$macros $1"
-        shift
-    done
-    shift
-    file=$(header "$@")
-    [ -z "$file" ] || awk -v macros="$macros" '
-        { sub(/^[ \t]*#[ \t]*define/, "#define") }
-        $1 == "#define" && $3 != "" && !($2 in value) { value[$2] = $3; gsub(/"/, "", value[$2]) }
-        END {
-            n = split(macros, name, " ")
-            for (i = 1; i <= n; i++) printf "%s%s", (i > 1 ? "." : ""), value[name[i]]
-            print ""
-        }' "$file"
-}
-
-# at_least HAVE WANT: compares 3.25.1 with 3.25.
-at_least() {
-    have=$1
-    want=$2
-    while [ -n "$want" ]; do
-        h=${have%%.*}
-        h=${h%%[!0-9]*}
-        w=${want%%.*}
-        [ "${h:-0}" -le "$w" ] || return 0
-        [ "${h:-0}" -ge "$w" ] || return 1
-        case $have in *.*) have=${have#*.} ;; *) have= ;; esac
-        case $want in *.*) want=${want#*.} ;; *) want= ;; esac
-    done
-}
-
-# enough KEY FOUND LEAST
-enough() {
-    case $1:$2 in
-    *:) return 1 ;;
-    compiler:Clang*) at_least "${2#* }" 14 ;;
-    *) at_least "${2#GCC }" "$3" ;;
-    esac
-}
-
-# wanted KEY LEAST: the same for people.
-wanted() { case $1 in compiler) echo 'GCC 12 or Clang 14' ;; *) echo "$2" ;; esac; }
-
-# Lists in $lacking the lines of the table that this machine does not satisfy, each with what was found behind it.
+# Lists in $lacking the lines of the table that this machine does not satisfy, each followed by what was found.
+# CMake does the looking: cmake/Dependencies.cmake. Without a compiler, Ninja or a new enough CMake it cannot, and all
+# counts as missing; what is there after all apt-get leaves alone.
 find_lacking() {
-    lacking=
-    while IFS='|' read -r key name least packages why; do
-        version=$(found "$key")
-        enough "$key" "$version" "$least" || lacking="$lacking$key|$name|$least|$packages|$why|$version
-"
-    done <<END
-$(needs)
-END
+    look=$(mktemp -d) || complain 2 "cannot make a temporary folder. Make ${TMPDIR:-/tmp} writable, then type $again again"
+    cmake -S "$root" -B "$look" -G Ninja -DCOURSE_LOOK=ON >/dev/null 2>&1
+    found=$(cat "$look/found" 2>/dev/null)
+    rm -rf "$look"
+    lacking=$(needs | while IFS='|' read -r name rest; do
+        verdict=$(verdict_on "$name")
+        case $verdict in fine*) ;; *) printf '%s|%s|%s\n' "$name" "$rest" "${verdict#*|}" ;; esac
+    done)
 }
 
-each_lacking() { printf '%s' "$lacking"; }
-lacking_names() { each_lacking | cut -d'|' -f2 | paste -sd, - | sed 's/,/, /g'; }
+# verdict_on NAME: `fine|3.25.1`, `too old|3.18`, `missing|`, or nothing if it was not looked for.
+verdict_on() { printf '%s\n' "$found" | sed -n "s/^$1|//p"; }
+
+each_lacking() { [ -z "$lacking" ] || printf '%s\n' "$lacking"; }
+lacking_names() { each_lacking | cut -d'|' -f1 | paste -sd, - | sed 's/,/, /g'; }
+
+# wanted NAME LEAST: the least version, for people.
+wanted() { case $1 in compiler) echo 'GCC 12 or Clang 14' ;; *) echo "$2" ;; esac; }
 
 # What `./course doctor` prints: found X, need Y, and if that is not enough: type Z.
 doctor() {
-    lacking=
-    while IFS='|' read -r key name least packages _; do
-        version=$(found "$key")
-        if enough "$key" "$version" "$least"; then
-            printf '%-15s found %s, need %s\n' "$name" "$version" "$(wanted "$key" "$least")"
-        else
-            printf '%-15s found %s, need %s, %s\n' "$name" "${version:-nothing}" "$(wanted "$key" "$least")" "$(remedy)"
-            lacking=yes
-        fi
-    done <<END
-$(needs)
-END
+    find_lacking
+    needs | while IFS='|' read -r name least packages _; do
+        verdict=$(verdict_on "$name")
+        version=${verdict#*|}
+        case $verdict in fine*) remedy= ;; *) remedy=", $(remedy)" ;; esac
+        printf '%-11s found %s, need %s%s\n' "$name" "${version:-nothing}" "$(wanted "$name" "$least")" "$remedy"
+    done
+    [ -n "$found" ] || echo 'A compiler, Ninja or CMake 3.25 is missing. Only with them can the others be found.'
     [ -z "$lacking" ] || exit 2
 }
 
@@ -209,17 +72,17 @@ install_missing() {
     choose_all
     find_origin
     say 'The course needs what this machine does not have yet:'
-    each_lacking | while IFS='|' read -r _ name least packages why version; do
-        printf '  %-15s %-7s %-19s %s\n' "$name" "$least" "${packages%% *}" "$why${version:+; found here: $version}"
+    each_lacking | while IFS='|' read -r name least packages why version; do
+        printf '  %-11s %-7s %-19s %s\n' "$name" "$least" "$(echo "${packages%% *}" | sed 's/,.*//')" "$why${version:+; found here: $version}"
     done >&3
     announce_backports
     may_we
     become_root
-    if [ "${without:- catch2}" != ' catch2' ] || [ -z "$codename" ]; then
+    if [ "${without:- Catch2}" != ' Catch2' ] || [ -z "$codename" ]; then
         try 'lists of packages' apt update || :
         choose_all
     fi
-    [ "$without" != ' catch2' ] || add_backports
+    [ "$without" != ' Catch2' ] || add_backports
     [ -z "$without" ] || not_to_be_had
     fetch || { grep -Eq '404 |Hash Sum mismatch' "$log" && try 'lists of packages' apt update && fetch; } || explain
     try 'installing packages' install_whole || explain
@@ -230,8 +93,8 @@ install_missing() {
 
 ask_for_it_by_name() {
     say 'Only where apt-get is (Debian, Ubuntu and their kin) can the course install what it needs. Please install:'
-    each_lacking | while IFS='|' read -r _ name least _ why version; do
-        printf '  %-15s %-7s %s\n' "$name" "$least" "$why${version:+; found here: $version}"
+    each_lacking | while IFS='|' read -r name least _ why version; do
+        printf '  %-11s %-7s %s\n' "$name" "$least" "$why${version:+; found here: $version}"
     done >&3
     complain 2 'some tools are missing; they are listed above, each with the least version. Install them, then type ./course again'
 }
@@ -285,25 +148,27 @@ install_whole() {
 
 fetch() { try 'downloading packages' apt download; }
 
-# choose LEAST PACKAGES: the first of them that this system offers in a version that will do.
+# choose LEAST PACKAGES: the first of them that this system offers in a version that will do. (`a,b`: b belongs to a.)
 choose() {
     for package in $2; do
-        offered=$(LC_ALL=C apt-cache policy "$package" 2>/dev/null | sed -n 's/^ *Candidate: //p')
-        offered=${offered#*:} # the epoch
-        if at_least "${offered:-0}" "$1"; then
-            echo "$package"
+        offered=$(LC_ALL=C apt-cache policy "${package%%,*}" 2>/dev/null | sed -n 's/^ *Candidate: //p')
+        if at_least "${offered#*:}" "$1"; then # without the epoch
+            echo "$package" | tr , ' '
             return
         fi
     done
     return 1
 }
 
-# Of $lacking: the packages that will do in $chosen, the keys for which there is none in $without.
+# at_least HAVE WANT: compares 3.25.1-1 with 3.25.
+at_least() { [ "$(printf '%s\n' "$1" "$2" | sort -V | head -n 1)" = "$2" ]; }
+
+# Of $lacking: the packages that will do in $chosen, the names of those without one in $without.
 choose_all() {
     chosen=
     without=
-    while IFS='|' read -r key name least packages _; do
-        if package=$(choose "$least" "$packages"); then chosen="$chosen $package"; else without="$without $key"; fi
+    while IFS='|' read -r name least packages _; do
+        if package=$(choose "$least" "$packages"); then chosen="$chosen $package"; else without="$without $name"; fi
     done <<END
 $(each_lacking)
 END
@@ -354,7 +219,7 @@ backports_entry() {
 
 # Says that a source will be added, before it is.
 announce_backports() {
-    case $without in *catch2*) ;; *) return 0 ;; esac
+    case $without in *Catch2*) ;; *) return 0 ;; esac
     if [ -n "$codename" ]; then
         say "Debian's release $codename has no Catch2 3, but its backports have. So one source is added to apt's, for Catch2"
         say "alone: $backports_file, $codename-backports from $address"
@@ -375,7 +240,7 @@ add_backports() {
     try 'list of backports' apt update-backports
     choose_all
     case $without in
-    *catch2*)
+    *Catch2*)
         $sudo_if_needed rm -f "$backports_file"
         known_trouble
         complain 2 "$address has no $codename-backports with Catch2 3, so the added source was taken away again (the log: $log). Install Catch2 3 in another way, then type ./course again"
@@ -386,8 +251,8 @@ add_backports() {
 # After all lists were read, something is still not on offer.
 not_to_be_had() {
     known_trouble
-    complain 2 "apt's sources on this machine have no$(each_lacking | while IFS='|' read -r key name least _; do
-        case " $without " in *" $key "*) printf ', %s %s' "$name" "$least" ;; esac
+    complain 2 "apt's sources on this machine have no$(each_lacking | while IFS='|' read -r name least _; do
+        case " $without " in *" $name "*) printf ', %s %s' "$name" "$least" ;; esac
     done | sed 's/^,//') or later. Install that in another way, then type ./course again"
 }
 

@@ -80,6 +80,9 @@ give_up() {
     if grep -q 'No space left on device' "$log"; then
         complain 2 "the disk is full (seen while writing below $build). Free some space, then type $again"
     fi
+    if lacks=$(grep -o 'missing here: .*' "$log"); then # ninja has configured again, with a list of needs that is newer
+        complain 2 "$lacks Type ./course, which installs what is missing"
+    fi
     grep -v '^\[[0-9]*/[0-9]*\]' "$log" | tail -n 40 >&2 # without the steps of ninja that went well
     complain "$1" "\"$step\" failed, as shown above; the whole log is $log"
 }
@@ -88,7 +91,7 @@ give_up() {
 take_build_folder() {
     (mkdir -p "$build/log" && : >>"$build/.lock" && : >>"$build/log/ours") 2>/dev/null ||
         complain 2 "cannot write to the build folder $build. Make it yours, or name another one: COURSE_BUILD=/some/folder $again"
-    [ -z "${COURSE_LOCKED-}" ] || return 0 # whoever started us has taken it
+    [ -z "${COURSE_LOCKED-}" ] || return 0 # the process that started us has taken it
     exec 9>>"$build/.lock"
     if ! lock nowait; then
         IFS= read -r owner <"$build/.lock"
