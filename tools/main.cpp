@@ -1,6 +1,8 @@
 // The `course` program: finds its tree, lets each command add itself, and says every error in one sentence.
 
+#include "book/contents.hpp"
 #include "commands/commands.hpp"
+#include "ground/files.hpp"
 #include "ground/nearest.hpp"
 #include "ground/process.hpp"
 
@@ -140,6 +142,15 @@ int obey(int argc, char **argv) {
     return all_well;
 }
 
+/// A section that is not there may be one that book.md has to come.
+std::string explained(const UnknownSection &unknown) {
+    const std::filesystem::path book = find_tree().root / "book.md";
+    const std::string title = std::filesystem::exists(book) ? title_to_come(read_file(book), unknown.number) : "";
+    if (title.empty()) return unknown.what();
+    return "section " + std::to_string(unknown.number) + ", " + title
+           + ", is still to come; `./course list` shows those that are here";
+}
+
 int complain(const std::string &sentence, int code) {
     std::cout.flush();
     std::cerr << "course: " << sentence << '\n';
@@ -159,6 +170,8 @@ int main(int argc, char **argv) {
         return leave.code;
     } catch (const Interrupted &stop) {
         return 128 + stop.signal;
+    } catch (const UnknownSection &unknown) {
+        return complain(explained(unknown), bad_input);
     } catch (const Complaint &complaint) {
         return complain(complaint.what(), bad_input);
     } catch (const std::filesystem::filesystem_error &error) {

@@ -235,10 +235,9 @@ TEST_CASE("`course draw` writes the figure, and says which file it cannot write"
 
 TEST_CASE("a student's curve is drawn over the reference's where the script has a place for it") {
     const Place place;
-    place.write("plots/07_lines_rise.gp",
-                "#> Figure: x\nload 'style.gp'\nset output ARG2\n"
-                "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n"
-                "plot ARG1 using 1:2 with lines title 'reference', @yours\n");
+    place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\nset output ARG2\n"
+                                          "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n"
+                                          "plot ARG1 using 1:2 with lines title 'reference', @yours\n");
     place.write("mine's.tsv", "# t[s]\tx[m]\n0\t1\n3\t2\n");
     Figure figure = place.figure();
     CHECK(draws_student(figure.script));

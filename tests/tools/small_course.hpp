@@ -28,7 +28,7 @@ struct SmallCourse {
                   R"({"section": ")" + section.name + R"(", "exercises": [)" + exercise(section, "1", "core", "first")
                       + ", " + exercise(section, "2", "stretch", "second") + "]}");
         }
-        write("book.md", "| 8 | n–t collisions | *to come* | |\n");
+        write("book.md", "| | section |\n|--:|:--|\n| 8 | n–t collisions | *to come* |\n");
         write("chapters/06_reflection/README.md", "# 6 Reflection\n");
         write("chapters/07_wall_meeting/README.md", chapter);
         write("solutions/07_wall_meeting.cpp",

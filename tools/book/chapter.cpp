@@ -25,11 +25,12 @@ class FenceReader {
     void read(cmark_node *root) {
         each_node(root, [&](cmark_node *node) {
             if (cmark_node_get_type(node) == CMARK_NODE_CODE_BLOCK || cmark_node_get_type(node) == CMARK_NODE_HTML_BLOCK
-                || cmark_node_get_type(node) == CMARK_NODE_PARAGRAPH || cmark_node_get_type(node) == CMARK_NODE_HEADING)
+                || cmark_node_get_type(node) == CMARK_NODE_PARAGRAPH || cmark_node_get_type(node) == CMARK_NODE_HEADING
+                || is_table(node))
                 begins.insert(cmark_node_get_start_line(node));
         });
         each_node(root, [&](cmark_node *node) {
-            if (cmark_node_get_type(node) == CMARK_NODE_CODE_BLOCK) is_indented(node) ? lost_in(node) : fence(node);
+            if (cmark_node_get_type(node) == CMARK_NODE_CODE_BLOCK) code(node);
             if (cmark_node_get_type(node) == CMARK_NODE_HTML_BLOCK) lost_in(node);
         });
     }
@@ -37,23 +38,14 @@ class FenceReader {
   private:
     const Line &at(int line) const { return lines.at(static_cast<std::size_t>(line) - 1); }
 
-    /// Markdown also takes four blanks for code; cmark does not tell which kind it met, but only there is the first
-    /// line a part of the content.
-    bool is_indented(cmark_node *node) const {
-        const std::string_view line = at(cmark_node_get_start_line(node)).text;
-        const auto column = static_cast<std::size_t>(cmark_node_get_start_column(node) - 1);
-        const std::string code = literal(node);
-        const std::string_view before = line.substr(0, column);
-        return (before.ends_with("    ") || before.ends_with('\t')) && code.starts_with(line.substr(column));
-    }
-
-    void fence(cmark_node *node) {
+    /// Code is in a fence, or indented by four blanks.
+    void code(cmark_node *node) {
         Fence found;
+        int length = 0, indent = 0;
+        if (cmark_node_get_fenced(node, &length, &indent, &found.sign) == 0) return lost_in(node);
+        found.length = static_cast<std::size_t>(length);
         found.line = cmark_node_get_start_line(node);
         found.column = static_cast<std::size_t>(cmark_node_get_start_column(node) - 1);
-        const std::string_view opening = at(found.line).text.substr(found.column);
-        found.sign = opening.front();
-        found.length = run_of(found.sign, opening);
         found.language = cmark_node_get_fence_info(node);
         const std::string code = literal(node);
         for (const Line &line : lines_of(code)) found.content.emplace_back(line.text);
@@ -160,7 +152,7 @@ std::vector<Hint> hints(const Tree &tree, const Section &section) {
         const std::string html = is_html(node) ? literal(node) : "";
         std::smatch found;
         if (!std::regex_search(html, found, summary)) return;
-        std::string body = found[3]; // what stands below it without an empty line
+        std::string body = found[3]; // text directly below the summary, without an empty line between
         cmark_node *const end = end_of_fold(node);
         const int last = end ? cmark_node_get_start_line(end) - 1 : static_cast<int>(lines.size());
         for (int line = cmark_node_get_end_line(node); line < last; ++line)
@@ -222,12 +214,14 @@ template <class Read> void each_match(std::string_view text, const std::regex &p
 } // namespace
 
 std::vector<ListedExercise> exercise_table(std::string_view chapter) {
-    static const std::regex row{R"(\|[ \t]*(\d+\.\d+)[ \t]*\|[ \t]*`(\w+)`[^|\n]*\|[ \t]*(\w+)[ \t]*\|)"};
-    std::vector<ListedExercise> rows;
-    each_match(chapter, row, [&](const std::cmatch &found, int line) {
-        rows.push_back({found[1], found[2], found[3], line});
-    });
-    return rows;
+    static const std::regex number{R"(\d+\.\d+)"};
+    std::vector<ListedExercise> exercises;
+    for (const Table &table : tables(chapter))
+        for (const auto &[line, cells] : table)
+            if (cells.size() > 2 && std::regex_match(cells[0].words, number))
+                exercises.push_back(
+                    {cells[0].words, cells[1].words.substr(0, cells[1].words.find(':')), cells[2].words, line});
+    return exercises;
 }
 
 std::vector<ListedExercise> declared_exercises(std::string_view header) {

@@ -1,5 +1,5 @@
 #pragma once
-// What stands in a chapter: its listings, hints, exercises. Markdown is read by cmark; nothing here guesses at it.
+// The parts of a chapter: its listings, hints and exercises. The Markdown is parsed by cmark-gfm.
 
 #include "book/chunks.hpp"
 #include "book/finding.hpp"
@@ -20,13 +20,13 @@ struct Fence {
     std::size_t column = 0;           ///< bytes before its opening
     std::size_t length = 3;           ///< of the opening: "```" has 3
     char sign = '`';                  ///< or '~'
-    std::string language;             ///< "cpp", "console"; what stands behind the opening
+    std::string language;             ///< "cpp", "console": the rest of the opening line
     std::vector<std::string> content; ///< without what a quote or a list puts before each line
 };
 
 struct Chapter {
     std::vector<Fence> fences;
-    std::vector<Finding> broken; ///< fences and folds without an end: what stands below them is not what it seems
+    std::vector<Finding> broken; ///< fences and folds without an end; the text below them would be read wrongly
 };
 
 /// Reads a chapter's text; findings will name `file`.

@@ -12,7 +12,7 @@
 
 namespace course {
 
-/// What stands behind `//>` or `#>`, if the line is such a mark; empty if it is a bare one.
+/// The text after `//>` or `#>`, if the line is such a mark; empty for a bare mark.
 std::optional<std::string> mark_title(std::string_view line);
 
 struct Chunk {
@@ -27,7 +27,7 @@ struct Chunk {
 std::vector<Chunk> cut(const std::filesystem::path &file);
 
 /// The first line before any mark that is more than an include, a pragma, a `using`, a namespace or a comment: code
-/// that a reader of the chapter would miss. (What is to be left out stands behind a bare mark.)
+/// that a reader of the chapter would miss. (Code that is to be left out follows a bare mark.)
 std::optional<Finding> unmarked_code(const std::filesystem::path &file);
 
 } // namespace course

@@ -1,22 +1,37 @@
 #pragma once
-// Where a section is listed: its line in CMakeLists.txt, and its entry in the contents of book.md.
+// Where a section is listed: its line in CMakeLists.txt, and its row in the contents of book.md.
 
 #include "ground/tree.hpp"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace course {
 
-/// CMakeLists.txt with the line section(NN_slug), in the order of the numbers.
-/// @throws Complaint if it has no such line yet, so that nobody knows where to put it.
-std::string with_section(const std::string &cmake_lists, const Section &section);
+/// A row of book.md's contents: `| 7 | [Walls](chapters/07_walls/README.md) | what it is about | 90 + 150 |`.
+struct Entry {
+    int line = 0; ///< from 1
+    int number = 0;
+    std::string title;
+    std::string chapter; ///< what the title links to; "" for a section to come
+    std::string minutes; ///< "" if there is no such column
+    std::size_t columns = 0;
+};
+
+/// The rows of the first table with a row that begins with a number.
+std::vector<Entry> contents(std::string_view book);
 
 /// The title under which book.md has a section of that number to come: "Collisions" in `| 8 | Collisions | *to come* |`;
 /// "" if it has none.
-std::string title_to_come(const std::string &book, int number);
+std::string title_to_come(std::string_view book, int number);
 
-/// book.md with the section's entry in its contents; one "to come" of that number gives way to it.
-/// @throws Complaint if no contents are found.
+/// book.md with a row for the section in its contents, in the place of one to come if that is there.
+/// @throws Complaint if there are no contents.
 std::string with_entry(const std::string &book, const Section &section, const std::string &title);
+
+/// CMakeLists.txt with the line section(NN_slug), in the order of the numbers.
+/// @throws Complaint if it has no such line yet, so that there is no place for it.
+std::string with_section(const std::string &cmake_lists, const Section &section);
 
 } // namespace course

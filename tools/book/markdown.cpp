@@ -2,12 +2,14 @@
 
 #include "ground/lines.hpp"
 
+#include <cmark-gfm-core-extensions.h>
+
 #include <regex>
 
 namespace course {
 namespace {
 
-/// Where the formula or the code that begins here ends, or nowhere: then the character stands for itself.
+/// Where the formula or the code that begins here ends; npos if it does not end, and the character is an ordinary one.
 std::size_t end_of_span(std::string_view text, std::size_t start, std::size_t fence) {
     const std::string_view closing = text.substr(start, fence);
     for (std::size_t at = start + fence; (at = text.find(closing, at)) != text.npos;) {
@@ -45,11 +47,54 @@ void take_out(std::string_view paragraph, WithoutFormulas &result) {
 
 } // namespace
 
+Document parse_markdown(std::string_view text, int options) {
+    cmark_gfm_core_extensions_ensure_registered();
+    const std::unique_ptr<cmark_parser, decltype(&cmark_parser_free)> parser{cmark_parser_new(options),
+                                                                             &cmark_parser_free};
+    cmark_parser_attach_syntax_extension(parser.get(), cmark_find_syntax_extension("table"));
+    cmark_parser_feed(parser.get(), text.data(), text.size());
+    return Document{cmark_parser_finish(parser.get())};
+}
+
+bool is_table(cmark_node *node) { return std::string_view{cmark_node_get_type_string(node)} == "table"; }
+
+namespace {
+
+Cell read_cell(cmark_node *cell) {
+    std::string link;
+    each_node(cell, [&](cmark_node *node) {
+        if (link.empty() && cmark_node_get_type(node) == CMARK_NODE_LINK) link = cmark_node_get_url(node);
+    });
+    return {words_of(cell), link};
+}
+
+Table read_table(cmark_node *table) {
+    Table rows;
+    for (cmark_node *row = cmark_node_first_child(table); row; row = cmark_node_next(row)) {
+        if (cmark_gfm_extensions_get_table_row_is_header(row) != 0) continue;
+        rows.push_back({cmark_node_get_start_line(row), {}});
+        for (cmark_node *cell = cmark_node_first_child(row); cell; cell = cmark_node_next(cell))
+            rows.back().cells.push_back(read_cell(cell));
+    }
+    return rows;
+}
+
+} // namespace
+
+std::vector<Table> tables(std::string_view text) {
+    const Document document = parse_markdown(text);
+    std::vector<Table> result;
+    each_node(document.get(), [&](cmark_node *node) {
+        if (is_table(node)) result.push_back(read_table(node));
+    });
+    return result;
+}
+
 WithoutFormulas take_out_formulas(std::string_view text) {
     const Document document = parse_markdown(text);
     std::vector<std::size_t> paragraph_end(lines_of(text).size() + 1); // 0: no paragraph begins on this line
     each_node(document.get(), [&](cmark_node *node) {
-        if (cmark_node_get_type(node) != CMARK_NODE_PARAGRAPH) return;
+        if (cmark_node_get_type(node) != CMARK_NODE_PARAGRAPH && !is_table(node)) return;
         paragraph_end.at(static_cast<std::size_t>(cmark_node_get_start_line(node)) - 1) =
             static_cast<std::size_t>(cmark_node_get_end_line(node));
     });
@@ -115,8 +160,18 @@ struct PlainWriter {
             const std::string words = std::regex_replace(literal(node), tag, "");
             return words.find_first_not_of(" \n") == words.npos ? "" : words;
         }
-        default: return "";
+        default: return is_table(node) ? table(node) : "";
         }
+    }
+
+    std::string table(cmark_node *node) {
+        std::string out;
+        for (cmark_node *row = cmark_node_first_child(node); row; row = cmark_node_next(row)) {
+            for (cmark_node *cell = cmark_node_first_child(row); cell; cell = cmark_node_next(cell))
+                out += (cmark_node_previous(cell) ? " | " : "") + inlines(cell);
+            out += '\n';
+        }
+        return out;
     }
 
     std::string blocks(cmark_node *parent, std::string_view between) {
@@ -141,9 +196,9 @@ struct PlainWriter {
 
 } // namespace
 
-std::string words_of(cmark_node *heading) {
+std::string words_of(cmark_node *parent) {
     std::string words;
-    each_node(heading, [&](cmark_node *node) {
+    each_node(parent, [&](cmark_node *node) {
         const cmark_node_type type = cmark_node_get_type(node);
         if (type == CMARK_NODE_TEXT || type == CMARK_NODE_CODE) words += literal(node);
         if (type == CMARK_NODE_SOFTBREAK) words += ' ';

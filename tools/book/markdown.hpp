@@ -1,7 +1,7 @@
 #pragma once
-// cmark, the reference reader of Markdown, in C++ clothes.
+// cmark-gfm, the reader of Markdown that forges use, tables included, with C++ types.
 
-#include <cmark.h>
+#include <cmark-gfm.h>
 
 #include <memory>
 #include <string>
@@ -16,9 +16,7 @@ struct FreeNode {
 using Document = std::unique_ptr<cmark_node, FreeNode>;
 
 /// Lines are counted from 1. A byte-order mark is not expected.
-inline Document parse_markdown(std::string_view text, int options = CMARK_OPT_DEFAULT) {
-    return Document{cmark_parse_document(text.data(), text.size(), options)};
-}
+Document parse_markdown(std::string_view text, int options = CMARK_OPT_DEFAULT);
 
 /// Visits every node, in the order of the text.
 template <class Visit> void each_node(cmark_node *root, Visit visit) {
@@ -32,8 +30,25 @@ inline std::string literal(cmark_node *node) {
     return text ? text : "";
 }
 
-/// What a heading, or a link, says: its words and code, without stars or backticks.
-std::string words_of(cmark_node *heading);
+/// What a heading, a link or a cell of a table says: its words and code, without stars or backticks.
+std::string words_of(cmark_node *parent);
+
+bool is_table(cmark_node *node);
+
+/// A cell of a table.
+struct Cell {
+    std::string words;
+    std::string link; ///< where its first link leads to; "" without one
+};
+
+struct Row {
+    int line = 0; ///< from 1
+    std::vector<Cell> cells;
+};
+using Table = std::vector<Row>; ///< without its head
+
+/// All tables of a text, in its order.
+std::vector<Table> tables(std::string_view text);
 
 /// What stood between `$` and `$`, or `$$` and `$$`.
 struct Formula {
@@ -41,7 +56,7 @@ struct Formula {
     bool display = false; ///< on a line of its own
 };
 
-/// A text whose formulas were taken out, since Markdown knows none and would eat their backslashes.
+/// A text whose formulas were taken out: Markdown has none, and would read their backslashes as escapes.
 struct WithoutFormulas {
     static constexpr std::string_view stand_in = "\xEE\x80\x80"; ///< a private character, U+E000, for each formula
     std::string text;                                            ///< with as many lines as before
@@ -49,7 +64,7 @@ struct WithoutFormulas {
 };
 WithoutFormulas take_out_formulas(std::string_view text);
 
-/// A piece of Markdown as somebody would read it in a terminal: no `$`, backticks, stars or braces, formulas as plain
+/// A piece of Markdown as it is shown in a terminal: no `$`, backticks, stars or braces, formulas as plain
 /// as can be ("|w| ≤ √2"), one sentence a line as it was written.
 std::string plain_text(std::string_view markdown);
 

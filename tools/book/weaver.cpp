@@ -8,6 +8,7 @@
 #include "ground/nearest.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <map>
 #include <regex>
 
@@ -52,7 +53,7 @@ namespace {
 struct Wanted {
     std::vector<std::string> lines;
     std::string title;                              ///< "the output", "A normal"
-    std::function<std::string(std::size_t)> source; ///< where its n-th line stands: "chapters/.../main.cpp:12"
+    std::function<std::string(std::size_t)> source; ///< where its n-th line comes from: "chapters/.../main.cpp:12"
 };
 
 class Weaver {
@@ -70,8 +71,7 @@ class Weaver {
     }
 
   private:
-    std::string name_of(const fs::path &file) const { return file.lexically_relative(tree.root).generic_string(); }
-    std::string place(const Chunk &chunk) const { return name_of(chunk.file) + ':' + std::to_string(chunk.line); }
+    std::string place(const fs::path &file, int line) const { return fmt::format("{}:{}", tree.shown(file), line); }
     void find(const fs::path &file, int line, std::string message) {
         result.findings.push_back({file, line, std::move(message)});
     }
@@ -106,12 +106,13 @@ class Weaver {
             for (Chunk &chunk : cut(file)) {
                 if (chunk.lines.size() == 1)
                     find(file, chunk.line,
-                         "the chunk \"" + chunk.title + "\" is empty; write its code below, or take the mark out.");
+                         fmt::format("the chunk \"{}\" is empty; write its code below, or take the mark out.",
+                                     chunk.title));
                 const auto [first, is_new] = chunks.try_emplace(chunk.title, chunk);
                 if (!is_new)
                     find(file, chunk.line,
-                         "a chunk called \"" + chunk.title + "\" stands in " + place(first->second)
-                             + " already; give one of them another title.");
+                         fmt::format("a chunk called \"{}\" stands in {} already; give one of them another title.",
+                                     chunk.title, place(first->second.file, first->second.line)));
             }
         for (const fs::path &file : page.whole)
             if (const auto finding = unmarked_code(file)) result.findings.push_back(*finding);
@@ -121,9 +122,9 @@ class Weaver {
         for (const auto &[title, chunk] : chunks)
             if (!shown.contains(title))
                 find(chunk.file, chunk.line,
-                     "the chunk \"" + title + "\" is not shown in " + name_of(page.file)
-                         + "; put a fence there whose first line is `" + chunk.lines.front()
-                         + "`, or take the title out of the mark if the code is to stay out.");
+                     fmt::format("the chunk \"{}\" is not shown in {}; put a fence there whose first line is `{}`, or "
+                                 "take the title out of the mark if the code is to stay out.",
+                                 title, tree.shown(page.file), chunk.lines.front()));
     }
 
     /// Nothing if the fence is not woven, or cannot be.
@@ -145,19 +146,19 @@ class Weaver {
             std::vector<std::string> titles;
             for (const auto &each : chunks) titles.push_back(each.first);
             return find(page.file, line,
-                        "there is no chunk called \"" + title + "\"; write that mark into the code, or correct it here."
-                            + did_you_mean(title, titles)),
+                        fmt::format("there is no chunk called \"{}\"; write that mark into the code, or correct it "
+                                    "here.{}",
+                                    title, did_you_mean(title, titles))),
                    std::nullopt;
         }
         const auto [first, is_new] = shown.try_emplace(title, line);
         if (!is_new)
             find(page.file, line,
-                 "the chunk \"" + title + "\" is shown in line " + std::to_string(first->second)
-                     + " already; keep one of the two.");
+                 fmt::format("the chunk \"{}\" is shown in line {} already; keep one of the two.", title,
+                             first->second));
         const Chunk &found = chunk->second;
-        return Wanted{found.lines, '"' + title + '"', [this, found](std::size_t n) {
-                          return name_of(found.file) + ':' + std::to_string(found.line + static_cast<int>(n));
-                      }};
+        return Wanted{found.lines, '"' + title + '"',
+                      [this, found](std::size_t n) { return place(found.file, found.line + static_cast<int>(n)); }};
     }
 
     std::optional<Wanted> output_in(const Fence &fence) {
@@ -191,7 +192,7 @@ class Weaver {
         const std::string_view end = lines[opening].end;
         const std::string_view first = lines[opening + 1].text, inside = fence.content.front();
         if (!first.ends_with(inside))
-            throw Complaint{name_of(page.file) + ':' + std::to_string(fence.line + 1)
+            throw Complaint{place(page.file, fence.line + 1)
                             + ": write the start of this line with blanks instead of tabs, so that it can be woven."};
         const std::string prefix{first.substr(0, first.size() - inside.size())}; // what a quote or a list wants there
 
@@ -219,8 +220,9 @@ class Weaver {
             const std::size_t line = std::min(i, old_size - 1),
                               in_source = std::clamp<std::size_t>(i, 1, wanted.lines.size()) - 1;
             result.differences.push_back({page.file, fence.line + static_cast<int>(line),
-                                          wanted.title + " differs here from " + wanted.source(in_source)
-                                              + "; type ./course weave, or correct the code if the text is right."});
+                                          fmt::format("{} differs here from {}; type ./course weave, or correct the "
+                                                      "code if the text is right.",
+                                                      wanted.title, wanted.source(in_source))});
             return;
         }
     }
@@ -254,21 +256,23 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section) {
         };
     };
     for (const ListedExercise &one : declared) {
-        const std::string row = "| " + one.number + " | `" + one.function + "`: ... | " + one.tier + " |";
         if (std::none_of(rows.begin(), rows.end(), same(one)))
             missing.push_back(
-                {header, one.line, "the chapter's table has no row for this exercise; write `" + row + "` there."});
+                {header, one.line,
+                 fmt::format("the chapter's table has no row for this exercise; write `| {} | `{}`: ... | {} |` there.",
+                             one.number, one.function, one.tier)});
         if (std::none_of(all_hints.begin(), all_hints.end(),
                          [&](const Hint &hint) { return hint.number == one.number; }))
             missing.push_back({header, one.line,
-                               "the chapter has no hint for " + one.number + "; write a fold `<summary>" + one.number
-                                   + ", a hint: ...</summary>`."});
+                               fmt::format("the chapter has no hint for {0}; write a fold `<summary>{0}, a hint: "
+                                           "...</summary>`.",
+                                           one.number)});
         const std::string title = "Solution " + one.number;
         if (std::none_of(solutions.begin(), solutions.end(),
                          [&](const Chunk &c) { return c.title == title || c.title.starts_with(title + ":"); }))
             missing.push_back(
                 {tree.solution(section), 1,
-                 "no chunk is the solution of " + one.number + "; write `//> " + title + ": ...` above it."});
+                 fmt::format("no chunk is the solution of {}; write `//> {}: ...` above it.", one.number, title)});
     }
     for (const ListedExercise &row : rows)
         if (std::none_of(declared.begin(), declared.end(), same(row)))
@@ -279,7 +283,8 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section) {
         if (const std::string svg = figure.stem().string() + ".svg"; text.find("/" + svg + ")") == text.npos)
             missing.push_back(
                 {figure, 1,
-                 "the chapter does not show this figure; put `![what it shows](../../plots/" + svg + ")` there."});
+                 fmt::format("the chapter does not show this figure; put `![what it shows](../../plots/{})` there.",
+                             svg)});
     return missing;
 }
 

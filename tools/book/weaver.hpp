@@ -15,7 +15,7 @@ namespace course {
 /// A chapter, or book.md, and the code that it shows.
 struct Page {
     std::filesystem::path file;
-    std::vector<std::filesystem::path> code;  ///< every chunk of these stands on the page, once
+    std::vector<std::filesystem::path> code;  ///< the page shows every chunk of these, once
     std::vector<std::filesystem::path> whole; ///< those of them that are in chunks from their includes on
 };
 

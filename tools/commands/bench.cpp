@@ -60,7 +60,7 @@ void bench_loop(const Tree &tree, const Section &section, int runs) {
 /// Builds a section's benchmark, which is in no other target, and runs it: it prints a table, and writes its trace.
 void bench_program(const Tree &tree, const Section &section) {
     const std::string target = section.name + "_bench";
-    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
+    const Finished built = build_target(tree, target);
     if (built.code != 0)
         throw Complaint{"the benchmark of " + section.name
                         + " cannot be built: " + first_error(built.out + '\n' + built.err)};

@@ -5,6 +5,7 @@
 #include "ground/process.hpp"
 #include "ground/terminal.hpp"
 #include "loop/catalogue.hpp"
+#include "loop/programs.hpp"
 
 #include <array>
 #include <cerrno>
@@ -61,7 +62,7 @@ std::string typed(const std::vector<std::string> &command) {
 
 void build(const Tree &tree, const Section &section) {
     const Lock lock{tree};
-    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", section.name + "_debug"});
+    const Finished built = build_target(tree, section.name + "_debug");
     if (built.code == 0) return;
     std::cerr << built.out << built.err
               << "course: this does not compile, so there is nothing to debug yet; ./course check "

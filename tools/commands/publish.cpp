@@ -26,7 +26,7 @@ void publish_all(const Tree &tree, const std::vector<Section> &sections) {
     std::size_t count = 0;
     for (const Section &section : sections)
         for (const auto &file : publish(tree, section)) {
-            std::cout << file.lexically_relative(tree.root).string() << '\n';
+            std::cout << tree.shown(file) << '\n';
             ++count;
         }
     if (count == 0) std::cout << "The published figures are up to date.\n";

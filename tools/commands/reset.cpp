@@ -11,13 +11,9 @@
 namespace course {
 namespace {
 
-std::string name_of(const Tree &tree, const std::filesystem::path &file) {
-    return file.lexically_relative(tree.root).generic_string();
-}
-
 void reset(const Tree &tree, const std::string &words, bool yes) {
     const Section section = tree.section(words);
-    const std::string file = name_of(tree, tree.exercise(section)), number = section.short_number();
+    const std::string file = tree.shown(tree.exercise(section)), number = section.short_number();
     if (words.find('.') != std::string::npos && words.find_first_not_of("0123456789.") == std::string::npos)
         throw Complaint{"`reset` brings back a whole section, not one exercise of it: ./course reset " + number};
 
@@ -41,7 +37,7 @@ void reset(const Tree &tree, const std::string &words, bool yes) {
     }
     const std::filesystem::path copy = keep_copy(tree, section);
     write_file(tree.exercise(section), empty);
-    std::cout << file << " is the empty one again. Yours is kept: " << name_of(tree, copy) << '\n';
+    std::cout << file << " is the empty one again. Yours is kept: " << tree.shown(copy) << '\n';
 }
 
 } // namespace

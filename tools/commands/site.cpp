@@ -2,7 +2,7 @@
 
 #include "commands/commands.hpp"
 #include "ground/lock.hpp"
-#include "ground/process.hpp"
+#include "loop/programs.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 /// Brings the site up to date by the build.
 void bring_up(const Tree &tree) {
     const Lock lock{tree};
-    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", "site"});
+    const Finished built = build_target(tree, "site");
     if (built.code == 0) return;
     const std::string printed = built.out + built.err;
     const auto said = printed.find("course: ");

@@ -33,8 +33,7 @@ std::string output_of(const Tree &tree, const Section &section, const std::strin
         throw Complaint{name + " is not built, so its output cannot be woven; ./course builds it."};
     for (const fs::path &code : {tree.header(section), tree.program(section), tree.solution(section)})
         if (fs::last_write_time(code) > fs::last_write_time(program))
-            throw Complaint{name + " is older than " + code.lexically_relative(tree.root).generic_string()
-                            + "; ./course builds it anew."};
+            throw Complaint{name + " is older than " + tree.shown(code) + "; ./course builds it anew."};
 
     const fs::path traces = tree.build / "weave" / section.name;
     fs::create_directories(traces);
@@ -76,7 +75,7 @@ class Command {
     void finish() {
         std::sort(findings.begin(), findings.end());
         for (const Finding &finding : findings)
-            std::cout << name_of(finding.file) << ':' << finding.line << ": " << finding.message << '\n';
+            std::cout << tree.shown(finding.file) << ':' << finding.line << ": " << finding.message << '\n';
         if (!findings.empty()) throw Leave{something_to};
         if (!changed)
             std::cout << counted(chapters, "chapter") << ", " << counted(listings, "listing") << ", "
@@ -84,7 +83,6 @@ class Command {
     }
 
   private:
-    std::string name_of(const fs::path &file) const { return file.lexically_relative(tree.root).generic_string(); }
     void add(const std::vector<Finding> &more) { findings.insert(findings.end(), more.begin(), more.end()); }
 
     /// Whether the page could be read, with all its fences.
@@ -102,7 +100,7 @@ class Command {
             add(dead_links(page.file, tree.root));
         } else if (write_file(page.file, woven.text)) {
             changed = true;
-            std::cout << "woven: " << name_of(page.file) << ", "
+            std::cout << "woven: " << tree.shown(page.file) << ", "
                       << counted(static_cast<int>(woven.differences.size()), "block") << " changed\n";
         }
         listings += woven.listings;

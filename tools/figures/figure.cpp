@@ -56,7 +56,7 @@ std::string without_comments(std::string_view script) {
     return code;
 }
 
-/// From here to the first blank that is not in brackets: what stands behind `using`.
+/// From here to the first blank that is not in brackets: what follows `using`.
 std::string_view specification(std::string_view code) {
     int depth = 0;
     std::size_t end = 0;

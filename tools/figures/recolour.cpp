@@ -29,7 +29,7 @@ void drop_empty_groups(pugi::xml_node node) {
     }
 }
 
-/// "rgb( 59, 130, 246)" as "#3b82f6"; what is no such triple stays as it is.
+/// "rgb( 59, 130, 246)" as "#3b82f6"; anything else stays as it is.
 std::string as_hex(const std::string &colour) {
     static const std::regex triple{R"(rgb\(\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\))"};
     std::smatch found;
@@ -63,7 +63,7 @@ bool draws_in_color(pugi::xml_node node, std::string_view stroke) {
 }
 
 void recolour_all(pugi::xml_node node, const Colours &colours, const std::string &name, Used &used) {
-    if (is(node, {"defs"})) return; // symbols take the colour of whoever uses them
+    if (is(node, {"defs"})) return; // symbols take the colour of the element that uses them
     if (!draws_in_color(node, "none")) node.remove_attribute("color");
     for (const char *attribute : {"color", "fill", "stroke"}) recolour(node.attribute(attribute), colours, name, used);
     for (const pugi::xml_node child : node.children()) recolour_all(child, colours, name, used);

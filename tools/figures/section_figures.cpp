@@ -2,7 +2,6 @@
 
 #include "figures/trace.hpp"
 #include "ground/files.hpp"
-#include "ground/process.hpp"
 #include "loop/programs.hpp"
 
 #include <algorithm>
@@ -59,7 +58,7 @@ std::vector<Figure> figures_of(const Tree &tree, const Section &section) {
 fs::path drawn(const Tree &tree, const Figure &figure) { return tree.build / "plots" / (figure.name() + ".svg"); }
 
 void draw_figures(const Tree &tree, const Section &section) {
-    const Finished built = run({"cmake", "--build", tree.build.string(), "--target", section.name + "_figures"});
+    const Finished built = build_target(tree, section.name + "_figures");
     if (built.code == 0) return;
     const std::string printed = built.out + '\n' + built.err;
     std::istringstream lines{printed};

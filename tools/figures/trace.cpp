@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace course {
 namespace {
 
-constexpr std::uintmax_t most_read = 64u << 20; // [bytes] a figure has thousands of rows; this is a program gone wild
+constexpr std::uintmax_t most_read = 64u << 20; // [bytes] a figure has thousands of rows, so a larger file is a mistake
 
 std::vector<std::string> split(std::string_view line, char at) {
     std::vector<std::string> parts;
@@ -37,8 +38,10 @@ std::vector<std::string> parse_header(std::string_view line, const std::string &
     if (line.starts_with("# ")) columns = split(line.substr(2), '\t');
     for (const std::string &title : columns)
         if (!has_unit(title))
-            throw TraceFault{TraceFault::malformed, name + ", line 1: the column \"" + title
-                                                        + "\" has no unit; write its name and unit, as in x[m]"};
+            throw TraceFault{
+                TraceFault::malformed,
+                fmt::format("{}, line 1: the column \"{}\" has no unit; write its name and unit, as in x[m]", name,
+                            title)};
     if (columns.empty())
         throw TraceFault{TraceFault::malformed,
                          name + ", line 1: a trace begins with its columns, as in \"# t[s]<tab>x[m]\""};
@@ -50,35 +53,31 @@ double parse_number(const std::string &word, const std::string &column, const st
     const double number = std::strtod(word.c_str(), &end);
     if (word.empty() || *end != '\0')
         throw TraceFault{TraceFault::malformed,
-                         where + ", column " + column + ": \"" + word + "\" is no number; write one"};
+                         fmt::format("{}, column {}: \"{}\" is no number; write one", where, column, word)};
     if (!std::isfinite(number))
         throw TraceFault{TraceFault::not_finite,
-                         where + ", column " + column + ": " + word
-                             + " cannot be drawn; write an empty line where a curve has a gap",
+                         fmt::format("{}, column {}: {} cannot be drawn; write an empty line where a curve has a gap",
+                                     where, column, word),
                          column, word};
     return number;
 }
 
 Trace::Row parse_row(std::string_view line, std::size_t number, const Trace &trace, const std::string &name) {
     if (line.empty()) return {number, {}};
-    const std::string where = name + ", line " + std::to_string(number);
+    const std::string where = fmt::format("{}, line {}", name, number);
     const std::vector<std::string> words = split(line, '\t');
     if (words.size() != trace.columns.size())
-        throw TraceFault{TraceFault::malformed, where + " has " + std::to_string(words.size())
-                                                    + " numbers, but line 1 names "
-                                                    + std::to_string(trace.columns.size())
-                                                    + " columns; write one for each, with tabs between them"};
+        throw TraceFault{
+            TraceFault::malformed,
+            fmt::format("{} has {} numbers, but line 1 names {} columns; write one for each, with tabs between them",
+                        where, words.size(), trace.columns.size())};
     Trace::Row row{number, {}};
     for (std::size_t i = 0; i < words.size(); ++i)
         row.values.push_back(parse_number(words[i], trace.columns[i], where));
     return row;
 }
 
-std::string shown(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value == 0 ? 0.0 : value); // no negative zero
-    return text;
-}
+std::string shown(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); } // no negative zero
 
 /// How far two values of this column may be apart.
 double tolerance(double kept, double largest) {
@@ -91,12 +90,6 @@ std::vector<double> largest_values(const Trace &trace) {
     for (const Trace::Row &row : trace.rows)
         for (std::size_t i = 0; i < row.values.size(); ++i) largest[i] = std::max(largest[i], std::abs(row.values[i]));
     return largest;
-}
-
-std::string joined(const std::vector<std::string> &words, const char *between) {
-    std::string all;
-    for (const std::string &word : words) all += (all.empty() ? "" : between) + word;
-    return all;
 }
 
 } // namespace
@@ -114,8 +107,8 @@ Trace parse_trace(std::string_view text, const std::string &name) {
         if (!trace.rows.back().values.empty()) ++filled;
     }
     if (filled < 2)
-        throw TraceFault{TraceFault::empty, name + " has " + std::to_string(filled) + (filled == 1 ? " row" : " rows")
-                                                + "; a figure needs two or more"};
+        throw TraceFault{TraceFault::empty, fmt::format("{} has {} {}; a figure needs two or more", name, filled,
+                                                        filled == 1 ? "row" : "rows")};
     return trace;
 }
 
@@ -130,35 +123,33 @@ Trace read_trace(const std::filesystem::path &path, const std::string &name) {
 }
 
 std::string rounded(const Trace &trace) {
-    std::string text = "# " + joined(trace.columns, "\t") + '\n';
+    std::string text = fmt::format("# {}\n", fmt::join(trace.columns, "\t"));
     for (const Trace::Row &row : trace.rows) {
         std::vector<std::string> words;
         for (double value : row.values) words.push_back(shown(value));
-        text += joined(words, "\t") + '\n';
+        text += fmt::format("{}\n", fmt::join(words, "\t"));
     }
     return text;
 }
 
 std::string difference(const Trace &kept, const Trace &now, const std::string &name) {
     if (kept.columns != now.columns)
-        return name + ", the columns: they were " + joined(kept.columns, ", ") + ", they are "
-               + joined(now.columns, ", ");
+        return fmt::format("{}, the columns: they were {}, they are {}", name, fmt::join(kept.columns, ", "),
+                           fmt::join(now.columns, ", "));
 
     const std::vector<double> largest = largest_values(kept);
     for (std::size_t row = 0; row < std::min(kept.rows.size(), now.rows.size()); ++row) {
         const auto &was = kept.rows[row].values, &is = now.rows[row].values;
-        const std::string where = name + ", row " + std::to_string(row + 1);
+        const std::string where = fmt::format("{}, row {}", name, row + 1);
         if (was.size() != is.size())
             return where + ": it was " + (was.empty() ? "a gap, it is a row" : "a row, it is a gap");
         for (std::size_t i = 0; i < was.size(); ++i)
-            if (!(std::abs(was[i] - is[i]) <= tolerance(was[i], largest[i]))) {
-                char today[32];
-                std::snprintf(today, sizeof today, "%.9g", is[i]);
-                return where + ", column " + kept.columns[i] + ": it was " + shown(was[i]) + ", it is " + today;
-            }
+            if (!(std::abs(was[i] - is[i]) <= tolerance(was[i], largest[i])))
+                return fmt::format("{}, column {}: it was {}, it is {:.9g}", where, kept.columns[i], shown(was[i]),
+                                   is[i]);
     }
     if (kept.rows.size() == now.rows.size()) return "";
-    return name + ": it had " + std::to_string(kept.rows.size()) + " rows, it has " + std::to_string(now.rows.size());
+    return fmt::format("{}: it had {} rows, it has {}", name, kept.rows.size(), now.rows.size());
 }
 
 } // namespace course

@@ -27,7 +27,7 @@ struct TraceFault : Complaint {
     TraceFault(Kind of, const std::string &sentence, std::string where = "", std::string what_stands_there = "")
         : Complaint{sentence}, kind{of}, column{std::move(where)}, value{std::move(what_stands_there)} {}
     Kind kind;
-    std::string column, value; ///< where it is not finite, and what stands there
+    std::string column, value; ///< of the value that is not finite, and the value as written
 };
 
 /// @param name what messages call the file

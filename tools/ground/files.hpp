@@ -9,7 +9,7 @@ namespace course {
 /// @throws Complaint naming the path, if it cannot be read.
 std::string read_file(const std::filesystem::path &path);
 
-/// Replaces the file, or makes it and its folders: whatever happens, the old one stands there whole or the new one.
+/// Replaces the file, or makes it and its folders: at any moment either the whole old file is there or the whole new one.
 /// A file that has this text already is left alone, with its date. A draft that a kill leaves in the folder is removed
 /// when the file is written next.
 /// @return whether the file changed

@@ -32,7 +32,7 @@ inline std::string_view without_blanks(std::string_view text) {
     return without_blanks_behind(text.substr(std::min(text.find_first_not_of(" \t"), text.size())));
 }
 
-/// The bytes that some editors put before a text, which are no part of it.
+/// The byte-order mark that some editors write before a text; it is not part of the text.
 inline std::string_view byte_order_mark(std::string_view text) {
     return text.substr(0, text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
 }

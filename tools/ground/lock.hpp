@@ -16,7 +16,7 @@ class Lock {
     Lock &operator=(const Lock &) = delete;
 
   private:
-    int file = -1; ///< -1: whoever started us holds the lock
+    int file = -1; ///< -1: the process that started us holds the lock
 };
 
 /// Held for the moment in which a file is read, changed and written back, so that two commands at once lose nothing.

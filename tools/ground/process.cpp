@@ -157,7 +157,7 @@ Finished run(const std::vector<std::string> &command, const RunOptions &options)
 
     pid_t child = 0, target = 0;
     {
-        const Undisturbed until_known; // a signal in between would find nobody to pass it on to
+        const Undisturbed until_known; // until then a signal could not be passed on to the child
         received = 0;
         child = start(command, options, apart, out, err);
         running = target = apart ? -child : child;

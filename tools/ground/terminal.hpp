@@ -9,7 +9,7 @@ enum class Colour { red = 31, green = 32, yellow = 33, blue = 34, dim = 2, bold 
 
 bool is_terminal(Stream stream);
 
-/// Colour is for terminals, for those that know it (TERM is not "dumb"), and for readers who have not set NO_COLOR.
+/// Colour is used on terminals that support it (TERM is not "dumb"), unless NO_COLOR is set.
 bool has_colour(Stream stream);
 
 /// The text in that colour, or as it is.
@@ -18,7 +18,7 @@ std::string painted(Colour colour, std::string_view text, Stream stream = Stream
 /// Columns of the terminal; 80 where there is none.
 int width(Stream stream = Stream::out);
 
-/// Whether somebody sits there who can be asked.
+/// Whether standard input is a terminal, so that a question can be answered.
 bool can_ask();
 
 /// Asks on the terminal; only "y" or "yes" is a yes.

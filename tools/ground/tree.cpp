@@ -1,7 +1,5 @@
 #include "ground/tree.hpp"
 
-#include "book/contents.hpp"
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/nearest.hpp"
 
@@ -93,15 +91,10 @@ Section Tree::section(std::string_view words) const {
     if (meant.size() == 1) return meant.front();
     if (meant.size() > 1)
         throw Complaint{"`" + typed + "` may be " + listed(meant) + ": type its number, or more of its name"};
-    if (std::smatch found; words.size() < 10 && std::regex_match(typed, found, number)) {
-        const fs::path book = root / "book.md";
-        const std::string title = fs::exists(book) ? title_to_come(read_file(book), std::stoi(found[1])) : "";
-        if (!title.empty())
-            throw Complaint{"section " + found[1].str() + ", " + title
-                            + ", is still to come; `./course list` shows those that are here"};
-    }
-    throw Complaint{"there is no section `" + typed + "`." + did_you_mean_section(part, all)
-                    + " `./course list` shows them all"};
+    std::smatch found;
+    throw UnknownSection{"there is no section `" + typed + "`." + did_you_mean_section(part, all)
+                             + " `./course list` shows them all",
+                         words.size() < 10 && std::regex_match(typed, found, number) ? std::stoi(found[1]) : 0};
 }
 
 std::string Tree::shown(const fs::path &file) const {
@@ -111,8 +104,8 @@ std::string Tree::shown(const fs::path &file) const {
 
 fs::path Tree::written_exercise(const Section &s) const {
     if (fs::exists(exercise(s))) return exercise(s);
-    throw Complaint{exercise(s).lexically_relative(root).generic_string() + " is not there; `./course reset "
-                    + s.short_number() + "` brings the empty one back."};
+    throw Complaint{shown(exercise(s)) + " is not there; `./course reset " + s.short_number()
+                    + "` brings the empty one back."};
 }
 
 } // namespace course

@@ -1,4 +1,6 @@
 #pragma once
+#include "ground/complaint.hpp"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,25 +17,31 @@ struct Section {
     std::string short_number() const { return std::to_string(number()); } ///< "7"
 };
 
+/// There is no section of that name or number.
+struct UnknownSection : Complaint {
+    UnknownSection(const std::string &sentence, int number_) : Complaint{sentence}, number{number_} {}
+    int number; ///< that was asked for; 0 if it was a name
+};
+
 /// The checkout and its build folder; every path that a command uses is asked for here.
 struct Tree {
     std::filesystem::path root;  ///< the checkout
-    std::filesystem::path build; ///< where everything made lies
+    std::filesystem::path build; ///< the build folder
 
     std::vector<Section> sections() const; ///< those that CMakeLists.txt names, in its order
 
     /// The section meant by "7", "07", "segment", a file's path, "07_segment_intersection"; or by an exercise, "7.2".
-    /// @throws Complaint offering the nearest one.
+    /// @throws UnknownSection offering the nearest one.
     Section section(std::string_view words) const;
 
-    /// A file as somebody calls it who stands in the checkout; whole if it lies elsewhere.
+    /// A file's path relative to the checkout, with slashes; the path as given if the file is outside the checkout.
     std::string shown(const std::filesystem::path &file) const;
 
     std::filesystem::path chapter(const Section &s) const { return root / "chapters" / s.name / "README.md"; }
     std::filesystem::path header(const Section &s) const { return root / "chapters" / s.name / (s.slug() + ".hpp"); }
     std::filesystem::path program(const Section &s) const { return root / "chapters" / s.name / "main.cpp"; }
     std::filesystem::path exercise(const Section &s) const { return root / "exercises" / (s.name + ".cpp"); }
-    /// The same, for whoever must read it. @throws Complaint with the way back, if the student's file is gone.
+    /// The same, for reading. @throws Complaint that says how to get it back, if the student's file is not there.
     std::filesystem::path written_exercise(const Section &s) const;
     std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }
     std::filesystem::path solution(const Section &s) const { return root / "solutions" / (s.name + ".cpp"); }

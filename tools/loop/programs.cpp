@@ -20,6 +20,13 @@ fs::path student_traces(const Tree &tree, const Section &section) {
     return tree.build / "mine" / "traces" / section.name;
 }
 
+Finished build_target(const Tree &tree, const std::string &target) {
+    Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
+    built.out = plain_output(built.out);
+    built.err = plain_output(built.err);
+    return built;
+}
+
 fs::path program_binary(const Tree &tree, const Section &section, Whose whose) {
     return tree.build / (whose == Whose::student ? "mine" : "chapters") / section.name;
 }
@@ -98,23 +105,16 @@ void empty_folder(const fs::path &folder) {
                         + "; make the build folder writable, or run this as its owner."};
 }
 
-Finished build(const Tree &tree, const std::string &target) {
-    Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
-    built.out = plain_output(built.out);
-    built.err = plain_output(built.err);
-    return built;
-}
-
 /// What keeps a student's program from being built, in the words of `course check`.
 std::string student_error(const Tree &tree, const Section &section, const std::string &printed) {
     const fs::path file = tree.exercise(section);
-    const std::string name = file.lexically_relative(tree.root).generic_string();
+    const std::string name = tree.shown(file);
     Verdict verdict = diagnose_compiler(printed, file, name);
     if (verdict.line == 0) verdict = diagnose_linker(printed, name, section.short_number());
     return (verdict.line == 0 ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ") + verdict.sentence;
 }
 
-/// Starts what follows with limits, so that a function gone wild cannot take the machine with it: no core file, files
+/// Starts what follows with limits, so that a runaway function cannot bring the machine down: no core file, files
 /// of 100 MB, 4 GB of memory. (An address sanitizer reserves more than there is, and must not be limited.)
 #if defined(__SANITIZE_ADDRESS__)
 constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; exec \"$@\"";
@@ -125,7 +125,7 @@ constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; ulimit -v 400000
 Ran run_student(const Tree &tree, const Section &section, const fs::path &traces, const std::string &part,
                 double deadline) {
     tree.written_exercise(section);
-    if (const Finished built = build(tree, section.name + "_mine"); built.code != 0)
+    if (const Finished built = build_target(tree, section.name + "_mine"); built.code != 0)
         return {
             false, {}, "your program cannot be built: " + student_error(tree, section, built.out + '\n' + built.err)};
     empty_folder(traces);
@@ -137,7 +137,7 @@ Ran run_student(const Tree &tree, const Section &section, const fs::path &traces
 }
 
 Ran run_reference(const Tree &tree, const Section &section, const fs::path &traces, const std::string &part) {
-    if (const Finished built = build(tree, section.name); built.code != 0)
+    if (const Finished built = build_target(tree, section.name); built.code != 0)
         return {false,
                 {},
                 "the program of " + section.name + " cannot be built: " + first_error(built.out + '\n' + built.err)};

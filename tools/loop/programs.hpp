@@ -48,6 +48,9 @@ std::string said_of(const Finished &finished, const std::string &trace);
 /// The last line of a text that is not blank.
 std::string last_line(const std::string &text);
 
+/// Brings one target of the build up to date; what it printed is plain text. The caller holds the Lock.
+Finished build_target(const Tree &tree, const std::string &target);
+
 /// The first error of a compiler or linker in what a build printed, shortened to one line; "" if there is none.
 std::string first_error(const std::string &printed);
 

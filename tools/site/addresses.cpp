@@ -9,10 +9,6 @@
 namespace course {
 namespace fs = std::filesystem;
 
-std::string path_in(const Tree &tree, const fs::path &file) {
-    return file.lexically_relative(tree.root).generic_string();
-}
-
 std::vector<fs::path> markdown_pages(const Tree &tree) {
     std::vector<fs::path> pages{tree.root / "book.md"};
     for (const Section &section : tree.sections()) pages.push_back(tree.chapter(section));
@@ -39,7 +35,7 @@ std::string page_name(const Tree &tree, const fs::path &file) {
         return "chapter_" + file.parent_path().filename().string();
     if (file == tree.root / "book.md") return "index";
     const bool is_code = file.extension() != ".md";
-    std::string name = is_code ? "source_" + path_in(tree, file) : file.stem().string();
+    std::string name = is_code ? "source_" + tree.shown(file) : file.stem().string();
     for (char &c : name)
         c = std::isalnum(static_cast<unsigned char>(c)) ? is_code ? c : static_cast<char>(std::tolower(c)) : '_';
     return name;
@@ -56,7 +52,7 @@ std::optional<std::string> address(const Tree &tree, const fs::path &file, const
     };
     if (among(markdown_pages(tree)) || among(source_pages(tree)))
         return page_name(tree, target) + ".html" + url.substr(hash);
-    if (target.extension() == ".svg" || target.extension() == ".png") return path_in(tree, target);
+    if (target.extension() == ".svg" || target.extension() == ".png") return tree.shown(target);
     return {};
 }
 

@@ -11,9 +11,6 @@
 
 namespace course {
 
-/// A file's path from the checkout on, with slashes: "chapters/course.hpp".
-std::string path_in(const Tree &tree, const std::filesystem::path &file);
-
 /// The Markdown files that become pages: book.md first, then the chapters in their order, then what else lies beside
 /// book.md (README.md, ...).
 std::vector<std::filesystem::path> markdown_pages(const Tree &tree);

@@ -6,8 +6,7 @@
 #include "site/addresses.hpp"
 #include "site/doxygen_page.hpp"
 #include "site/draft.hpp"
-#include "site/entries.hpp"
-#include "site/frame.hpp"
+#include "site/page_template.hpp"
 #include "site/reachable.hpp"
 #include "site/search.hpp"
 
@@ -39,7 +38,7 @@ class Builder {
     }
 
   private:
-    /// Runs one of our tools; its words are for whoever can mend what it complains of.
+    /// Runs one of our tools; its error message becomes the complaint.
     std::string run_tool(const std::vector<std::string> &command, const std::string &what,
                          const fs::path &folder) const {
         const Finished finished = run(command, {.deadline = 300, .folder = folder});
@@ -68,7 +67,7 @@ class Builder {
         const auto page = [&](const fs::path &file) { return "pages/" + page_name(tree, file) + ".markdown"; };
         for (const fs::path &file : markdown_pages(tree)) add(page(file), doxygen_page(tree, file, read_file(file)));
         for (const fs::path &file : source_pages(tree)) {
-            const std::string name = path_in(tree, file), text = read_file(file);
+            const std::string name = tree.shown(file), text = read_file(file);
             add(page(file), doxygen_source(tree, file, text));
             if (file.extension() == ".hpp" && name.starts_with("chapters/")) add(name, text); // an interface
         }
@@ -80,7 +79,7 @@ class Builder {
         run_tool({tools.doxygen, "Doxyfile"}, "Doxygen", work);
     }
 
-    /// What Doxygen has written, but for the lists that nobody reads.
+    /// The pages that Doxygen has written, without its index pages.
     void read_drafts() {
         static const std::regex wanted{R"(index|(chapter|source)_.*|(namespace|struct|class|union).*)"};
         std::vector<std::string> names;
@@ -142,12 +141,11 @@ class Builder {
     }
 
     void add_pages(SiteFiles &files, const std::vector<std::string> &typeset) {
-        const Frame frame{tree, known, entries(tree, read_file(tree.root / "book.md")),
-                          read_file(tree.root / "docs" / "page.html")};
+        const PageTemplate page{tree, known, read_file(tree.root / "docs" / "page.html")};
         auto from = typeset.begin();
         for (Draft &draft : drafts) {
             const auto to = from + static_cast<std::ptrdiff_t>(draft.formulas().size());
-            files[draft.name() + ".html"] = frame.around(draft, draft.finished({from, to}, names_for(draft)));
+            files[draft.name() + ".html"] = page.around(draft, draft.finished({from, to}, names_for(draft)));
             from = to;
         }
     }
@@ -157,7 +155,7 @@ class Builder {
             if (const std::string kind = entry.path().extension().string(); kind == ".css" || kind == ".js")
                 files[entry.path().filename().string()] = read_file(entry.path());
         for (const auto &entry : fs::directory_iterator{tree.root / "plots"})
-            if (entry.path().extension() == ".svg") files[path_in(tree, entry.path())] = read_file(entry.path());
+            if (entry.path().extension() == ".svg") files[tree.shown(entry.path())] = read_file(entry.path());
         files["lunr.js"] = read_file(fs::path{tools.lunr}.replace_extension(".min.js"));
         // Of its three formats every browser of the last ten years takes the first.
         static const std::regex older{R"(,url\([^)]*\.(woff|ttf)\) format\([^)]*\))"};

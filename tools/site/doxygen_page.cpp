@@ -9,7 +9,8 @@
 #include "ground/lines.hpp"
 #include "site/addresses.hpp"
 #include "site/html.hpp"
-#include "site/table.hpp"
+
+#include <cmark-gfm-core-extensions.h>
 
 #include <cstdlib>
 #include <map>
@@ -41,7 +42,7 @@ std::string joined(std::vector<std::string>::const_iterator line, std::vector<st
     return text;
 }
 
-/// A path that may go on in the next line behind a slash.
+/// A path that may break into the next line after a slash.
 std::string breakable(const std::string &path) {
     static const std::regex slash{"/"};
     return std::regex_replace(path, slash, "/<wbr>");
@@ -76,7 +77,8 @@ void replace(cmark_node *old, cmark_node *with) {
 }
 
 std::string rendered(cmark_node *node) {
-    const std::unique_ptr<char, decltype(&std::free)> html{cmark_render_html(node, CMARK_OPT_UNSAFE), &std::free};
+    const std::unique_ptr<char, decltype(&std::free)> html{cmark_render_html(node, CMARK_OPT_UNSAFE, nullptr),
+                                                           &std::free};
     return html.get();
 }
 
@@ -84,16 +86,12 @@ std::string rendered(cmark_node *node) {
 class PageWriter {
   public:
     PageWriter(const Tree &tree_, const fs::path &file_, std::string_view text, std::map<std::string, Chunk> chunks_)
-        : tree{tree_},
-          file{file_},
-          chunks{std::move(chunks_)},
-          taken{take_out_formulas(text)},
-          lines{lines_of(taken.text)} {}
+        : tree{tree_}, file{file_}, chunks{std::move(chunks_)}, taken{take_out_formulas(text)} {}
 
     std::string write() {
         const Document document = parse_markdown(taken.text, CMARK_OPT_SMART);
         blocks(document.get());
-        // Doxygen reads on until this word, wherever it stands.
+        // Doxygen stops at this word wherever it is.
         static const std::regex end{R"(\\endhtmlonly)"};
         std::string html = std::regex_replace(rendered(document.get()), end, "&#92;endhtmlonly");
         for (std::size_t at = 0; at < listings.size(); ++at) {
@@ -106,7 +104,7 @@ class PageWriter {
     }
 
   private:
-    std::string place(int line) const { return path_in(tree, file) + ':' + std::to_string(line); }
+    std::string place(int line) const { return tree.shown(file) + ':' + std::to_string(line); }
 
     static std::string listing_mark(std::size_t number) { return "<!-- listing " + std::to_string(number) + " -->"; }
 
@@ -128,7 +126,7 @@ class PageWriter {
         case CMARK_NODE_PARAGRAPH: paragraph(node); break;
         case CMARK_NODE_CODE_BLOCK: listing(node); break;
         case CMARK_NODE_HTML_BLOCK: html(node); break;
-        default: blocks(node);
+        default: is_table(node) ? table(node) : blocks(node);
         }
     }
 
@@ -177,9 +175,7 @@ class PageWriter {
         const int first = cmark_node_get_start_line(node);
         cmark_node *only = cmark_node_first_child(node);
         if (only && cmark_node_next(only)) only = nullptr;
-        if (const auto table = table_in(node)) {
-            replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, written(*table, first)));
-        } else if (only && cmark_node_get_type(only) == CMARK_NODE_IMAGE) {
+        if (only && cmark_node_get_type(only) == CMARK_NODE_IMAGE) {
             replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, figure(only)));
         } else if (only && cmark_node_get_type(only) == CMARK_NODE_EMPH && lead_may_follow) {
             inlines(only, first);
@@ -322,8 +318,8 @@ class PageWriter {
     std::string caption_of(const Chunk &chunk) const {
         const std::string line = std::to_string(chunk.line + 1);
         return "<figcaption><span><span class=\"title\">" + escaped(chunk.title) + "</span> <a class=\"from\" href=\""
-               + page_name(tree, chunk.file) + ".html#L" + line + "\">" + breakable(path_in(tree, chunk.file)) + ":"
-               + line + "</a></span></figcaption>";
+               + page_name(tree, chunk.file) + ".html#L" + line + "\">" + breakable(tree.shown(chunk.file)) + ":" + line
+               + "</a></span></figcaption>";
     }
 
     static std::string block_of(const std::string &language, const std::string &code) {
@@ -367,46 +363,45 @@ class PageWriter {
 
     // Tables
 
-    std::optional<Table> table_in(cmark_node *node) const {
-        std::vector<std::string_view> rows;
-        const int column = cmark_node_get_start_column(node) - 1;
-        for (int line = cmark_node_get_start_line(node); line <= cmark_node_get_end_line(node); ++line) {
-            const std::string_view whole = lines.at(static_cast<std::size_t>(line) - 1).text;
-            rows.push_back(whole.substr(std::min(static_cast<std::size_t>(column), whole.size())));
-        }
-        return read_table(rows);
-    }
-
-    std::string written(const Table &table, int line) {
+    void table(cmark_node *node) {
         std::string html = "<div class=\"table\"><table>";
-        for (std::size_t i = 0; i < table.rows.size(); ++i) {
-            const std::vector<std::string> &cells = table.rows[i];
-            const bool to_come = std::find(cells.begin(), cells.end(), "*to come*") != cells.end();
-            if (i == 0) html += "<thead>";
-            if (i == 1) html += "<tbody>";
-            html += to_come ? "<tr class=\"to-come\">" : "<tr>";
-            for (std::size_t j = 0; j < cells.size(); ++j)
-                html += cell(cells[j], i == 0, table.alignments[j], line + static_cast<int>(i == 0 ? 0 : i + 1));
-            html += "</tr>\n";
-            if (i == 0) html += "</thead>\n";
+        const std::uint8_t *alignments = cmark_gfm_extensions_get_table_alignments(node);
+        for (cmark_node *row = cmark_node_first_child(node); row; row = cmark_node_next(row)) {
+            const bool head = cmark_gfm_extensions_get_table_row_is_header(row) != 0;
+            bool to_come = false;
+            std::string cells;
+            int column = 0;
+            for (cmark_node *next, *each = cmark_node_first_child(row); each; each = next) {
+                next = cmark_node_next(each);
+                to_come = to_come || words_of(each) == "to come";
+                cells += cell(each, head, alignments[column++]);
+            }
+            html += std::string{head ? "<thead>" : ""} + (to_come ? "<tr class=\"to-come\">" : "<tr>") + cells
+                    + "</tr>\n" + (head ? "</thead>\n" : "");
         }
-        return html + (table.rows.size() > 1 ? "</tbody>" : "") + "</table></div>";
+        replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, html + "</table></div>"));
     }
 
-    std::string cell(const std::string &text, bool head, const std::string &alignment, int line) {
-        // A bracket in front keeps "1." and "-" from being lists, and a quotation from being closed as it opens.
-        const Document document = parse_markdown('(' + text, CMARK_OPT_SMART);
-        inlines(cmark_node_first_child(document.get()), line);
-        const std::string words = without_paragraph(rendered(document.get())).substr(1);
+    std::string cell(cmark_node *node, bool head, std::uint8_t alignment) {
+        // A cell may not hold all that a paragraph may, which in turn is written within a document.
+        const Document document{cmark_node_new(CMARK_NODE_DOCUMENT)};
+        cmark_node *paragraph = cmark_node_new(CMARK_NODE_PARAGRAPH);
+        cmark_node_append_child(document.get(), paragraph);
+        move_children(node, paragraph);
+        inlines(paragraph, cmark_node_get_start_line(node));
+        const std::string words = without_paragraph(rendered(document.get()));
         const std::string tag = head && !words.empty() ? "th" : "td";
-        return "<" + tag + (alignment.empty() ? "" : " class=\"" + alignment + "\"") + ">" + words + "</" + tag + ">";
+        const std::string side = alignment == 'l'   ? " class=\"left\""
+                                 : alignment == 'c' ? " class=\"center\""
+                                 : alignment == 'r' ? " class=\"right\""
+                                                    : "";
+        return "<" + tag + side + ">" + words + "</" + tag + ">";
     }
 
     const Tree &tree;
     const fs::path &file;
     const std::map<std::string, Chunk> chunks;
     const WithoutFormulas taken;
-    const std::vector<Line> lines;
     std::map<std::string, int> seen; ///< headings, by anchor
     std::string plain_title;
     bool lead_may_follow = false;
@@ -422,7 +417,7 @@ std::string doxygen_page(const Tree &tree, const fs::path &file, std::string_vie
 }
 
 std::string doxygen_source(const Tree &tree, const fs::path &file, std::string_view code) {
-    const std::string path = path_in(tree, file);
+    const std::string path = tree.shown(file);
     const std::string_view colours = file.extension() == ".gp" ? "{.py}" : "{.cpp}";
     return "# " + path + " {#" + page_name(tree, file) + "}\n" + std::string{html_begins} + "<h1><code>"
            + breakable(path) + "</code></h1>" + coloured(colours, code.substr(byte_order_mark(code).size()))

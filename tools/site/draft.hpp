@@ -18,13 +18,13 @@ struct Heading {
     std::string id, words;
 };
 
-/// What a formula is, and where in the book it stands.
+/// A formula, and its place in the book.
 struct FormulaAt {
     std::string tex, from; ///< from: "chapters/07_.../README.md:12"
     bool display = false;
 };
 
-/// One page that Doxygen has written: what stands on it, without Doxygen's own frame.
+/// The contents of one page that Doxygen has written, without Doxygen's own header and menus.
 class Draft {
   public:
     /// @throws Complaint if this is no page of Doxygen's.

@@ -23,7 +23,7 @@ struct Element {
     bool has(const char *name) const;                   ///< the attribute
     bool has_class(std::string_view name) const;
     std::string_view outer() const;   ///< from "<p>" to "</p>"
-    std::string_view inner() const;   ///< what stands between
+    std::string_view inner() const;   ///< the text between its tags
     std::string_view opening() const; ///< "<p>"
     std::string text() const;         ///< its words, without entities
     std::vector<Element> children() const;
@@ -43,7 +43,7 @@ class Html {
     /// The first element for which this holds; its node is null if there is none.
     Element first(const std::function<bool(const Element &)> &holds) const;
 
-    /// What stands in `piece`, a view into text(), gives way to `words`. Pieces must not overlap.
+    /// Replaces `piece`, a view into text(), by `words`. Pieces must not overlap.
     void replace(std::string_view piece, std::string words);
 
     /// The text with all that was replaced.

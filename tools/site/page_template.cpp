@@ -1,6 +1,8 @@
-#include "site/frame.hpp"
+#include "site/page_template.hpp"
 
+#include "book/contents.hpp"
 #include "ground/complaint.hpp"
+#include "ground/files.hpp"
 #include "site/addresses.hpp"
 
 namespace course {
@@ -30,39 +32,37 @@ std::string link(const std::string &address, const std::string &html) {
 
 } // namespace
 
-Frame::Frame(const Tree &tree_, const std::map<std::string, Interface> &known_, std::vector<Entry> entries_,
-             std::string page)
-    : tree{tree_},
-      known{known_},
-      all_entries{std::move(entries_)},
-      page_template{std::move(page)},
-      sections{tree.sections()} {
+PageTemplate::PageTemplate(const Tree &tree_, const std::map<std::string, Interface> &known_, std::string page)
+    : tree{tree_}, known{known_}, page_template{std::move(page)}, sections{tree.sections()} {
+    for (const auto &row : contents(read_file(tree.root / "book.md")))
+        entries.push_back({std::to_string(row.number), row.title, row.minutes,
+                           row.chapter.empty() ? "" : page_name(tree, tree.root / row.chapter)});
     for (const auto &file : markdown_pages(tree))
         if (const std::string name = page_name(tree, file); name != "index" && !name.starts_with("chapter_"))
             others.emplace_back(name, name == "readme" ? "How to build it" : capital(name));
 }
 
-std::string Frame::around(const Draft &draft, const std::string &body) const {
+std::string PageTemplate::around(const Draft &draft, const std::string &body) const {
     const bool first = draft.name() == "index";
     return filled(page_template, {{"title", escaped(draft.title()) + (first ? "" : " · Frame by Frame")},
                                   {"kind", first                                 ? "book"
                                            : draft.is_interface()                ? "interface"
                                            : draft.name().starts_with("source_") ? "source"
                                                                                  : "chapter"},
-                                  {"contents", contents(draft)},
+                                  {"contents", sidebar(draft)},
                                   {"above", above(draft)},
                                   {"body", body},
                                   {"turning", turning(draft)}});
 }
 
-const Section *Frame::section_of(const std::string &name) const {
+const Section *PageTemplate::section_of(const std::string &name) const {
     for (const Section &section : sections)
         if (name.find(section.name) != std::string::npos) return &section;
     return nullptr;
 }
 
-std::string Frame::item(const Draft &draft, const std::string &page, const std::string &words,
-                        const std::string &number) const {
+std::string PageTemplate::item(const Draft &draft, const std::string &page, const std::string &words,
+                               const std::string &number) const {
     const bool here = draft.name() + ".html" == page;
     return "<li><a href=\"" + page + "\"" + (here ? " aria-current=\"page\"" : "") + ">"
            + (number.empty() ? "" : "<span class=\"number\">" + number + "</span> ") + escaped(words) + "</a>"
@@ -70,16 +70,16 @@ std::string Frame::item(const Draft &draft, const std::string &page, const std::
 }
 
 /// The parts of the page, below its entry.
-std::string Frame::outline(const Draft &draft) const {
+std::string PageTemplate::outline(const Draft &draft) const {
     std::string parts;
     for (const Heading &heading : draft.headings())
         if (heading.level == 2) parts += "<li>" + link("#" + escaped(heading.id), escaped(heading.words)) + "</li>\n";
     return parts.empty() ? "" : "\n<ul class=\"parts\">\n" + parts + "</ul>";
 }
 
-std::string Frame::contents(const Draft &draft) const {
+std::string PageTemplate::sidebar(const Draft &draft) const {
     std::string html = "<ul>\n" + item(draft, "index.html", "Frame by Frame") + "</ul>\n<p>Sections</p>\n<ul>\n";
-    for (const Entry &entry : all_entries)
+    for (const Entry &entry : entries)
         html += entry.page.empty() ? "<li class=\"to-come\"><span class=\"number\">" + entry.number + "</span> "
                                          + escaped(entry.title) + " <span class=\"hidden\">(to come)</span></li>\n"
                                    : item(draft, entry.page + ".html", entry.title, entry.number);
@@ -95,8 +95,8 @@ std::string Frame::contents(const Draft &draft) const {
 }
 
 /// Above the title: which section, and how long it takes.
-std::string Frame::above(const Draft &draft) const {
-    for (const Entry &entry : all_entries)
+std::string PageTemplate::above(const Draft &draft) const {
+    for (const Entry &entry : entries)
         if (entry.page == draft.name())
             return "Section " + escaped(entry.number)
                    + (entry.minutes.empty() ? "" : " · " + escaped(entry.minutes) + " minutes");
@@ -117,9 +117,9 @@ std::string Frame::above(const Draft &draft) const {
 }
 
 /// The page before and the page after, in the order of the book.
-std::string Frame::turning(const Draft &draft) const {
+std::string PageTemplate::turning(const Draft &draft) const {
     std::vector<Entry> order{{"", "Frame by Frame", "", "index"}};
-    for (const Entry &entry : all_entries)
+    for (const Entry &entry : entries)
         if (!entry.page.empty()) order.push_back(entry);
     const auto turn = [](const Entry &to, const char *rel, const char *word) {
         return "<a rel=\"" + std::string{rel} + "\" href=\"" + to.page + ".html\"><span>" + word + "</span> "

@@ -1,6 +1,5 @@
 #pragma once
 #include "site/draft.hpp"
-#include "site/entries.hpp"
 
 #include <map>
 #include <string>
@@ -8,18 +7,25 @@
 
 namespace course {
 
-/// What stands round each page: docs/page.html with its gaps filled in.
-class Frame {
+/// What surrounds the body of each page: docs/page.html with its gaps filled in.
+class PageTemplate {
   public:
     /// @param page  the template: {{title}}, {{contents}}, {{above}}, {{body}}, {{turning}}
-    Frame(const Tree &tree_, const std::map<std::string, Interface> &known_, std::vector<Entry> entries_,
-          std::string page);
+    PageTemplate(const Tree &tree_, const std::map<std::string, Interface> &known_, std::string page);
 
     /// The whole page.
     std::string around(const Draft &draft, const std::string &body) const;
 
   private:
-    std::string contents(const Draft &draft) const;
+    /// A section in the contents.
+    struct Entry {
+        std::string number;  ///< "7"
+        std::string title;   ///< "Segment intersection"
+        std::string minutes; ///< "90 + 150"
+        std::string page;    ///< "chapter_07_segment_intersection"; "" if it is to come
+    };
+
+    std::string sidebar(const Draft &draft) const;
     std::string above(const Draft &draft) const;
     std::string turning(const Draft &draft) const;
     std::string item(const Draft &draft, const std::string &page, const std::string &words,
@@ -29,7 +35,7 @@ class Frame {
 
     const Tree &tree;
     const std::map<std::string, Interface> &known;
-    std::vector<Entry> all_entries;
+    std::vector<Entry> entries;
     std::string page_template;
     std::vector<Section> sections;
     std::vector<std::pair<std::string, std::string>> others; ///< page and title of what else there is: README, ...
