@@ -49,7 +49,7 @@ class Builder {
     }
 
     std::string without_root(std::string text) const {
-        for (const std::string root : {work.string() + '/', tree.root.string() + '/'})
+        for (const std::string &root : {work.string() + '/', tree.root.string() + '/'})
             for (std::size_t at; (at = text.find(root)) != text.npos;) text.erase(at, root.size());
         return text;
     }
