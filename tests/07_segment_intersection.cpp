@@ -899,7 +899,7 @@ TEST_CASE("it always ends: after most_bounces bounces it stays, with its velocit
     // 5 m to the right wall, then 999 times 8 m to and fro: 79.97 ms, in which it rises by 0.7997 m
     const std::vector<Vec2> shaft{{0, 0}, {8, 1}, {8, 6}, {0, 4}};
     const double dt = GENERATE(0.08, 0.1, 1.0, 1e5);
-    CHECK_THAT(most_bounces, IsNear(1000));
+    CHECK_THAT(most_bounces, IsNear(1000).of("most_bounces"));
     CHECK_THAT(bounce({{3, 2}, {1e5, 10}}, shaft, dt), IsNear(Mover{{0, 2.7997}, {1e5, 10}}, 1e-8));
 }
 

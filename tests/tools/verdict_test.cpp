@@ -202,7 +202,7 @@ TEST_CASE("an order that does not hold is said with its bound, and told apart at
     CHECK(speed(3.2) == "speed along x:\ngot   3.2 m/s\nwant  at most 3 m/s\n");
     CHECK(speed(3 + 1e-14).find("got   3.00000000000001 m/s\n") != std::string::npos);
     CHECK(speed(NAN).find("\"not a number\"") != std::string::npos);
-    CHECK(is_ordered(3.0, 3, at_most, {}));
+    CHECK(is_ordered(3.0, 3, at_most, split_label("speed")));
 }
 
 TEST_CASE("what is printed is shown without what could move a cursor or break a file") {
@@ -274,6 +274,27 @@ Verdict ask(const std::string &mode) {
 }
 
 } // namespace
+
+TEST_CASE("a value that is not the answer of the last call has to be named") {
+    know_half();
+    Session own{HOSTILE "answers", Patience{1, 5}};
+    session() = &own;
+    const auto kind_for = [&](auto &&check) {
+        own.begin("1.1", "half of five");
+        try {
+            wire::Reader reader{own.call(half, bytes_of(5.0))};
+            check(reader.take<double>());
+        } catch (const CaseOver &) {}
+        return own.end(true).kind;
+    };
+    CHECK(kind_for([](double answer) { is_near(answer, answer, 0, {}); }) == Kind::passed);
+    CHECK(kind_for([](double answer) { is_near(answer + 1, answer + 1, 0, {}); }) == Kind::no_verdict);
+    CHECK(kind_for([](double answer) { is_near(answer + 1, answer + 1, 0, {"one more", "m"}); }) == Kind::passed);
+    CHECK(kind_for([](double) { has_size(std::vector{1}, 1, {}); }) == Kind::no_verdict);
+    own.begin("1.1", "before any call");
+    CHECK(is_near(1.0, 1.0, 0, {}));
+    session() = nullptr;
+}
 
 TEST_CASE("a process that answers properly passes") { CHECK(ask("answers").kind == Kind::passed); }
 

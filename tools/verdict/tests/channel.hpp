@@ -38,6 +38,9 @@ struct CaseOver {};
 bool is_last_result(std::string_view bytes);
 std::string_view last_unit();
 
+/// A check compares something else than the answer of the last call, and does not name it: the test's own mistake.
+void refuse_nameless();
+
 /// What a matcher found, in the words of a verdict; see note_mismatch.
 struct Mismatch {
     std::string label;     ///< what was compared: "sum of all velocities"; empty for the answer of the last call

@@ -83,12 +83,14 @@ template <class T> std::optional<Mismatch> find(const Place &at, const T &got, c
 
 } // namespace mismatch
 
-/// The unit of a value: its label's, or that of the last call's result if the value is that.
+/// The unit of a value: its label's, or that of the last call's result, which it has to be if it has no label.
 template <class T> std::string unit_of(const T &value, const Label &label) {
     if (!label.name.empty()) return label.unit;
     wire::Writer bytes;
     bytes.put(value);
-    return is_last_result(bytes.bytes) ? std::string{last_unit()} : "";
+    if (is_last_result(bytes.bytes)) return std::string{last_unit()};
+    refuse_nameless();
+    return {};
 }
 
 /// Whether `got` is as near to `want` as IsNear promises; what differs is noted for the verdict.
@@ -107,8 +109,8 @@ struct Order {
 };
 
 template <class T> bool is_ordered(const T &got, double bound, const Order &order, const Label &label) {
-    if (order.holds(got, bound)) return true;
     const std::string unit = unit_of(got, label);
+    if (order.holds(got, bound)) return true;
     auto found = mismatch::differ<double>({{}, unit}, got, bound, 0);
     found.label = label.name;
     found.want = std::string{order.words} + ' ' + found.want;
@@ -118,10 +120,10 @@ template <class T> bool is_ordered(const T &got, double bound, const Order &orde
 }
 
 template <class T> bool has_size(const std::vector<T> &got, std::size_t want, const Label &label) {
+    const std::string unit = unit_of(got, label);
     if (got.size() == want) return true;
     const auto counted = [](std::size_t size) { return std::to_string(size) + (size == 1 ? " element" : " elements"); };
-    note_mismatch(
-        {label.name, counted(got.size()) + ": " + describe(got, unit_of(got, label), 9), counted(want), "", false});
+    note_mismatch({label.name, counted(got.size()) + ": " + describe(got, unit, 9), counted(want), "", false});
     return false;
 }
 

@@ -31,6 +31,9 @@ class Session {
     [[noreturn]] void answered_nonsense();
     void note(std::optional<Mismatch> mismatch) { noted = std::move(mismatch); }
 
+    /// See there.
+    void refuse_nameless();
+
     /// See note_accepted. What fails after it in the same case is not looked at.
     void accept(const std::string &input, const std::string &value);
 
