@@ -136,6 +136,9 @@ double length(const Wall &wall) { return (wall.end - wall.start).norm(); }
 double other();
 ```
 </details>
+
+<!-- budget: first box 100, since this is a chapter for tests -->
+<!-- budget: listings 999, since this is a chapter for tests -->
 )";
 
 struct Told {
