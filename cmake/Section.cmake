@@ -281,6 +281,7 @@ function(finish_course)
   put_into_json(json nm ${CMAKE_NM})
   put_list_into_json(json flags ${COURSE_LOOP})
   put_list_into_json(json precompiled ${COURSE_LOOP_PCH})
+  put_list_into_json(json includes ${COURSE_INCLUDES})
   put_list_into_json(json link ${extra} ${COURSE_LOOP_LINK}) # a sanitizer's flags are the linker's, too
   set(number 0)
   foreach(section ${COURSE_SECTIONS})

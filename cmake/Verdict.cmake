@@ -3,6 +3,8 @@ include(CheckCXXSourceCompiles)
 
 add_library(course_verdict STATIC
   ${PROJECT_SOURCE_DIR}/tools/verdict/tests/session.cpp
+  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/nameless_file.cpp
+  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/shut_in.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/tests/subject.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/shared/verdict.cpp)
 target_include_directories(course_verdict PUBLIC ${PROJECT_SOURCE_DIR}/tools)
@@ -44,6 +46,10 @@ add_custom_command(OUTPUT ${compiled}
   COMMENT "Precompiling the header that stands before every exercise"
   VERBATIM COMMAND_EXPAND_LISTS)
 add_custom_target(course_pch DEPENDS ${compiled})
+
+# Where the headers are that a student's file may include.
+set(COURSE_INCLUDES ${PROJECT_SOURCE_DIR}/chapters ${PROJECT_BINARY_DIR}/loop ${eigen} ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES}
+  /usr/include /usr/lib /usr/local/include)
 
 # Objects of `sources` as a student's file would be compiled.
 function(add_student_objects name)

@@ -3,6 +3,7 @@
 #include "book/contents.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
+#include "ground/hidden.hpp"
 #include "ground/nearest.hpp"
 #include "ground/process.hpp"
 
@@ -24,7 +25,6 @@ template <const char *const &name, const char *const &what> void by_the_script(C
 
 constexpr const char *setup = "setup", *installs = "Install what the course needs; asks first";
 constexpr const char *test = "test", *runs_all_tests = "Run the whole test suite";
-constexpr const char *doctor = "doctor", *finds_tools = "Say which tools are here, and how to get the others";
 
 struct Group {
     const char *title;
@@ -34,7 +34,7 @@ struct Group {
 const std::vector<Group> groups{
     {"For students",
      {add_check, add_list, add_hint, add_solution, add_reset, add_run, add_plot, add_debug, add_site,
-      by_the_script<setup, installs>, by_the_script<doctor, finds_tools>}},
+      by_the_script<setup, installs>, add_doctor}},
     {"For instructors", {by_the_script<test, runs_all_tests>}},
     {"For contributors", {add_new, add_weave, add_draw, add_publish, add_bench}},
 };
@@ -48,8 +48,9 @@ constexpr const char *footer =
 Exit codes:
   0    all is well
   1    something is left to do: a test is not passed, a check found a difference
-  2    the command, a file or the machine: the message says what to do
+  2    the command or a file: the message says what to do
   3    the course itself is at fault: please report it
+  4    the machine got in the way (a full disk, no memory, a program killed from outside): nothing was judged
   130  stopped by Ctrl-C
 
 Example: ./course check 7 --watch)";
@@ -138,7 +139,7 @@ int obey(int argc, char **argv) {
     } catch (const CLI::ParseError &error) {
         throw Complaint{misunderstood(app, error)};
     }
-    if (!std::cout.flush()) throw Complaint{"cannot write the output; is the disk full?"};
+    if (!std::cout.flush()) throw MachineTrouble{"cannot write the output; is the disk full?"};
     return all_well;
 }
 
@@ -162,6 +163,7 @@ int complain(const std::string &sentence, int code) {
 
 int main(int argc, char **argv) {
     using namespace course;
+    hide_from_other_processes();
     catch_signals();
     try {
         return obey(argc, argv);
@@ -172,9 +174,13 @@ int main(int argc, char **argv) {
         return 128 + stop.signal;
     } catch (const UnknownSection &unknown) {
         return complain(explained(unknown), bad_input);
+    } catch (const MachineTrouble &trouble) {
+        return complain(trouble.what(), machine_trouble);
     } catch (const Complaint &complaint) {
         return complain(complaint.what(), bad_input);
     } catch (const std::filesystem::filesystem_error &error) {
+        if (error.code() == std::errc::no_space_on_device)
+            return complain("the disk is full; make some room and try again", machine_trouble);
         const std::string where = error.path1().empty() ? "a file" : error.path1().string();
         return complain(where + ": " + error.code().message() + "; is it there, and yours to read and write?",
                         bad_input);

@@ -43,9 +43,10 @@ int main() {
     one.put(std::uint32_t{1});
     if (mode == "greets_wrongly") send(Frame::hello, 0, "hello");
     if (mode == "is_mute") ::pause();
+    if (mode == "starts_slowly") ::usleep(300'000);
     send(Frame::hello, 0, one.bytes);
     const std::uint32_t call = next_call();
-    if (mode == "answers") send(Frame::result, call, bytes_of(2.5));
+    if (mode == "answers" || mode == "starts_slowly") send(Frame::result, call, bytes_of(2.5));
     if (mode == "answers_another_call") send(Frame::result, call + 1, bytes_of(2.5));
     if (mode == "claims_four_gigabytes") send(Frame::result, call, 0xFFFFFFFF, "");
     if (mode == "sends_half_a_frame") send(Frame::result, call, 8, "1234");

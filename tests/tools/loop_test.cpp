@@ -171,7 +171,7 @@ TEST_CASE("a slip of the pen is answered in one sentence with the nearest word, 
         {{"run", "8"}, "section 8, n–t collisions, is still to come"},
         {{"check", "08.1"}, "section 8, n–t collisions, is still to come"},
         {{"reset", "7.2"}, "brings back a whole section"},
-        {{"doctor"}, "type ./course doctor"},
+        {{"setup"}, "type ./course setup"},
     }));
     const Finished said = course(words);
     CAPTURE(said.err);
@@ -227,7 +227,7 @@ TEST_CASE("output that cannot be written is no success") {
     std::vector<std::string> command{"sh", "-c", line, "sh"};
     for (const std::string &word : course.command({"list"})) command.push_back(word);
     const Finished said = run(command);
-    CHECK(said.code == 2);
+    CHECK(said.code == 4);
     CHECK_THAT(said.err, ContainsSubstring("cannot write the output"));
 }
 
@@ -259,6 +259,17 @@ TEST_CASE("a deadline ends a program and its children, and so does the end of th
     CHECK(done.code == 0);
     ::kill(std::stoi(done.out), SIGKILL);
     CHECK(std::chrono::steady_clock::now() - begin < 10s);
+}
+
+TEST_CASE("a program may use no more memory, time and disk than it is given") {
+    const auto ends_with = [](const char *script, const Limits &limits) {
+        return run({"sh", "-c", script}, {.deadline = 60, .limits = limits}).code;
+    };
+    CHECK(ends_with("while :; do :; done", {.processor_time = 1}) == 128 + SIGXCPU);
+    CHECK(ends_with("f=$(mktemp) && exec 3>$f && rm $f && exec head -c 2000 /dev/zero >&3", {.file_size = 1000})
+          == 128 + SIGXFSZ);
+    CHECK(run({"sh", "-c", "ulimit -v"}, {.limits = {.memory = 512u << 20}}).out == "524288\n");
+    CHECK(run({"sh", "-c", "echo $ADDED $LC_ALL"}, {.environment = {"ADDED=more"}}).out == "more C.UTF-8\n");
 }
 
 TEST_CASE("a program that is not there is named, with what to do") {

@@ -260,7 +260,7 @@ void know_half() {
 
 Verdict ask(const std::string &mode) {
     know_half();
-    Session own{std::string{HOSTILE} + mode, Patience{1, 5}};
+    Session own{std::string{HOSTILE} + mode, Patience{1, 5, 1}};
     session() = &own;
     own.begin("1.1", "half of five");
     try {
@@ -310,7 +310,7 @@ TEST_CASE("a process that lies on the wire fails the call, quickly, and nothing 
         {"drips", Kind::too_long},
         {"dies", Kind::crashed},
         {"is_mute", Kind::too_long},
-        {"greets_wrongly", Kind::no_verdict},
+        {"greets_wrongly", Kind::out_of_turn},
     }));
     CAPTURE(mode);
     const auto start = Clock::now();
@@ -335,6 +335,38 @@ TEST_CASE("an exercise that has hung once gets little time for its other cases, 
     CHECK(time_of_a_hang("1.1") < 0.7);
     CHECK(time_of_a_hang("1.2") > 0.7);
     session() = nullptr;
+}
+
+TEST_CASE("starting a subject has an allowance of its own, and all starts together one more") {
+    know_half();
+    const auto case_of = [](Session &own) {
+        session() = &own;
+        own.begin("1.1", "a claim");
+        try {
+            own.call(half, bytes_of(5.0));
+        } catch (const CaseOver &) {}
+        session() = nullptr;
+        return own.end(true);
+    };
+    const std::string slow = HOSTILE "starts_slowly"; // in 0.3 s
+    Session patient{slow, Patience{0.2, 5}}, hasty{slow, Patience{1, 5, 0.1}}, tired{slow, Patience{1, 0.5}};
+    CHECK(case_of(patient).passed());
+    CHECK(case_of(hasty).kind == Kind::too_long);
+    CHECK(case_of(tired).passed());
+    CHECK(case_of(tired).passed());
+    CHECK(case_of(tired).sentence.starts_with("Starting your code has taken 0.6"));
+    CHECK(patient.trouble().empty());
+}
+
+TEST_CASE("a program that this machine cannot start is the machine's trouble") {
+    know_half();
+    Session own{"/nowhere", Patience{}};
+    session() = &own;
+    own.begin("1.1", "a claim");
+    CHECK_THROWS_AS(own.call(half, bytes_of(5.0)), CaseOver);
+    session() = nullptr;
+    CHECK(own.end(true).kind == Kind::no_verdict);
+    CHECK_FALSE(own.trouble().empty());
 }
 
 TEST_CASE("a session notes the first failure of a case, and a case without assertions is one") {

@@ -1,6 +1,8 @@
 // A constructor that says all is well, and leaves.
 #include "rest.hpp"
 
+#include <iostream>
+
 namespace segment_intersection {
 
 struct Forger {

@@ -1,6 +1,8 @@
 // An index beyond the end: the library notices.
 #include "rest.hpp"
 
+#include <iostream>
+
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {

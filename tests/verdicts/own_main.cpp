@@ -1,6 +1,8 @@
 // A main of its own.
 #include "rest.hpp"
 
+#include <iostream>
+
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {

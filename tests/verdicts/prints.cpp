@@ -1,6 +1,8 @@
 // Words for the author, escape codes among them, on the way to a wrong answer.
 #include "rest.hpp"
 
+#include <iostream>
+
 namespace segment_intersection {
 
 std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {

@@ -1,10 +1,8 @@
 #pragma once
 // What a student has not touched: every exercise of section 7 but the first. Each file here is a student's, and has one
-// thing the matter with it; the .txt beside it is what `./course check 7 --file` says.
+// thing the matter with it; the .txt beside it is what `./course check 7 --file` says. See tests/tools/golden.cpp for how
+// the two are put together.
 #include "segment_intersection.hpp"
-
-#include <cstdlib>
-#include <iostream>
 
 namespace segment_intersection {
 
@@ -16,7 +14,7 @@ std::optional<Touch> first_touch(const Segment &, double, const Segment &) { thr
 int turn(const Segment &, const Segment &) { throw untouched(); }
 
 /// What the first exercise asks for.
-inline std::optional<Crossing> right_answer(const Segment &motion, const Segment &wall) {
+std::optional<Crossing> right_answer(const Segment &motion, const Segment &wall) {
     course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start, b = wall.end - wall.start, gap = wall.start - motion.start;
     const double d = a.x() * b.y() - a.y() * b.x();

@@ -174,8 +174,7 @@ class Check {
             if (&section != &sections.front()) std::cout << '\n';
             Judgement judgement = course::judge(tree, section, file_of(section), options.seed);
             report(section, judgement);
-            if (only && judgement.judged())
-                std::erase_if(judgement.verdicts, [&](const Verdict &v) { return v.exercise != only->number; });
+            if (only) std::erase_if(judgement.verdicts, [&](const Verdict &v) { return v.exercise != only->number; });
             code = std::max(code, judgement.our_fault()    ? +our_fault
                                   : judgement.all_passed() ? +all_well
                                                            : +something_to);
@@ -216,8 +215,8 @@ class Check {
         Report result{
             section, tree.shown(file_of(section)), options.seed, catalogue(tree, section), tests_of(tree, section), {},
             {}};
-        if (judgement.judged()) result.verdicts = judgement.verdicts;
-        else result.unbuilt = judgement.verdicts.front();
+        result.verdicts = judgement.verdicts;
+        result.unbuilt = judgement.unbuilt;
         if (only) std::erase_if(result.tests, [&](const KnownTest &test) { return test.exercise != only->number; });
         return result;
     }
@@ -237,9 +236,9 @@ class Check {
     void report(const Section &section, const Judgement &judgement) {
         const std::string name = options.file.empty() ? "exercises/" + section.name + ".cpp" : options.file;
         print_warnings(only ? warnings_of_it(section, judgement) : judgement.warnings, options.verbose);
-        if (!judgement.judged()) {
-            print_unbuilt(judgement.verdicts.front(), name);
-            if (options.file.empty()) keep_in_mind(section, {}, judgement.verdicts.front().kind);
+        if (judgement.unbuilt) {
+            print_unbuilt(*judgement.unbuilt, name);
+            if (options.file.empty()) keep_in_mind(section, {}, judgement.unbuilt->kind);
             return;
         }
         auto outcomes = by_exercise(tree, section, judgement);
@@ -309,7 +308,8 @@ void add_check(CLI::App &app, const Tree &tree) {
         ->check(given);
     command->add_option("--seed", options->seed, "for generated values; the same seed, the same values")
         ->capture_default_str();
-    command->footer("Example: ./course check 7 --watch\nLeaves with 0 if all tests pass, 1 if not.");
+    command->footer("Example: ./course check 7 --watch\nLeaves with 0 if all tests pass, 1 if not, 4 if the machine "
+                    "let none be judged.");
     command->callback([&tree, options] {
         if (!options->file.empty() && options->what.empty())
             throw Complaint{"--file needs a section to judge it by, as in: ./course check 7 --file " + options->file};

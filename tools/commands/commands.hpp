@@ -24,6 +24,7 @@ void add_run(CLI::App &app, const Tree &tree);
 void add_plot(CLI::App &app, const Tree &tree);
 void add_debug(CLI::App &app, const Tree &tree);
 void add_new(CLI::App &app, const Tree &tree);
+void add_doctor(CLI::App &app, const Tree &tree);
 void add_draw(CLI::App &app, const Tree &tree);
 void add_publish(CLI::App &app, const Tree &tree);
 void add_bench(CLI::App &app, const Tree &tree);

@@ -28,7 +28,7 @@ namespace {
 [[noreturn]] void refuse(const fs::path &path, int error) {
     const std::string where = "cannot write " + path.string() + ": ";
     if (error == ENOSPC || error == EDQUOT || error == EFBIG)
-        throw Complaint{where + "the disk is full; make some room and try again. The old file is as it was."};
+        throw MachineTrouble{where + "the disk is full; make some room and try again. The old file is as it was."};
     throw Complaint{where + std::strerror(error) + "; make " + path.parent_path().string()
                     + " writable, or run this as its owner."};
 }

@@ -2,6 +2,7 @@
 
 #include "ground/complaint.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -11,7 +12,8 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
+#include <string_view>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -64,7 +66,8 @@ struct Captured {
     void open() {
         int ends[2];
         if (::pipe(ends) != 0)
-            throw Complaint{"no pipe can be made (" + std::string{std::strerror(errno)} + "); close some programs"};
+            throw MachineTrouble{"no pipe can be made (" + std::string{std::strerror(errno)}
+                                 + "); close some programs"};
         read.number = ends[0], write.number = ends[1];
         for (int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
         ::fcntl(read.number, F_SETFL, O_NONBLOCK);
@@ -84,43 +87,81 @@ struct Captured {
     }
 };
 
+/// Our environment with more in it. Compilers and gnuplot speak to us, and the same on every machine: in English.
+std::vector<std::string> environment_with(const std::vector<std::string> &more) {
+    std::vector<std::string> all{"LC_ALL=C.UTF-8"};
+    all.insert(all.end(), more.begin(), more.end());
+    const auto name_of = [](std::string_view entry) { return entry.substr(0, entry.find('=') + 1); };
+    for (char **ours = environ; *ours != nullptr; ++ours) {
+        const std::string_view name = name_of(*ours);
+        const auto is_it = [&](const std::string &one) { return name_of(one) == name; };
+        if (name != "LANGUAGE=" && std::none_of(all.begin(), all.end(), is_it)) all.emplace_back(*ours);
+    }
+    return all;
+}
+
+std::vector<char *> pointers_to(const std::vector<std::string> &words) {
+    std::vector<char *> pointers;
+    for (const std::string &word : words) pointers.push_back(const_cast<char *>(word.c_str()));
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+void limit(decltype(RLIMIT_CPU) what, rlim_t most, rlim_t grace = 0) {
+    rlimit now{};
+    if (most == 0 || ::getrlimit(what, &now) != 0) return;
+    now.rlim_max = std::min(now.rlim_max, most + grace);
+    now.rlim_cur = std::min(now.rlim_max, most);
+    ::setrlimit(what, &now);
+}
+
 /// Starts the program. Apart: in a process group of its own, so that its children can be ended with it.
 pid_t start(const std::vector<std::string> &command, const RunOptions &options, bool apart, Captured &out,
             Captured &err) {
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawnattr_init(&attributes);
-    if (apart) ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    if (options.quiet) {
-        ::posix_spawn_file_actions_adddup2(&actions, out.write.number, STDOUT_FILENO);
-        ::posix_spawn_file_actions_adddup2(&actions, err.write.number, STDERR_FILENO);
+    const auto environment = environment_with(options.environment);
+    const auto arguments = pointers_to(command), variables = pointers_to(environment);
+    Captured trouble; // closed by the program's start; else the number of the error comes
+    trouble.open();
+    ::fcntl(trouble.read.number, F_SETFL, 0);
+
+    const pid_t child = ::fork();
+    if (child == 0) { // only what is safe between fork and exec
+        if (apart) {
+            ::setpgid(0, 0);
+            const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+            ::dup2(nothing, STDIN_FILENO);
+        }
+        if (options.quiet) {
+            ::dup2(out.write.number, STDOUT_FILENO);
+            ::dup2(err.write.number, STDERR_FILENO);
+        }
+        limit(RLIMIT_AS, options.limits.memory);
+        limit(RLIMIT_FSIZE, options.limits.file_size);
+        limit(RLIMIT_CPU, options.limits.processor_time, 2); // SIGXCPU says why; SIGKILL, a little later, would not
+        for (int signal : signals) ::signal(signal, SIG_DFL);
+        ::signal(SIGXFSZ, SIG_DFL);
+        sigset_t none;
+        ::sigemptyset(&none);
+        ::sigprocmask(SIG_SETMASK, &none, nullptr);
+        environ = const_cast<char **>(variables.data());
+        if (options.folder.empty() || ::chdir(options.folder.c_str()) == 0) ::execvp(arguments[0], arguments.data());
+        const int error = errno;
+        if (::write(trouble.write.number, &error, sizeof error) != sizeof error) ::_exit(126);
+        ::_exit(127);
     }
-    if (!options.folder.empty()) ::posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
-
-    sigset_t none, ours = our_signals();
-    ::sigemptyset(&none);
-    ::sigaddset(&ours, SIGXFSZ);
-    ::posix_spawnattr_setsigmask(&attributes, &none);
-    ::posix_spawnattr_setsigdefault(&attributes, &ours);
-    ::posix_spawnattr_setpgroup(&attributes, 0);
-    const int group = apart ? POSIX_SPAWN_SETPGROUP : 0;
-    ::posix_spawnattr_setflags(&attributes, static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | group));
-
-    std::vector<char *> arguments;
-    for (const std::string &word : command) arguments.push_back(const_cast<char *>(word.c_str()));
-    arguments.push_back(nullptr);
-
-    pid_t child = 0;
-    // Compilers and gnuplot speak to us, and the same on every machine: in English, with UTF-8.
-    ::setenv("LC_ALL", "C.UTF-8", 1);
-    ::unsetenv("LANGUAGE");
-    const int error = ::posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(), environ);
-    ::posix_spawnattr_destroy(&attributes);
-    ::posix_spawn_file_actions_destroy(&actions);
-    if (error == 0) return child;
-    throw Complaint{"cannot start " + command.front() + " (" + std::strerror(error)
-                    + "); `./course doctor` says what is missing"};
+    int error = errno;
+    trouble.write.close();
+    if (child > 0) {
+        if (apart) ::setpgid(child, child); // both sides: whoever comes first
+        ssize_t count = 0;
+        while ((count = ::read(trouble.read.number, &error, sizeof error)) < 0 && errno == EINTR) {}
+        if (count <= 0) return child;
+        ::waitpid(child, nullptr, 0);
+    }
+    const std::string sentence = "cannot start " + command.front() + " (" + std::strerror(error) + ")";
+    if (error == EAGAIN || error == ENOMEM || error == ENFILE || error == EMFILE)
+        throw MachineTrouble{sentence + ": the machine has no room for another program; close some"};
+    throw Complaint{sentence + "; `./course doctor` says what is missing"};
 }
 
 /// Waits a little, or until the program has printed or closed something.

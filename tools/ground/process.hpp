@@ -6,10 +6,19 @@
 
 namespace course {
 
+/// What each process of a command may use at most; 0: as much as there is.
+struct Limits {
+    std::size_t memory = 0;      ///< [bytes] of addresses
+    std::size_t file_size = 0;   ///< [bytes] of any file that it writes
+    unsigned processor_time = 0; ///< [s] of processor, however long that takes on a busy machine
+};
+
 struct RunOptions {
     bool quiet = true;                 ///< keep what it prints, instead of letting it through to the terminal
     double deadline = 0;               ///< [s], 0: as long as it takes; afterwards it and its children are killed
     std::filesystem::path folder = {}; ///< where it runs; empty: here
+    Limits limits = {};
+    std::vector<std::string> environment = {}; ///< added to ours: "TMPDIR=/some/folder"
 };
 
 struct Finished {
@@ -25,7 +34,8 @@ struct Interrupted {
 
 /// Runs a program (looked up in PATH) with these arguments; no shell in between.
 /// A quiet one reads nothing; neither it nor its children outlive a deadline or Ctrl-C. One runs at a time.
-/// @throws Complaint if it cannot be started; Interrupted after Ctrl-C, once the program has ended.
+/// @throws Complaint if it is not there, MachineTrouble if the machine cannot start it; Interrupted after Ctrl-C, once
+///         the program has ended.
 Finished run(const std::vector<std::string> &command, const RunOptions &options = {});
 
 /// Called once, by main: from here on Ctrl-C ends a running program and then us, with 130.

@@ -2,26 +2,30 @@
 
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
+#include "ground/lines.hpp"
 #include "ground/lock.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
 #include "loop/answer.hpp"
 #include "loop/diagnosis.hpp"
+#include "loop/includes.hpp"
+#include "loop/stopped.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
-#include <sstream>
+#include <cstring>
+#include <functional>
 
 namespace course {
 namespace fs = std::filesystem;
 
-bool Judgement::judged() const {
-    return std::none_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.test.empty(); });
-}
 bool Judgement::all_passed() const {
-    return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); });
+    return !unbuilt && !verdicts.empty()
+           && std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); });
 }
 bool Judgement::our_fault() const {
     return std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.kind == Kind::no_verdict; });
@@ -29,13 +33,15 @@ bool Judgement::our_fault() const {
 
 namespace {
 
-constexpr double longest_compilation = 8; // [s]; a finished solution takes under one
+/// [s] for all tests of a section. They end a student's endless loops themselves, after a few seconds each.
+constexpr double longest_test = 180;
 
 /// How CMake compiles and links: what it left in course.json.
 struct Toolbox {
     std::string compiler, cmake, nm;
     std::vector<std::string> link, flags, precompiled; ///< the last: what puts the precompiled header before a file
     fs::path server, missing;
+    std::vector<fs::path> includes;   ///< folders with what a student's file may include
     std::vector<std::string> earlier; ///< objects: the solutions of the sections that this one builds on
 };
 
@@ -52,7 +58,9 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
                   json.at("precompiled"),
                   {},
                   {},
+                  {},
                   {}};
+        for (const auto &folder : json.at("includes")) w.includes.emplace_back(folder.get<std::string>());
         for (const auto &each : json.at("sections"))
             if (each.at("name") == section.name) {
                 w.server = each.at("server").get<std::string>();
@@ -111,7 +119,8 @@ class Scratch {
     explicit Scratch(const fs::path &build) {
         std::string name = (build / "loop" / "judge.XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr)
-            throw Complaint{"cannot write in " + build.string() + ": make it writable, or its disk less full."};
+            throw MachineTrouble{"cannot write in " + build.string() + " (" + std::strerror(errno)
+                                 + "): make it writable, or its disk less full"};
         folder = name;
     }
     ~Scratch() {
@@ -127,11 +136,15 @@ class Scratch {
     fs::path folder;
 };
 
-Judgement single(Verdict verdict, std::vector<std::string> warnings = {}) {
-    Judgement judgement;
-    judgement.verdicts.push_back(std::move(verdict));
-    judgement.warnings = std::move(warnings);
-    return judgement;
+Judgement not_built(Verdict why, std::vector<std::string> warnings = {}) {
+    return {std::move(why), {}, std::move(warnings)};
+}
+
+Verdict stopped(Kind kind, std::string sentence) {
+    Verdict verdict;
+    verdict.kind = kind;
+    verdict.sentence = std::move(sentence);
+    return verdict;
 }
 
 /// For a function that is missing: how the header declares it, and what stands there instead.
@@ -148,11 +161,21 @@ void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Se
     }
 }
 
-std::vector<Verdict> read_verdicts(const fs::path &file) {
-    std::vector<Verdict> verdicts;
-    std::istringstream lines{read_file(file)};
-    for (std::string line; std::getline(lines, line);) verdicts.push_back(nlohmann::json::parse(line).get<Verdict>());
-    return verdicts;
+/// Runs the tests against a subject.
+/// @return what they printed: a line of JSON for each verdict
+std::string run_tests(const Tree &tree, const Section &section, const std::string &subject, unsigned seed) {
+    const auto tested =
+        run({(tree.build / "tests" / section.name).string(), subject, "--json", "--seed", std::to_string(seed)},
+            {.deadline = longest_test});
+    if (tested.timed_out)
+        throw MachineTrouble{"the tests of section " + section.short_number() + " did not come to their end within "
+                             + std::to_string(static_cast<int>(longest_test))
+                             + " s, and were stopped: is the machine very busy? Nothing was judged"};
+    if (tested.code == machine_trouble || tested.code == 128 + SIGKILL || tested.code == 128 + SIGTERM)
+        throw MachineTrouble{"the tests of section " + section.short_number() + " could not be run: "
+                             + (tested.err.empty() ? "they were killed from outside" : plain_output(tested.err))
+                             + "Nothing was judged"};
+    return tested.out;
 }
 
 std::vector<std::string> compile_command(const Toolbox &w, const Tree &tree, const Section &section,
@@ -172,45 +195,77 @@ std::vector<std::string> compile_command(const Tree &tree, const Section &sectio
     return compile_command(toolbox(tree, section), tree, section, file, object, bare);
 }
 
+std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std::string &said) {
+    std::vector<Verdict> told, verdicts;
+    for (const Line &line : lines_of(said)) {
+        const auto json = nlohmann::json::parse(line.text, nullptr, false);
+        try {
+            told.push_back(json.get<Verdict>());
+        } catch (const nlohmann::json::exception &) { // half a line: its test has no verdict
+        }
+    }
+    const auto none = [](const KnownTest &test, const char *sentence) {
+        Verdict verdict = stopped(Kind::no_verdict, sentence);
+        verdict.exercise = test.exercise;
+        verdict.test = test.claim;
+        return verdict;
+    };
+    for (const KnownTest &test : tests) {
+        const auto is_its = [&](const Verdict &v) { return v.exercise == test.exercise && v.test == test.claim; };
+        const auto its = std::stable_partition(told.begin(), told.end(), std::not_fn(is_its));
+        const auto count = told.end() - its;
+        verdicts.push_back(count == 1 ? *its
+                                      : none(test, count == 0 ? "This test did not say what it found."
+                                                              : "This test said more than once what it found."));
+        told.erase(its, told.end());
+    }
+    for (const Verdict &other : told)
+        verdicts.push_back(none({other.exercise, other.test}, "This test is not in the section's list of tests."));
+    return verdicts;
+}
+
 Judgement judge(const Tree &tree, const Section &section, const fs::path &given, unsigned seed) {
     const fs::path file = fs::absolute(given).lexically_normal();
     const std::string name = tree.shown(file);
     const std::string text = read_answer(file);
-    if (auto trouble = diagnose_text(text, name, section.short_number())) return single(*trouble);
-    if (auto trouble = diagnose_section(text, name, tree, section)) return single(*trouble);
+    if (auto trouble = diagnose_text(text, name, section.short_number())) return not_built(*trouble);
+    if (auto trouble = diagnose_section(text, name, tree, section)) return not_built(*trouble);
 
     const Toolbox w = toolbox(tree, section);
     bring_up_to_date(tree, section, w);
     const Scratch scratch{tree.build};
     const std::string object = scratch / "student.o", subject = scratch / "subject";
+    const RunOptions limited{
+        .deadline = longest_wait, .limits = compiler_limits, .environment = {"TMPDIR=" + (scratch / "").string()}};
 
-    const auto compiled =
-        run(compile_command(w, tree, section, file, object, false), {.deadline = longest_compilation});
-    if (compiled.timed_out) {
-        Verdict slow;
-        slow.kind = Kind::does_not_compile;
-        slow.sentence = "The compiler was stopped after " + std::to_string(static_cast<int>(longest_compilation))
-                        + " s: does a template or a constexpr function never end?";
-        return single(slow);
-    }
+    const std::string includes = scratch / "includes";
+    auto compile = compile_command(w, tree, section, file, object, false);
+    compile.insert(compile.end(), {"-MD", "-MF", includes});
+    const auto compiled = run(compile, limited);
     const std::string said = plain_output(compiled.err);
+    if (auto why = stopped_by_a_limit(compiled, said); !why.empty())
+        return not_built(stopped(Kind::does_not_compile, std::move(why)));
+    if (compiled.code != 0) return not_built(diagnose_compiler(said, file, name));
+    if (const auto elsewhere = included_from_elsewhere(read_file(includes), file, w.includes))
+        return not_built(stopped(Kind::does_not_compile,
+                                 "Your file includes " + tree.shown(*elsewhere)
+                                     + ", which a check does not allow: it may include headers of the system, of Eigen "
+                                       "and of chapters/. Write what you need into the file itself."));
     auto warnings = find_warnings(said, file, name);
     for (const std::string &unreached : find_unreached(text, name)) warnings.push_back(unreached);
-    if (compiled.code != 0) return single(diagnose_compiler(said, file, name));
 
     std::vector<std::string> link{w.compiler, object, w.server.string(), w.missing.string(), "-o", subject};
     link.insert(link.end(), w.earlier.begin(), w.earlier.end());
     link.insert(link.end(), w.link.begin(), w.link.end());
-    if (const auto linked = run(link, {.deadline = longest_compilation}); linked.code != 0)
-        return single(diagnose_linker(plain_output(linked.err), name, section.short_number()), warnings);
+    if (const auto linked = run(link, limited); linked.code != 0) {
+        const std::string linker = plain_output(linked.err);
+        auto why = stopped_by_a_limit(linked, linker);
+        return not_built(why.empty() ? diagnose_linker(linker, name, section.short_number())
+                                     : stopped(Kind::does_not_link, std::move(why)),
+                         std::move(warnings));
+    }
 
-    const fs::path verdicts = scratch / "verdicts";
-    const auto tested = run({(tree.build / "tests" / section.name).string(), subject, "--json", verdicts.string(),
-                             "--seed", std::to_string(seed)});
-    Judgement judgement{read_verdicts(verdicts), std::move(warnings)};
-    if (tested.code > 1 || judgement.verdicts.empty())
-        throw std::runtime_error{"the tests of section " + section.short_number() + " broke off ("
-                                 + std::to_string(tested.code) + "): " + tested.err};
+    Judgement judgement{{}, one_for_each(tests_of(tree, section), run_tests(tree, section, subject, seed)), warnings};
     help_the_missing(judgement.verdicts, tree, section, w, object);
     return judgement;
 }

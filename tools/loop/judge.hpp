@@ -2,26 +2,35 @@
 // From a student's file to verdicts: compile it, link it with the server, run the tests against it.
 
 #include "ground/tree.hpp"
+#include "loop/catalogue.hpp"
 #include "verdict/shared/verdict.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace course {
 
 struct Judgement {
-    std::vector<Verdict> verdicts;     ///< one for each test; a single one if the file does not compile or link
+    std::optional<Verdict> unbuilt;    ///< why the file does not compile or link; then no test ran
+    std::vector<Verdict> verdicts;     ///< exactly one for each test of the section, in the order of its file
     std::vector<std::string> warnings; ///< of the compiler: "exercises/07_….cpp:12: unused variable 'x'"
-    bool judged() const;               ///< whether the tests ran
+
     bool all_passed() const;
-    bool our_fault() const; ///< a test without a verdict
+    bool our_fault() const; ///< a test has no verdict
 };
 
-/// Judges a file as a section's exercise. Nothing is kept: several may go on at once.
+/// Judges a file as a section's exercise, and keeps nothing. A process judges one file at a time; several processes may
+/// judge at once, in one build folder.
 /// @param file  a student's file, wherever it is
 /// @param seed  for generated values
-/// @throws Complaint if the file is not there, or the course cannot be built
+/// @throws Complaint if the file is not there, or the course cannot be built; MachineTrouble if the machine is in the way
 Judgement judge(const Tree &tree, const Section &section, const std::filesystem::path &file, unsigned seed);
+
+/// What the tests said, as one verdict for each test that there is: a test without one, or with two, has none, and so has
+/// one that nobody knows.
+/// @param said  a line of JSON for each verdict
+std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std::string &said);
 
 /// The command that compiles a file as `judge` does; the bare one, without the precompiled header, is what benchmarks
 /// measure it against.

@@ -17,7 +17,8 @@ Usage: ./course [command]
   COURSE_BUILD=/some/folder ./course    builds there instead of in build/default
 
 Exit codes: 0 all is well; 1 a test is not passed, or a check found a difference; 2 the call, a file or the machine
-needs something, and the message says what; 3 the course itself is at fault; 130 stopped by Ctrl-C.
+needs something, and the message says what; 3 the course itself is at fault; 4 the machine got in the way of a
+check; 130 stopped by Ctrl-C.
 END
 }
 

@@ -37,6 +37,7 @@ doctor() {
         printf '%-11s found %s, need %s%s\n' "$name" "${version:-nothing}" "$(wanted "$name" "$least")" "$remedy"
     done
     [ -n "$found" ] || echo 'A compiler, Ninja or CMake 3.25 is missing. Only with them can the others be found.'
+    [ ! -x "$build/course-tool" ] || "$build/course-tool" doctor
     [ -z "$lacking" ] || exit 2
 }
 

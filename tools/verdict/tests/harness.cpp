@@ -1,11 +1,14 @@
 // The main of a section's tests: runs them against a subject, a program with a student's code in it, and says what it saw.
 //
 //     07_segment_intersection SUBJECT               what a student reads
-//     07_segment_intersection SUBJECT --json FILE   the same for the `course` program, one verdict a line
+//     07_segment_intersection SUBJECT --json        the same for the `course` program, a line of JSON for each verdict
 //     07_segment_intersection --catalogue           the section's exercises and tests, as JSON
 //
 // Catch2 finds the tests and runs them. What it would print is never looked at: the session owns the verdict.
 
+#include "ground/complaint.hpp"
+#include "ground/hidden.hpp"
+#include "verdict/tests/nameless_file.hpp"
 #include "verdict/tests/session.hpp"
 
 #include <catch2/catch_session.hpp>
@@ -20,8 +23,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
+#include <csignal>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -138,40 +140,46 @@ void run_tests(Session &here, unsigned seed, const Part &part) {
     if (!part.until_red) add_missing_verdicts(part);
 }
 
-/// Writes verdicts to a file, a line of JSON each, as they come.
-void tell_file(std::ofstream &lines) {
-    tell = [&lines](const Verdict &verdict) {
-        lines << nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
-    };
+/// One of several processes, each of which runs a part of the tests. It has children of its own, and so finds what a
+/// student's code has left behind. Its verdicts go where no subject can reach them, a line of JSON each, as they come.
+[[noreturn]] void work(const std::string &subject, unsigned seed, const Part &part, int core, NamelessFile &lines) {
+    try {
+        tell = [&](const Verdict &verdict) {
+            const auto json = nlohmann::json(verdict);
+            lines.append(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+        };
+        prepare_for_subjects(core);
+        Session here{subject, Patience{}};
+        run_tests(here, seed, part);
+        if (here.trouble().empty()) ::_exit(all_well);
+        std::cerr << here.trouble() << std::endl;
+    } catch (const MachineTrouble &trouble) {
+        std::cerr << trouble.what() << std::endl;
+    }
+    ::_exit(machine_trouble);
 }
 
-/// Runs all tests in as many processes as there are cores, up to four, and puts their verdicts together, in order. Each
-/// has children of its own, and so finds what a student's code has left behind.
-/// @return 0, or 3 if one of them has not come to its end
-int run_side_by_side(const std::string &subject, unsigned seed, const std::string &json) {
+/// Runs all tests in as many processes as there are cores, up to four, and prints their verdicts, in order.
+/// @return all_well, or machine_trouble if the machine kept one of them from its end
+int run_side_by_side(const std::string &subject, unsigned seed) {
     const std::vector<int> all = cores();
     const unsigned workers = static_cast<unsigned>(std::min<std::size_t>(all.size(), 4));
-    const auto file_of = [&](unsigned worker) { return json + '.' + std::to_string(worker); };
+    std::vector<NamelessFile> lines(workers);
     std::vector<pid_t> processes;
     for (unsigned worker = 0; worker < workers; ++worker) {
         processes.push_back(::fork());
-        if (processes.back() != 0) continue;
-        std::ofstream lines{file_of(worker)};
-        tell_file(lines);
-        prepare_for_subjects(all[worker]);
-        Session here{subject, Patience{}};
-        run_tests(here, seed, {worker, workers});
-        lines.close();
-        ::_exit(0);
+        if (processes.back() == 0) work(subject, seed, {worker, workers}, all[worker], lines[worker]);
     }
-    int code = 0;
-    std::ofstream lines{json};
+    int code = all_well;
     for (unsigned worker = 0; worker < workers; ++worker) {
         int status = 0;
-        if (processes[worker] < 0 || ::waitpid(processes[worker], &status, 0) < 0 || status != 0) code = 3;
-        if (std::ifstream part{file_of(worker)}; part.peek() != std::ifstream::traits_type::eof())
-            lines << part.rdbuf();
-        std::remove(file_of(worker).c_str());
+        if (processes[worker] < 0 || ::waitpid(processes[worker], &status, 0) < 0) code = machine_trouble;
+        else if (WIFEXITED(status) && WEXITSTATUS(status) == machine_trouble) code = machine_trouble; // it said why
+        else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) {
+            std::cerr << "a part of them was killed from outside; has the machine run out of memory?" << std::endl;
+            code = machine_trouble;
+        }
+        std::cout << lines[worker].text(64u << 20);
     }
     return code;
 }
@@ -212,11 +220,11 @@ int course::cases(int full) { return all_cases ? full : full / 100; }
 
 int main(int argc, char **argv) {
     CLI::App app{"Tests of one section, run against a program with a student's code in it."};
-    std::string subject, answer, exercise, json, expect = "all";
-    bool list = false;
+    std::string subject, answer, exercise, expect = "all";
+    bool json = false, list = false;
     unsigned seed = 2026;
     app.add_option("subject", subject, "the program with the code to judge");
-    app.add_option("--json", json, "write each verdict as a line of JSON to this file");
+    app.add_flag("--json", json, "print each verdict as a line of JSON");
     app.add_option("--seed", seed, "for generated values")->capture_default_str();
     app.add_option("--answer", answer, "which one, of a program that holds many answers");
     app.add_option("--exercise", exercise, "only the tests of this one, as 7.2");
@@ -230,12 +238,13 @@ int main(int argc, char **argv) {
         std::cout << catalogue(std::filesystem::path{argv[0]}.filename().string()).dump(1) << '\n';
         return 0;
     }
-    if (!json.empty()) return run_side_by_side(subject, seed, json);
+    hide_from_other_processes();
+    if (json) return run_side_by_side(subject, seed);
     tell = print;
     prepare_for_subjects(cores().front());
     // In CI the machine may be slow; but a wrong one may well hang, and will be no less wrong after a minute.
     const bool red = expect == "red";
-    Session here{subject, app.count("--expect") > 0 && !red ? Patience{60, 600} : Patience{}, answer};
+    Session here{subject, app.count("--expect") > 0 && !red ? Patience{60, 600, 60} : Patience{}, answer};
     run_tests(here, seed, {.exercise = exercise, .until_red = red});
 
     const auto failed = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return !v.passed(); });

@@ -1,6 +1,7 @@
 #include "verdict/tests/session.hpp"
 
 #include "course.hpp"
+#include "ground/complaint.hpp"
 #include "ground/text.hpp"
 #include "verdict/tests/describe.hpp"
 
@@ -9,6 +10,10 @@
 
 namespace course {
 namespace {
+
+Clock::duration as_duration(double seconds) {
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
 
 std::string seconds(double time) { return describe_number(time, 2) + " s"; }
 
@@ -54,9 +59,9 @@ Session::Session(std::filesystem::path subject_, Patience patience_, std::string
 void Session::begin(std::string exercise, std::string test) {
     const double spent = std::chrono::duration<double>(Clock::now() - started).count();
     constexpr double least = 0.2; // [s] a hundred times what working code takes
-    const bool hurry = exercise == hung || spent > 2 * patience.all;
+    const bool hurry = exercise == hung || spent - starting > 2 * patience.all;
     allowed = hurry ? least : std::clamp((patience.all - lost) / 5, least, patience.a_case);
-    deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(allowed));
+    deadline = Clock::now() + as_duration(allowed);
     verdict = {};
     verdict.exercise = std::move(exercise);
     verdict.test = std::move(test);
@@ -111,8 +116,6 @@ void Session::judge_end(int status, bool before_main) {
         note_verdict(Kind::too_long, where + "Your code used two minutes of computing time.");
     else if (WIFSIGNALED(status))
         note_verdict(Kind::crashed, where + "Your code " + meaning_of_signal(WTERMSIG(status)) + '.');
-    else if (WIFEXITED(status) && WEXITSTATUS(status) == 127 && before_main)
-        note_verdict(Kind::no_verdict, "The program with your code cannot be started: " + program.string());
     else if (WIFEXITED(status) && WEXITSTATUS(status) == wire::pipe_is_gone)
         note_verdict(Kind::out_of_turn,
                      where + "Your code closed a file that it had not opened, and its answer was lost.");
@@ -122,13 +125,16 @@ void Session::judge_end(int status, bool before_main) {
 /// No answer: because of time, because the process is gone, or because it said something that is none.
 void Session::over_in_silence() {
     const bool before_main = !greeted;
+    if (subject->silence == Subject::Silence::late && before_main)
+        over(Kind::too_long,
+             "Your code starts before the first test, in the constructor of a global variable, and does "
+             "not come to an end within "
+                 + seconds(patience.start) + '.');
     if (subject->silence == Subject::Silence::late) {
         hung = verdict.exercise;
         lost += allowed;
-        over(Kind::too_long, before_main ? "Your code starts before the first test, in the constructor of a global "
-                                           "variable, and does not come to an end."
-                                         : "Your code gave no answer within " + seconds(allowed)
-                                               + ": look for a loop that does not end.");
+        over(Kind::too_long,
+             "Your code gave no answer within " + seconds(allowed) + ": look for a loop that does not end.");
     }
     if (subject->silence == Subject::Silence::nonsense) answered_nonsense();
     const auto status = subject->finish(Clock::now() + std::chrono::milliseconds{500});
@@ -144,20 +150,29 @@ void Session::answered_nonsense() {
          "file descriptor that it has not opened?");
 }
 
+/// Starting has an allowance of its own: a hang elsewhere takes nothing from it.
 void Session::start() {
     greeted = false;
+    if (starting > patience.all)
+        over(Kind::too_long, "Starting your code has taken " + seconds(starting)
+                                 + " by now, as it starts anew for each test: what does the constructor of a global "
+                                   "variable do?");
+    const auto begin = Clock::now();
     subject = std::make_unique<Subject>(program, answer);
-    const auto hello = subject->receive(deadline);
-    if (!hello && !(subject->silence == Subject::Silence::nonsense)) over_in_silence();
-    if (!hello || hello->header.frame == wire::Frame::crashed) {
-        subject->finish(Clock::now() + std::chrono::milliseconds{100});
+    const auto hello = subject->receive(begin + as_duration(patience.start));
+    const auto now = Clock::now();
+    starting += std::chrono::duration<double>(now - begin).count();
+    deadline = now + as_duration(allowed);
+    if (!hello && subject->silence != Subject::Silence::nonsense) over_in_silence();
+    if (!hello) answered_nonsense();
+    if (hello->header.frame == wire::Frame::crashed) {
+        subject->finish(now + std::chrono::milliseconds{100});
         over(Kind::crashed, "Before the first test, in the constructor of a global variable: your code crashed.");
     }
     wire::Reader reader{hello->payload};
     if (hello->header.frame != wire::Frame::hello || reader.take<std::uint32_t>() != exercise_lines().size()
         || !reader.finished())
-        over(Kind::no_verdict,
-             "The program with your code serves other exercises than these tests ask for: build it anew.");
+        answered_nonsense();
     greeted = true;
 }
 
@@ -176,6 +191,9 @@ std::string Session::call(const ExerciseLine &exercise, const std::string &argum
         } catch (const CaseOver &) {
             never_starts = verdict;
             throw;
+        } catch (const MachineTrouble &trouble) {
+            machine_trouble = trouble.what();
+            over(Kind::no_verdict, machine_trouble);
         }
     }
 

@@ -13,6 +13,7 @@ namespace course {
 struct Patience {
     double a_case = 2; ///< [s]
     double all = 10;   ///< [s]
+    double start = 5;  ///< [s] for a subject to start; all starts together: `all`
 };
 
 class Session {
@@ -26,6 +27,9 @@ class Session {
 
     /// The case is over: its verdict.
     Verdict end(bool asserted_something);
+
+    /// What on this machine kept a case from being judged; empty if nothing did. Then no verdict counts.
+    const std::string &trouble() const { return machine_trouble; }
 
     std::string call(const ExerciseLine &exercise, const std::string &arguments);
     [[noreturn]] void answered_nonsense();
@@ -54,12 +58,14 @@ class Session {
     Patience patience;
     Clock::time_point started = Clock::now();
     Clock::time_point deadline;
-    double allowed = 0; ///< [s] for the running case
-    double lost = 0;    ///< [s] in hangs; a machine that is busy with other things takes no patience away
-    std::string hung;   ///< the exercise that has used up a case's time: its other cases get less
+    double allowed = 0;  ///< [s] for the running case
+    double starting = 0; ///< [s] until subjects had greeted
+    double lost = 0;     ///< [s] in hangs; a machine that is busy with other things takes no patience away
+    std::string hung;    ///< the exercise that has used up a case's time: its other cases get less
 
     std::unique_ptr<Subject> subject;
     std::optional<Verdict> never_starts; ///< found out once, true for every case
+    std::string machine_trouble;
     bool greeted = false;
     std::uint32_t calls = 0;
     std::string last_arguments;

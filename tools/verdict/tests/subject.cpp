@@ -1,5 +1,8 @@
 #include "verdict/tests/subject.hpp"
 
+#include "ground/complaint.hpp"
+#include "ground/hidden.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -9,7 +12,6 @@
 #include <fcntl.h>
 #include <fstream>
 #include <poll.h>
-#include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,7 +19,6 @@
 
 #ifdef __linux__
 #include <sched.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #endif
 
@@ -25,7 +26,7 @@ namespace course {
 namespace {
 
 [[noreturn]] void give_up(const char *what) {
-    throw std::runtime_error{std::string{what} + ": " + std::strerror(errno)};
+    throw MachineTrouble{std::string{what} + " (" + std::strerror(errno) + ")"};
 }
 
 std::array<int, 2> make_pipe() {
@@ -40,23 +41,11 @@ std::array<int, 2> make_pipe() {
     return ends;
 }
 
-/// A file without a name, which goes when nobody holds it.
-int make_output() {
-#ifdef __linux__
-    const int file = ::memfd_create("printed", MFD_CLOEXEC);
-#else
-    std::FILE *temporary = std::tmpfile();
-    const int file = temporary == nullptr ? -1 : ::fcntl(::fileno(temporary), F_DUPFD_CLOEXEC, 10);
-    if (temporary != nullptr) std::fclose(temporary);
-#endif
-    if (file < 0) give_up("cannot keep what is printed");
-    return file;
-}
-
-void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
-    const rlimit both{most, most};
+void limit(decltype(RLIMIT_CPU) what, rlim_t soft, rlim_t hard) {
+    const rlimit both{soft, hard};
     ::setrlimit(what, &both);
 }
+void limit(decltype(RLIMIT_CPU) what, rlim_t most) { limit(what, most, most); }
 
 constexpr bool sanitized =
 #ifdef __SANITIZE_ADDRESS__
@@ -65,28 +54,39 @@ constexpr bool sanitized =
     false;
 #endif
 
-/// Between fork and exec: only what is safe there.
-[[noreturn]] void become(const char *program, char *answer, int requests, int replies, int output) {
+/// What a subject needs to become one, made ready before the fork.
+struct Start {
+    const char *program;
+    char *answer; ///< of its environment; null: none
+    const ShutIn &shut_in;
+    int requests, replies, output, trouble; ///< descriptors
+};
+
+/// Between fork and exec: only what is safe there. What goes wrong is told by its number.
+[[noreturn]] void become(const Start &start) {
     ::setsid(); // a group of its own, so that one signal reaches all of it
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
     const int nothing = ::open("/dev/null", O_RDONLY);
     ::dup2(nothing, 0);
-    ::dup2(output, 1);
-    ::dup2(output, 2);
-    ::dup2(requests, wire::request_fd);
-    ::dup2(replies, wire::reply_fd);
-    for (int other = 5; other < 10; ++other) ::close(other);
+    ::dup2(start.output, 1);
+    ::dup2(start.output, 2);
+    ::dup2(start.requests, wire::request_fd);
+    ::dup2(start.replies, wire::reply_fd);
     ::signal(SIGPIPE, SIG_DFL);
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, 120); // [s] for whatever escapes everything else
+    limit(RLIMIT_CPU, 120, 122); // [s] for whatever escapes everything else; SIGXCPU says why, SIGKILL would not
     limit(RLIMIT_FSIZE, print_limit);
     limit(RLIMIT_STACK, 8u << 20);
     if (!sanitized) limit(RLIMIT_AS, memory_limit);
+    limit(RLIMIT_NOFILE, 64);
     char *arguments[] = {const_cast<char *>("subject"), nullptr};
-    char *environment[] = {const_cast<char *>("LC_ALL=C.UTF-8"), answer, nullptr};
-    ::execve(program, arguments, environment);
+    char *environment[] = {const_cast<char *>("LC_ALL=C.UTF-8"), start.answer, nullptr};
+    start.shut_in.shut();
+    ::execve(start.program, arguments, environment);
+    const int error = errno;
+    if (::write(start.trouble, &error, sizeof error) < 0) ::_exit(126);
     ::_exit(127);
 }
 
@@ -107,15 +107,13 @@ bool ready_for(short event, int file, Clock::time_point deadline) {
 }
 
 /// Processes whose parent we are by now.
-std::string children() {
+std::vector<pid_t> children() {
+    std::vector<pid_t> all;
 #ifdef __linux__
     std::ifstream list{"/proc/self/task/" + std::to_string(::getpid()) + "/children"};
-    std::string text;
-    std::getline(list, text);
-    return text;
-#else
-    return {};
+    for (pid_t child = 0; list >> child;) all.push_back(child);
 #endif
+    return all;
 }
 
 void reap() {
@@ -139,8 +137,8 @@ std::vector<int> cores() {
 
 void prepare_for_subjects([[maybe_unused]] int core) {
     std::signal(SIGPIPE, SIG_IGN);
+    hide_from_other_processes();
 #ifdef __linux__
-    if (!sanitized) ::prctl(PR_SET_DUMPABLE, 0); // the leak checker looks into us
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     if (core >= 0) {
         cpu_set_t one;
@@ -151,29 +149,34 @@ void prepare_for_subjects([[maybe_unused]] int core) {
 #endif
 }
 
-Subject::Subject(const std::filesystem::path &program, const std::string &answer) {
-    const auto requests = make_pipe(), replies = make_pipe();
-    output = make_output();
+Subject::Subject(const std::filesystem::path &program, const std::string &answer, Protection protection) {
+    const ShutIn shut_in{program, protection};
+    const auto requests = make_pipe(), replies = make_pipe(), trouble = make_pipe();
     std::string chosen = "COURSE_ANSWER=" + answer;
     process = ::fork();
     if (process < 0) give_up("cannot start the student's process");
     if (process == 0)
-        become(program.c_str(), answer.empty() ? nullptr : chosen.data(), requests[0], replies[1], output);
+        become({program.c_str(), answer.empty() ? nullptr : chosen.data(), shut_in, requests[0], replies[1],
+                output.descriptor(), trouble[1]});
     group = process;
-    ::close(requests[0]);
-    ::close(replies[1]);
+    for (const int theirs : {requests[0], replies[1], trouble[1]}) ::close(theirs);
     to = requests[1];
-    ::fcntl(to, F_SETFL, O_NONBLOCK); // whoever does not read shall not stop us
+    ::fcntl(to, F_SETFL, O_NONBLOCK); // a subject that does not read shall not stop us
     from = replies[0];
+    int error = 0;
+    ssize_t got = 0; // the end, when the program has started
+    while ((got = ::read(trouble[0], &error, sizeof error)) < 0 && errno == EINTR) {}
+    ::close(trouble[0]);
+    if (got <= 0) return;
+    errno = error;
+    give_up("cannot start the student's process");
 }
 
 Subject::~Subject() {
-    if (group > 0) ::kill(-group, SIGKILL);
-    if (process > 0) ::kill(process, SIGKILL); // not yet a group of its own
-    if (process > 0) ::waitpid(process, nullptr, 0);
-    for (const int file : {to, from, output})
+    if (process > 0) ::kill(process, SIGKILL);
+    left_processes();
+    for (const int file : {to, from})
         if (file >= 0) ::close(file);
-    reap();
 }
 
 bool Subject::send(std::uint32_t call, const std::string &payload, Clock::time_point deadline) {
@@ -243,30 +246,23 @@ bool Subject::said_more() {
 }
 
 bool Subject::left_processes() {
-    reap();
-    const bool any = ::kill(-group, 0) == 0 || !children().empty();
-    if (!any) return false;
-    ::kill(-group, SIGKILL);
-    for (std::string list = children(); !list.empty();) {
-        char *end = nullptr;
-        const long child = std::strtol(list.c_str(), &end, 10);
-        if (child <= 0) break;
-        ::kill(static_cast<pid_t>(child), SIGKILL); // even one that made itself a group of its own
-        list.erase(0, static_cast<std::size_t>(end - list.c_str()));
-    }
-    return true;
+    if (group < 0) return false;
+    bool any = false;
+    if (process < 0) reap(); // what has ended by itself was not left behind
+    const auto give_up_at = Clock::now() + std::chrono::seconds{2};
+    do {
+        any = ::kill(-group, SIGKILL) == 0 || any;
+        for (const pid_t child : children()) { // even one that made itself a group of its own
+            any = true;
+            ::kill(child, SIGKILL);
+        }
+        reap();
+        // A child of what was just killed is ours a moment later.
+    } while ((::kill(-group, 0) == 0 || !children().empty()) && Clock::now() < give_up_at && ::usleep(100) == 0);
+    group = -1;
+    return any;
 }
 
-std::string Subject::printed() const {
-    std::string text(print_limit, '\0'); // pages that are not read into are never made
-    std::size_t size = 0;
-    while (size < text.size()) {
-        const ssize_t got = ::pread(output, text.data() + size, text.size() - size, static_cast<off_t>(size));
-        if (got <= 0) break;
-        size += static_cast<std::size_t>(got);
-    }
-    text.resize(size);
-    return text;
-}
+std::string Subject::printed() const { return output.text(print_limit); }
 
 } // namespace course

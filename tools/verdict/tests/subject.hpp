@@ -2,6 +2,8 @@
 // A student's process: started for one test case, talked to over two descriptors of its own, and never believed.
 
 #include "verdict/shared/wire.hpp"
+#include "verdict/tests/nameless_file.hpp"
+#include "verdict/tests/shut_in.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -19,10 +21,10 @@ constexpr std::size_t print_limit = 4u << 20;    ///< [bytes] that it may write
 
 class Subject {
   public:
-    /// Starts it, with everything it may use limited.
+    /// Starts it, shut in and with everything it may use limited.
     /// @param answer  which one, of a program that holds many: see tests/answers
-    /// @throws std::runtime_error if this machine cannot
-    explicit Subject(const std::filesystem::path &program, const std::string &answer = {});
+    /// @throws MachineTrouble if this machine cannot
+    explicit Subject(const std::filesystem::path &program, const std::string &answer = {}, Protection protection = {});
     ~Subject(); ///< kills it and everything it started
     Subject(const Subject &) = delete;
     Subject &operator=(const Subject &) = delete;
@@ -44,7 +46,7 @@ class Subject {
     std::optional<int> finish(Clock::time_point deadline);
 
     bool said_more();            ///< after finish: it had answered what nobody asked
-    bool left_processes();       ///< after finish: something that it started still runs
+    bool left_processes();       ///< after finish: something that it started still runs; it is ended
     std::string printed() const; ///< what it wrote to stdout and stderr
 
   private:
@@ -52,12 +54,13 @@ class Subject {
 
     pid_t process = -1;
     pid_t group = -1;
-    int to = -1, from = -1, output = -1;
+    int to = -1, from = -1;
+    NamelessFile output;
 };
 
 /// Once, in the process of the tests: a subject cannot look into it, its orphans come to it, a pipe that nobody reads
 /// does not kill it, and calls are quick because both sides share a core.
-/// @param core  one of `cores()`
+/// @param core  one of `cores()`; -1: any of them
 void prepare_for_subjects(int core);
 
 /// The cores that we may run on, beginning with the one that we are on; a single -1 where nobody can tell.

@@ -1,0 +1,3 @@
+// A line of the compiler that looks like another one, with a line number that no number holds.
+#include "segment_intersection.hpp"
+#error foo:99999999999999999999: warning: b

@@ -1,0 +1,2 @@
+// Includes what has no end.
+#include "/dev/zero"

@@ -1,0 +1,95 @@
+// Judging: one verdict for each test, what stopped a compiler, and whose fault it was.
+
+#include "ground/complaint.hpp"
+#include "loop/includes.hpp"
+#include "loop/judge.hpp"
+#include "loop/stopped.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+
+using namespace course;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+std::string passed(const std::string &test) {
+    Verdict verdict;
+    verdict.exercise = "7.1";
+    verdict.test = test;
+    return nlohmann::json(verdict).dump() + '\n';
+}
+
+std::vector<Kind> kinds(const std::string &said) {
+    std::vector<Kind> all;
+    for (const Verdict &verdict : one_for_each({{"7.1", "first"}, {"7.1", "second"}}, said))
+        all.push_back(verdict.kind);
+    return all;
+}
+
+/// What is said of a compiler that printed this and left with this exit code.
+std::string stopped(const std::string &printed, int code = 1) {
+    Finished finished;
+    finished.code = code;
+    return stopped_by_a_limit(finished, printed);
+}
+
+} // namespace
+
+TEST_CASE("a test has a verdict if it has exactly one, and nothing else is ever green") {
+    const Kind well = Kind::passed, none = Kind::no_verdict;
+    CHECK(kinds(passed("first") + passed("second")) == std::vector{well, well});
+    CHECK(kinds(passed("second") + passed("first")) == std::vector{well, well}); // in the order of the list
+    CHECK(kinds(passed("first")) == std::vector{well, none});
+    CHECK(kinds("") == std::vector{none, none});
+    CHECK(kinds(passed("first") + passed("second") + passed("first")) == std::vector{none, well});
+    CHECK(kinds(passed("first") + passed("second") + passed("third")) == std::vector{well, well, none});
+    CHECK(kinds(passed("first") + passed("second").substr(0, 40)) == std::vector{well, none});
+    CHECK(kinds(passed("first") + "{\"kind\": 7}\n[]\n" + passed("second")) == std::vector{well, well});
+    CHECK_FALSE(Judgement{}.all_passed());
+}
+
+TEST_CASE("a compiler that a limit has stopped is told from one that found an error") {
+    CHECK_THAT(stopped("c++: internal compiler error: CPU time limit exceeded signal terminated program cc1plus\n", 4),
+               ContainsSubstring("never end"));
+    CHECK_THAT(stopped("", 128 + SIGXCPU), ContainsSubstring("never end"));
+    CHECK_THAT(stopped("c++: internal compiler error: File size limit exceeded signal terminated program as\n", 4),
+               ContainsSubstring("256 MB"));
+    CHECK_THAT(stopped("cc1plus: out of memory allocating 2147483664 bytes\n"), ContainsSubstring("2 GB"));
+    CHECK(stopped("/x/07.cpp:3:5: error: nothing\n").empty());
+    CHECK(stopped("", 0).empty());
+}
+
+TEST_CASE("what the machine did to a compiler is no verdict on the file") {
+    CHECK_THROWS_AS(stopped("c++: fatal error: Killed signal terminated program cc1plus\ncompilation terminated.\n"),
+                    MachineTrouble);
+    CHECK_THROWS_AS(stopped("", 128 + SIGKILL), MachineTrouble);
+    CHECK_THROWS_AS(stopped("/x/07.cpp:1: fatal error: error writing to /tmp/cc.s: No space left on device\n"),
+                    MachineTrouble);
+    CHECK_THROWS_AS(stopped("as: x.o: No space left on device\n"), MachineTrouble);
+}
+
+TEST_CASE("no file can put its own mistake down to the machine or to a limit") {
+    CHECK(stopped("/x/07.cpp:3:5: error: #error No space left on device\n").empty());
+    CHECK(stopped("g++:1:15: error: static assertion failed: \n"
+                  "g++: fatal error: Killed signal terminated program cc1plus\ncompilation terminated.\n")
+              .empty());
+    CHECK(stopped("/tmp/x.s:25: Error: out of memory\n").empty());
+    CHECK(stopped("07.cpp:(.text+0x5): undefined reference to `No space left on device'\n").empty());
+}
+
+TEST_CASE("a file may include the system, Eigen and chapters/, and nothing else, however it names it") {
+    const auto elsewhere = [](const std::string &rule) {
+        const auto found = included_from_elsewhere(rule, "/home/a b/07.cpp", {"/usr/include", "/course/chapters"});
+        return found ? found->string() : "";
+    };
+    CHECK(elsewhere("x.o: /home/a\\ b/07.cpp /usr/include/math.h \\\n /course/chapters/07_x/x.hpp\n").empty());
+    CHECK(elsewhere("x.o: /home/a\\ b/07.cpp /usr/include/../../dev/zero\n") == "/dev/zero");
+    CHECK(elsewhere("x.o: /home/a\\ b/07.cpp /course/chapters/../solutions/07.cpp\n") == "/course/solutions/07.cpp");
+    CHECK(elsewhere("x.o: /home/a\\ b/07.cpp \\\n /usr/included\n") == "/usr/included");
+    CHECK(elsewhere("x.o: /home/a\\ b/07.cpp /n/\\#\\ $$.hpp\n") == "/n/# $.hpp");
+    CHECK(elsewhere("x.o: /home/a\\ b/07.cpp \\\n \\\n /home/a\\ b/more.hpp") == "/home/a b/more.hpp");
+}

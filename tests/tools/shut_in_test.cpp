@@ -1,0 +1,98 @@
+// What a subject is kept from, each time with the protection, and once without it: then the attack must succeed, or the
+// test of the protection would show nothing.
+
+#ifdef __linux__ // elsewhere nothing shuts a subject in
+#include "verdict/tests/subject.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace course;
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+namespace {
+
+bool prepared() {
+    static const bool once = (prepare_for_subjects(-1), true);
+    return once;
+}
+
+/// A file that is ours to write and read, for one attack.
+struct Victim {
+    Victim() {
+        std::string name = (fs::temp_directory_path() / "victim.XXXXXX").string();
+        ::close(::mkstemp(name.data()));
+        path = name;
+    }
+    ~Victim() {
+        fs::remove(path);
+        fs::remove(path + ".folder");
+    }
+    std::string path;
+};
+
+std::string attack(const std::string &what, Protection protection) {
+    const Victim victim;
+    Subject subject{ATTACK, what + ':' + victim.path, protection};
+    subject.finish(Clock::now() + 5s);
+    return subject.printed();
+}
+
+std::string children() {
+    std::string all;
+    std::getline(std::ifstream{"/proc/self/task/" + std::to_string(::getpid()) + "/children"}, all);
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("no file is written, deleted or made by a subject, and none is read or run but its own") {
+    if (!protection_of_this_kernel().files) SKIP("this kernel has no Landlock");
+    const std::string what = GENERATE("write", "read", "delete", "make", "execute");
+    CAPTURE(what, prepared());
+    CHECK(attack(what, {}) == "Permission denied\n");
+    CHECK(attack(what, {.files = false}) == "done\n");
+}
+
+TEST_CASE(
+    "no process is started, reached or outlived by a subject, and nothing is left in memory or asked of the net") {
+    if (!protection_of_this_kernel().calls) SKIP("this kernel has no seccomp");
+    const std::string what = GENERATE("change mode", "fork", "trace", "signal", "signal by a pipe", "limit", "outlive",
+                                      "share memory", "connect");
+    CAPTURE(what, prepared());
+    CHECK(attack(what, {}) == "Operation not permitted\n");
+    // Landlock keeps a process from tracing others and signalling them as well.
+    CHECK(attack(what, {.files = false, .calls = false}) == "done\n");
+}
+
+TEST_CASE("a subject has no descriptors but its own five") {
+    const int ours = ::open("/dev/null", O_RDONLY); // inherited by every program that is started
+    ::dup2(ours, 200);
+    CAPTURE(prepared());
+    CHECK(attack("inherit", {}) == "Bad file descriptor\n");
+    CHECK(attack("inherit", {.descriptors = false}) == "done\n");
+    ::close(ours);
+    ::close(200);
+}
+
+TEST_CASE("what a subject has started is ended with it, also where it is free to start something") {
+    CAPTURE(prepared());
+    {
+        Subject subject{ATTACK, "leave a daemon:", {.files = false, .calls = false}};
+        CHECK(subject.finish(Clock::now() + 5s) == 0);
+        CHECK_FALSE(children().empty());
+        const bool asked = GENERATE(true, false);
+        if (asked) CHECK(subject.left_processes());
+        if (asked) CHECK_FALSE(subject.left_processes());
+    }
+    CHECK(children().empty());
+}
+
+#endif

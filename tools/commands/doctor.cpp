@@ -1,0 +1,29 @@
+// What `course doctor` cannot find out as a script: the script asks here, once this program is built.
+
+#include "commands/commands.hpp"
+#include "verdict/tests/shut_in.hpp"
+
+#include <iostream>
+
+namespace course {
+namespace {
+
+void tell_protection() {
+    const Protection here = protection_of_this_kernel();
+    std::cout << "protection      ";
+    if (here.files && here.calls)
+        std::cout << "Landlock and seccomp keep code that is judged from your files, other programs and the network\n";
+    else
+        std::cout << "this kernel lacks " << (here.files ? "" : "Landlock") << (here.files || here.calls ? "" : " and ")
+                  << (here.calls ? "" : "seccomp") << ": judge only code that you trust\n";
+}
+
+} // namespace
+
+void add_doctor(CLI::App &app, const Tree &) {
+    app.add_subcommand("doctor", "Say which tools are here, and how to get the others")
+        ->callback(tell_protection)
+        ->footer("Example: ./course doctor");
+}
+
+} // namespace course

@@ -1,0 +1,22 @@
+#pragma once
+// What stopped a compiler or a linker that did not stop because of an error in the code: a limit, or the machine.
+
+#include "ground/process.hpp"
+
+#include <string>
+
+namespace course {
+
+/// What each process of a compiler or linker may use. A finished exercise takes a tenth of it.
+constexpr Limits compiler_limits{
+    .memory = std::size_t{2} << 30, .file_size = std::size_t{256} << 20, .processor_time = 10};
+
+/// For a compiler that waits for something which never comes, as an included pipe that nobody writes to.
+constexpr double longest_wait = 120; // [s]
+
+/// Whether a limit stopped it: then one sentence to the student, with what may be the cause; else an empty one.
+/// @param said  what it printed, made plain
+/// @throws MachineTrouble if the machine stopped it: a full disk, or a signal from outside
+std::string stopped_by_a_limit(const Finished &finished, const std::string &said);
+
+} // namespace course

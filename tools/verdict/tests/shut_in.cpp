@@ -1,0 +1,294 @@
+#include "verdict/tests/shut_in.hpp"
+
+#include "verdict/shared/wire.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace course {
+namespace {
+
+/// Every descriptor above the two of the wire, when the program starts.
+void close_at_start() {
+    constexpr int first = wire::reply_fd + 1;
+#ifdef CLOSE_RANGE_CLOEXEC
+    if (::close_range(first, ~0u, CLOSE_RANGE_CLOEXEC) == 0) return;
+#endif
+    for (int other = first; other < 1024; ++other) ::fcntl(other, F_SETFD, FD_CLOEXEC);
+}
+
+} // namespace
+} // namespace course
+
+#ifdef __linux__
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <link.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sched.h>
+#include <string>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <vector>
+
+namespace course {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true; // it reads /proc/self/maps, and starts a program that finds names for addresses
+#else
+constexpr bool sanitized = false;
+#endif
+
+// ---- Landlock. Its calls have these numbers on every architecture; older headers do not have all of them.
+
+constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
+
+struct Ruleset {
+    std::uint64_t files, net, scoped;
+};
+struct [[gnu::packed]] PathRule {
+    std::uint64_t allowed;
+    std::int32_t file;
+};
+constexpr std::uint64_t execute = 1, read_file = 4, read_folder = 8;
+
+/// The newest version of Landlock that this kernel knows; 0 or less: none.
+long landlock() { return ::syscall(create_ruleset, nullptr, 0, 1); }
+
+/// The libraries that we are linked with ourselves: a subject needs no others.
+const std::vector<std::string> &libraries() {
+    static const std::vector<std::string> all = [] {
+        std::vector<std::string> found;
+        ::dl_iterate_phdr(
+            [](dl_phdr_info *info, std::size_t, void *into) {
+                if (info->dlpi_name != nullptr && info->dlpi_name[0] == '/')
+                    static_cast<std::vector<std::string> *>(into)->emplace_back(info->dlpi_name);
+                return 0;
+            },
+            &found);
+        return found;
+    }();
+    return all;
+}
+
+void allow(long rules, const char *file, std::uint64_t what) {
+    const PathRule rule{what, ::open(file, O_PATH | O_CLOEXEC)};
+    if (rule.file < 0) return;
+    ::syscall(add_rule, rules, 1, &rule, 0);
+    ::close(rule.file);
+}
+
+int make_rules(const std::filesystem::path &program) {
+    const long version = landlock();
+    if (version <= 0) return -1;
+    const std::uint64_t all = (1u << (version >= 5 ? 16 : version >= 3 ? 15 : version == 2 ? 14 : 13)) - 1;
+    const Ruleset set{sanitized ? all & ~(execute | read_file | read_folder) : all, version >= 4 ? 3u : 0u,
+                      version >= 6 ? 3u : 0u};
+    const long rules = ::syscall(create_ruleset, &set, sizeof set, 0);
+    if (rules < 0) return -1;
+    if (!sanitized) {
+        allow(rules, program.c_str(), execute | read_file);
+        for (const std::string &library : libraries()) allow(rules, library.c_str(), execute | read_file);
+        for (const char *file : {"/etc/ld.so.cache", "/dev/urandom"}) allow(rules, file, read_file);
+    }
+    ::fcntl(static_cast<int>(rules), F_SETFD, FD_CLOEXEC);
+    return static_cast<int>(rules);
+}
+
+// ---- seccomp
+
+#if defined(__x86_64__)
+constexpr std::uint32_t architecture = AUDIT_ARCH_X86_64;
+#elif defined(__aarch64__)
+constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
+#else
+constexpr std::uint32_t architecture = 0; // not tried there
+#endif
+
+/// Calls that no exercise needs. Those that change a file's mode, owner or date are here since Landlock has no rule for
+/// them, and ioctl since it types on terminals.
+constexpr long refused[] = {
+#ifdef SYS_fork // newer architectures have only clone, and only the calls that end in "at"
+    SYS_fork,
+    SYS_vfork,
+    SYS_chmod,
+    SYS_chown,
+    SYS_lchown,
+    SYS_utime,
+    SYS_utimes,
+    SYS_futimesat,
+#endif
+    SYS_fchmod,
+    SYS_fchmodat,
+    452 /* fchmodat2 */,
+    SYS_fchown,
+    SYS_fchownat,
+    SYS_utimensat,
+    SYS_setxattr,
+    SYS_lsetxattr,
+    SYS_fsetxattr,
+    SYS_removexattr,
+    SYS_lremovexattr,
+    SYS_fremovexattr,
+    SYS_ioctl, // files
+    SYS_setsid,
+    SYS_setpgid,
+    SYS_ptrace,
+    SYS_process_vm_readv,
+    SYS_process_vm_writev,
+    SYS_kcmp,
+    SYS_tkill,
+    SYS_rt_sigqueueinfo,
+    SYS_rt_tgsigqueueinfo,
+    424 /* pidfd_send_signal */,
+    434 /* pidfd_open */,
+    SYS_setpriority,
+    SYS_sched_setscheduler,
+    SYS_sched_setparam,
+    SYS_sched_setattr,
+    SYS_sched_setaffinity,
+    SYS_ioprio_set, // processes
+    SYS_shmget,
+    SYS_msgget,
+    SYS_semget,
+    SYS_mq_open,
+    SYS_memfd_create,
+    SYS_add_key,
+    SYS_request_key,
+    SYS_keyctl, // stays
+    SYS_socket,
+    SYS_socketpair,
+    425 /* io_uring_setup */,
+    SYS_bpf,
+    SYS_perf_event_open,
+    SYS_userfaultfd,
+    SYS_unshare,
+    SYS_setns,
+    SYS_mount,
+    SYS_umount2,
+    SYS_chroot,
+    SYS_pivot_root, // the rest of the world
+};
+
+class Filter {
+  public:
+    Filter() {
+        add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch));
+        unless_equal(architecture, EPERM);
+        load_call();
+        constexpr std::uint32_t x32 = 0x40000000; // the same calls under other numbers
+        add(BPF_JMP | BPF_JGE | BPF_K, x32, 0, 1);
+        refuse(EPERM);
+    }
+    void refuse(long call, int error) {
+        if_call(call, 1);
+        refuse(error);
+    }
+    /// Refuses a call if this argument is one of these.
+    template <class... Values> void refuse_if(long call, unsigned argument, Values... values) {
+        if_call(call, 1 + 2 * sizeof...(values) + 1);
+        load_argument(argument);
+        ((add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(values), 0, 1), refuse(EPERM)), ...);
+        load_call();
+    }
+    /// Allows a call only if this argument is one of two.
+    void allow_if(long call, unsigned argument, std::uint32_t one, std::uint32_t other) {
+        if_call(call, 5);
+        load_argument(argument);
+        add(BPF_JMP | BPF_JEQ | BPF_K, one, 2, 0);
+        add(BPF_JMP | BPF_JEQ | BPF_K, other, 1, 0);
+        refuse(EPERM);
+        load_call();
+    }
+    void allow_if_set(long call, unsigned argument, std::uint32_t bit) {
+        if_call(call, 4);
+        load_argument(argument);
+        add(BPF_JMP | BPF_JSET | BPF_K, bit, 1, 0);
+        refuse(EPERM);
+        load_call();
+    }
+    void install() {
+        add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+        const sock_fprog program{size, code.data()};
+        ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0);
+    }
+
+  private:
+    void add(unsigned what, std::uint32_t value, unsigned if_true = 0, unsigned if_false = 0) {
+        code[size++] = {static_cast<std::uint16_t>(what), static_cast<std::uint8_t>(if_true),
+                        static_cast<std::uint8_t>(if_false), value};
+    }
+    void load_call() { add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)); }
+    void load_argument(unsigned n) {
+        add(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offsetof(seccomp_data, args) + 8 * n));
+    }
+    void if_call(long call, unsigned skip_otherwise) {
+        add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, skip_otherwise);
+    }
+    void unless_equal(std::uint32_t value, int error) {
+        add(BPF_JMP | BPF_JEQ | BPF_K, value, 1, 0);
+        refuse(error);
+    }
+    void refuse(int error) { add(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error)); }
+
+    std::array<sock_filter, 256> code{}; // no memory is asked for between fork and exec
+    unsigned short size = 0;
+};
+
+void refuse_calls() {
+    const auto me = static_cast<std::uint32_t>(::getpid());
+    Filter filter;
+    for (const long call : refused) filter.refuse(call, EPERM);
+    filter.refuse(435 /* clone3, whose flags no filter can see */, ENOSYS); // the C library then takes clone
+    filter.allow_if_set(SYS_clone, 0, CLONE_THREAD);
+    filter.allow_if(SYS_kill, 0, me, me);
+    filter.allow_if(SYS_tgkill, 0, me, me);
+    filter.allow_if(SYS_prlimit64, 0, 0, me);
+    filter.refuse_if(SYS_prctl, 0, PR_SET_PDEATHSIG);                // we die, and it lives
+    filter.refuse_if(SYS_fcntl, 1, F_SETOWN, F_SETOWN_EX, F_SETSIG); // a pipe that sends signals
+    filter.install();
+}
+
+} // namespace
+
+Protection protection_of_this_kernel() {
+    return {landlock() > 0, architecture != 0 && ::prctl(PR_GET_SECCOMP, 0, 0, 0, 0) >= 0, true};
+}
+
+ShutIn::ShutIn(const std::filesystem::path &program, Protection wanted)
+    : rules{wanted.files ? make_rules(program) : -1},
+      calls{wanted.calls && architecture != 0 && !sanitized},
+      descriptors{wanted.descriptors} {}
+
+ShutIn::~ShutIn() {
+    if (rules >= 0) ::close(rules);
+}
+
+void ShutIn::shut() const {
+    if (descriptors) close_at_start();
+    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    if (rules >= 0) ::syscall(restrict_self, rules, 0);
+    if (calls) refuse_calls();
+}
+
+} // namespace course
+
+#else
+
+namespace course {
+
+Protection protection_of_this_kernel() { return {false, false, true}; }
+ShutIn::ShutIn(const std::filesystem::path &, Protection wanted) : descriptors{wanted.descriptors} {}
+ShutIn::~ShutIn() = default;
+void ShutIn::shut() const {
+    if (descriptors) close_at_start();
+}
+
+} // namespace course
+
+#endif
