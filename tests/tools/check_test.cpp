@@ -3,6 +3,7 @@
 
 #include "ground/files.hpp"
 #include "ground/process.hpp"
+#include "whole_answer.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -22,8 +23,10 @@ std::size_t count(const std::string &text, const std::string &what) {
 }
 
 course::Finished check(const std::string &what, const std::string &file) {
+    const fs::path root = COURSE_ROOT, whole = fs::path{COURSE_BUILD} / "checked.cpp";
+    course::write_file(whole, whole_answer(root / file, root / "tests/verdicts/rest.hpp"));
     return course::run({"env", "NO_COLOR=1", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
-                        "check", what, "--file", COURSE_ROOT "/" + file});
+                        "check", what, "--file", whole.string()});
 }
 
 } // namespace

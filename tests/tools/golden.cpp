@@ -3,12 +3,12 @@
 //     golden EXPECTED.txt COMMAND... FILE.cpp   fails with the first line that differs
 //     COURSE_GOLDEN=write golden ...            keeps what it prints now
 //
-// A check allows no headers of one's own. So where FILE.cpp includes rest.hpp, with the exercises that it leaves alone,
-// these are put below it, and what is checked is this whole answer.
+// Where FILE.cpp includes rest.hpp, what is checked is the whole answer: see whole_answer.hpp.
 
 #include "ground/files.hpp"
 #include "ground/process.hpp"
 #include "verdict/tests/shut_in.hpp"
+#include "whole_answer.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -35,21 +35,6 @@ constexpr int skipped = 77; // see SKIP_RETURN_CODE
 void replace_all(std::string &text, const std::string &what, const std::string &with) {
     for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += with.size())
         text.replace(at, what.size(), with);
-}
-
-/// The file with the rest of rest.hpp below it, and each of its own lines where it was.
-std::string whole_answer(const fs::path &file) {
-    const std::string marker = "#include \"rest.hpp\"";
-    std::string text = course::read_file(file);
-    const std::size_t at = text.find(marker);
-    if (at == text.npos) return text;
-    const std::string rest = course::read_file("tests/verdicts/rest.hpp");
-    const std::string declared =
-        "namespace segment_intersection { std::optional<Crossing> right_answer(const Segment &, "
-        "const Segment &); }";
-    text.insert(text.find('\n', at) + 1, declared); // on the empty line below
-    text.replace(at, marker.size(), "#include \"segment_intersection.hpp\"");
-    return text + '\n' + rest.substr(rest.find("\nnamespace"));
 }
 
 /// Everything that a student's file may not change: files of the course with size and date, and shared memory.
@@ -104,7 +89,7 @@ int main(int argc, char **argv) try {
         std::cerr << "skipped: this kernel lacks Landlock or seccomp, and the verdict on this file needs both\n";
         return skipped;
     }
-    course::write_file(checked, whole_answer(given));
+    course::write_file(checked, whole_answer(given, "tests/verdicts/rest.hpp"));
     command.back() = checked.string();
 #ifdef __linux__
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);

@@ -78,6 +78,9 @@ TEST_CASE("no file can put its own mistake down to the machine or to a limit") {
                   "g++: fatal error: Killed signal terminated program cc1plus\ncompilation terminated.\n")
               .empty());
     CHECK(stopped("/tmp/x.s:25: Error: out of memory\n").empty());
+    CHECK(stopped("/x/07.cpp:1:10: fatal error: error writing to x: No space left on device: No such file or "
+                  "directory\n")
+              .empty());
     CHECK(stopped("07.cpp:(.text+0x5): undefined reference to `No space left on device'\n").empty());
 }
 

@@ -161,7 +161,7 @@ TEST_CASE("new is whole or nothing if files may not grow long enough for it") {
     std::vector<std::string> command{"sh", "-c", "ulimit -f 8; exec \"$@\"", "sh"}; // [512 bytes], or kilobytes
     for (const std::string &word : course.command({"new", "13_springs"})) command.push_back(word);
     const Finished said = run(command);
-    CHECK(said.code == 2);
+    CHECK(said.code == 4);
     CHECK_THAT(said.err, ContainsSubstring("the disk is full"));
     CHECK(snapshot(course.tree.root) == before);
     CHECK(course({"new", "13_springs"}).code == 0);

@@ -27,6 +27,17 @@ bool blames_the_code(std::string_view line) {
     });
 }
 
+/// Whether the compiler could not write its output. A file cannot say so: the words of its errors stand elsewhere, or
+/// more follows them.
+bool found_the_disk_full(std::string_view line) {
+    constexpr std::string_view mark = ": fatal error: ";
+    const std::size_t at = line.find(mark);
+    if (at == line.npos || !(line.ends_with("No space left on device") || line.ends_with("Disk quota exceeded")))
+        return false;
+    const std::string_view what = line.substr(at + mark.size());
+    return what.starts_with("error writing to ") || what.starts_with("when writing output to ");
+}
+
 // The words of the C library for a signal, as the drivers of GCC and Clang print them.
 constexpr std::array ran_out_of_memory{"out of memory", "memory exhausted", "Cannot allocate memory", "std::bad_alloc"};
 constexpr std::array wrote_too_much{"File size limit exceeded", "File too large"};
@@ -40,7 +51,11 @@ std::string stopped_by_a_limit(const Finished &finished, const std::string &said
                + " minutes in which it waited for something: does your file include what is no file?";
     if (finished.code == 0) return {};
     const auto lines = lines_of(said);
-    if (std::any_of(lines.begin(), lines.end(), [](const Line &line) { return blames_the_code(line.text); })) return {};
+    const bool disk_full =
+        std::any_of(lines.begin(), lines.end(), [](const Line &line) { return found_the_disk_full(line.text); });
+    if (!disk_full
+        && std::any_of(lines.begin(), lines.end(), [](const Line &line) { return blames_the_code(line.text); }))
+        return {};
 
     const int signal = finished.code - 128;
     if (signal == SIGXCPU || has(said, "CPU time limit exceeded"))
@@ -52,7 +67,7 @@ std::string stopped_by_a_limit(const Finished &finished, const std::string &said
     if (has_any(said, ran_out_of_memory))
         return "The compiler was stopped when it wanted more than " + std::to_string(compiler_limits.memory >> 30)
                + " GB of memory: does an array have gigabytes, or a template no end?";
-    if (has(said, "No space left on device") || has(said, "Disk quota exceeded"))
+    if (disk_full || has(said, "No space left on device") || has(said, "Disk quota exceeded"))
         throw MachineTrouble{"the compiler found the disk full; make some room and try again. Nothing was judged"};
     if (signal == SIGKILL || signal == SIGTERM || signal == SIGHUP
         || std::any_of(lines.begin(), lines.end(), [](const Line &line) {

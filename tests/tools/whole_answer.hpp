@@ -1,0 +1,23 @@
+#pragma once
+// The files of tests/verdicts and tests/hostile hold one exercise, and include rest.hpp for the others. A check allows
+// no headers of one's own, so what is checked has them in the file.
+
+#include "ground/files.hpp"
+
+#include <filesystem>
+#include <string>
+
+/// The file with the rest of rest.hpp below it, and each of its own lines where it was.
+inline std::string whole_answer(const std::filesystem::path &file, const std::filesystem::path &rest_file) {
+    const std::string marker = "#include \"rest.hpp\"";
+    std::string text = course::read_file(file);
+    const std::size_t at = text.find(marker);
+    if (at == text.npos) return text;
+    const std::string rest = course::read_file(rest_file);
+    const std::string declared =
+        "namespace segment_intersection { std::optional<Crossing> right_answer(const Segment &, "
+        "const Segment &); }";
+    text.insert(text.find('\n', at) + 1, declared); // on the empty line below
+    text.replace(at, marker.size(), "#include \"segment_intersection.hpp\"");
+    return text + '\n' + rest.substr(rest.find("\nnamespace"));
+}
