@@ -16,8 +16,16 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include <array>
 #include <cmath>
+#include <csignal>
 #include <limits>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 using namespace course;
 using Eigen::Vector2d;
@@ -317,6 +325,49 @@ TEST_CASE("a process that lies on the wire fails the call, quickly, and nothing 
     CHECK(name_of(ask(mode).kind) == name_of(kind));
     CHECK(Clock::now() - start < std::chrono::seconds{4});
 }
+
+#ifdef __linux__
+namespace {
+
+/// Programs that compute without an end, all on the one core that we are on ourselves while they live.
+class BusyMachine {
+  public:
+    BusyMachine() {
+        ::sched_getaffinity(0, sizeof before, &before);
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(static_cast<std::size_t>(::sched_getcpu()), &one);
+        ::sched_setaffinity(0, sizeof one, &one);
+        for (pid_t &other : others)
+            if ((other = ::fork()) == 0)
+                for (;;) ::getppid();
+    }
+    ~BusyMachine() {
+        for (const pid_t other : others) ::kill(other, SIGKILL), ::waitpid(other, nullptr, 0);
+        ::sched_setaffinity(0, sizeof before, &before);
+    }
+    BusyMachine(const BusyMachine &) = delete;
+    BusyMachine &operator=(const BusyMachine &) = delete;
+
+  private:
+    cpu_set_t before;
+    std::array<pid_t, 6> others;
+};
+
+} // namespace
+
+TEST_CASE("on a busy machine an answer is waited for until the subject has had its time of the processor") {
+    know_half();
+    const BusyMachine busy;
+    Session own{HOSTILE "computes", Patience{0.25, 5}}; // for 0.2 s, of which it gets a half at most
+    session() = &own;
+    own.begin("1.1", "half of five");
+    const auto start = Clock::now();
+    CHECK(own.call(half, bytes_of(5.0)) == bytes_of(2.5));
+    CHECK(std::chrono::duration<double>(Clock::now() - start).count() > 0.25); // beyond its deadline
+    session() = nullptr;
+}
+#endif
 
 TEST_CASE("an exercise that has hung once gets little time for its other cases, and another exercise gets all") {
     know_half();

@@ -159,7 +159,7 @@ void Session::start() {
                                    "variable do?");
     const auto begin = Clock::now();
     subject = std::make_unique<Subject>(program, answer);
-    const auto hello = subject->receive(begin + as_duration(patience.start));
+    const auto hello = subject->receive(begin + as_duration(patience.start), patience.start);
     const auto now = Clock::now();
     starting += std::chrono::duration<double>(now - begin).count();
     deadline = now + as_duration(allowed);
@@ -204,7 +204,8 @@ std::string Session::call(const ExerciseLine &exercise, const std::string &argum
     wire::Writer request;
     request.put(exercise.index);
     request.bytes += arguments;
-    const auto reply = subject->send(calls, request.bytes, deadline) ? subject->receive(deadline) : std::nullopt;
+    const auto reply =
+        subject->send(calls, request.bytes, deadline) ? subject->receive(deadline, allowed) : std::nullopt;
     if (!reply) over_in_silence();
     if (reply->header.call != calls) answered_nonsense();
 
@@ -294,7 +295,7 @@ Verdict Session::end(bool asserted_something) {
     if (verdict.passed() && !asserted_something)
         note_verdict(Kind::no_verdict, "This test asserts nothing: a mistake of ours, not of yours.");
     if (subject && verdict.passed()) {
-        const auto status = subject->finish(std::max(deadline, Clock::now() + std::chrono::milliseconds{100}));
+        const auto status = subject->finish(std::max(deadline, Clock::now() + std::chrono::milliseconds{100}), allowed);
         if (!status)
             note_verdict(Kind::too_long,
                          "Your code answered, but its process did not come to an end: has it started a thread?");

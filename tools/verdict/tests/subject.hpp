@@ -37,20 +37,23 @@ class Subject {
 
     bool send(std::uint32_t call, const std::string &payload, Clock::time_point deadline); ///< false: it reads no more
 
-    /// The next frame, if one comes before the deadline; otherwise `silence` says why not.
-    std::optional<Received> receive(Clock::time_point deadline);
+    /// The next frame, if one comes before the deadline; otherwise `silence` says why not. Where it wants to compute and
+    /// other programs have kept the processor, it is waited for until it has had this much of it.
+    /// @param processor_time  [s]
+    std::optional<Received> receive(Clock::time_point deadline, double processor_time = 0);
     Silence silence = Silence::ended;
 
-    /// Lets it end by itself until the deadline.
+    /// Lets it end by itself until the deadline, or until it has had this much of the processor [s], as above.
     /// @return its wait status, or nothing if it had to be killed
-    std::optional<int> finish(Clock::time_point deadline);
+    std::optional<int> finish(Clock::time_point deadline, double processor_time = 0);
 
     bool said_more();            ///< after finish: it had answered what nobody asked
     bool left_processes();       ///< after finish: something that it started still runs; it is ended
     std::string printed() const; ///< what it wrote to stdout and stderr
 
   private:
-    bool read_all(void *data, std::size_t size, Clock::time_point deadline);
+    bool read_all(void *data, std::size_t size, Clock::time_point deadline, double processor_time);
+    bool is_starved(double processor_time) const;
 
     pid_t process = -1;
     pid_t group = -1;
