@@ -290,7 +290,8 @@ TEST_CASE("a value that is not the answer of the last call has to be named") {
     const auto kind_for = [&](auto &&check) {
         own.begin("1.1", "half of five");
         try {
-            wire::Reader reader{own.call(half, bytes_of(5.0))};
+            const std::string answer = own.call(half, bytes_of(5.0));
+            wire::Reader reader{answer};
             check(reader.take<double>());
         } catch (const CaseOver &) {}
         return own.end(true).kind;

@@ -55,7 +55,7 @@ struct [[gnu::packed]] PathRule {
     std::uint64_t allowed;
     std::int32_t file;
 };
-constexpr std::uint64_t execute = 1, read_file = 4, read_folder = 8;
+constexpr std::uint64_t execute = 1, read_file = 4;
 
 /// The newest version of Landlock that this kernel knows; 0 or less: none.
 long landlock() { return ::syscall(create_ruleset, nullptr, 0, 1); }
@@ -87,15 +87,12 @@ int make_rules(const std::filesystem::path &program) {
     const long version = landlock();
     if (version <= 0) return -1;
     const std::uint64_t all = (1u << (version >= 5 ? 16 : version >= 3 ? 15 : version == 2 ? 14 : 13)) - 1;
-    const Ruleset set{sanitized ? all & ~(execute | read_file | read_folder) : all, version >= 4 ? 3u : 0u,
-                      version >= 6 ? 3u : 0u};
+    const Ruleset set{all, version >= 4 ? 3u : 0u, version >= 6 ? 3u : 0u};
     const long rules = ::syscall(create_ruleset, &set, sizeof set, 0);
     if (rules < 0) return -1;
-    if (!sanitized) {
-        allow(rules, program.c_str(), execute | read_file);
-        for (const std::string &library : libraries()) allow(rules, library.c_str(), execute | read_file);
-        for (const char *file : {"/etc/ld.so.cache", "/dev/urandom"}) allow(rules, file, read_file);
-    }
+    allow(rules, program.c_str(), execute | read_file);
+    for (const std::string &library : libraries()) allow(rules, library.c_str(), execute | read_file);
+    for (const char *file : {"/etc/ld.so.cache", "/dev/urandom"}) allow(rules, file, read_file);
     ::fcntl(static_cast<int>(rules), F_SETFD, FD_CLOEXEC);
     return static_cast<int>(rules);
 }
@@ -257,11 +254,12 @@ void refuse_calls() {
 } // namespace
 
 Protection protection_of_this_kernel() {
-    return {landlock() > 0, architecture != 0 && ::prctl(PR_GET_SECCOMP, 0, 0, 0, 0) >= 0, true};
+    return {!sanitized && landlock() > 0, !sanitized && architecture != 0 && ::prctl(PR_GET_SECCOMP, 0, 0, 0, 0) >= 0,
+            true};
 }
 
 ShutIn::ShutIn(const std::filesystem::path &program, Protection wanted)
-    : rules{wanted.files ? make_rules(program) : -1},
+    : rules{wanted.files && !sanitized ? make_rules(program) : -1},
       calls{wanted.calls && architecture != 0 && !sanitized},
       descriptors{wanted.descriptors} {}
 

@@ -12,6 +12,8 @@ struct Protection {
     bool calls = true;       ///< starting processes, reaching others, the network, memory that outlives it
     bool descriptors = true; ///< files that whoever started `course` had open
 };
+
+/// What this kernel can do of it. With an address sanitizer none is taken, since that reads and starts things itself.
 Protection protection_of_this_kernel();
 
 /// Made before a fork; used between fork and exec.
