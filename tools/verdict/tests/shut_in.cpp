@@ -93,8 +93,9 @@ int make_rules(const std::filesystem::path &program) {
     allow(rules, program.c_str(), execute | read_file);
     for (const std::string &library : libraries()) allow(rules, library.c_str(), execute | read_file);
     for (const char *file : {"/etc/ld.so.cache", "/dev/urandom"}) allow(rules, file, read_file);
-    ::fcntl(static_cast<int>(rules), F_SETFD, FD_CLOEXEC);
-    return static_cast<int>(rules);
+    const int high = ::fcntl(static_cast<int>(rules), F_DUPFD_CLOEXEC, 10); // the subject's own take the low numbers
+    ::close(static_cast<int>(rules));
+    return high;
 }
 
 // ---- seccomp
