@@ -42,7 +42,7 @@ std::string output_of(const Tree &tree, const Section &section, const std::strin
     if (finished.timed_out)
         throw Complaint{name + " was stopped after 20 s; ./course run " + section.short_number()
                         + " runs it without weaving."};
-    if (finished.code == 2 && !part.empty()) throw Complaint{section.name + ": " + last_line(finished.err)};
+    if (finished.code == unknown_part && !part.empty()) throw Complaint{section.name + ": " + last_line(finished.err)};
     if (finished.code != 0)
         throw Complaint{name + " stopped with exit code " + std::to_string(finished.code) + "; ./course run "
                         + section.short_number() + " shows what it says."};

@@ -93,8 +93,6 @@ std::string student_trouble(const Section &section, const Finished &finished, do
            + " shows what is wrong";
 }
 
-constexpr int unknown_part = 2; ///< what a program exits with if it has no part of that name, or cannot write
-
 /// An empty folder, so that no trace of an earlier run is taken for one of this run.
 void empty_folder(const fs::path &folder) {
     std::error_code trouble;

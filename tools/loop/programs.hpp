@@ -29,6 +29,8 @@ struct Ran {
     std::string trouble;  ///< one sentence with its remedy; empty if all went well
 };
 
+constexpr int unknown_part = 2; ///< what a program exits with if it has no part of that name, or cannot write
+
 /// The command that runs a section's program, or one part of it, with its traces in that folder.
 std::vector<std::string> program_command(const std::filesystem::path &program, const std::string &part,
                                          const std::filesystem::path &traces);
