@@ -5,7 +5,7 @@
 
 namespace motion {
 
-//> Solution 1.1: pixels a second
+//> Solution 1.1: pixels per second
 double px_per_second(double px_per_frame, double frames_per_second) {
     course::require_range(px_per_frame, frames_per_second);
     course::require(frames_per_second > 0, "frames_per_second must be positive", frames_per_second);
@@ -40,26 +40,26 @@ std::optional<Vec2> centre_of_mass(const std::vector<PointMass> &bodies) {
     return weighted / total;
 }
 
-//> Solution 1.5: three steps
-Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
+//> Solution 1.5: three integrators
+Integrators step_all(const Integrators &before, const Vec2 &acceleration, double dt) {
     for (const State &state : {before.explicit_euler, before.semi_implicit, before.exact})
         course::require_range(state.position, state.velocity);
     course::require_range(acceleration, dt);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
 
     const Vec2 gained = dt * acceleration;
-    Schemes after = before;
+    Integrators after = before;
     after.explicit_euler.position += dt * before.explicit_euler.velocity; // as fast as it was
     after.explicit_euler.velocity += gained;
     after.semi_implicit.velocity += gained;
     after.semi_implicit.position += dt * after.semi_implicit.velocity; // as fast as it is now
     after.exact.velocity += 0.5 * gained;
-    after.exact.position += dt * after.exact.velocity; // as fast as half way
+    after.exact.position += dt * after.exact.velocity; // as fast as in the middle of the step
     after.exact.velocity += 0.5 * gained;
     return after;
 }
 
-//> Solution 1.6: the middle of a plate
+//> Solution 1.6: the centroid of a plate
 Vec2 centroid(const std::vector<Vec2> &corners) {
     course::require(corners.size() >= 3, "the number of corners must be three or more", double(corners.size()));
     course::require_range(corners);
@@ -67,29 +67,29 @@ Vec2 centroid(const std::vector<Vec2> &corners) {
     for (const Vec2 &p : corners)
         for (const Vec2 &q : corners) size = std::max(size, (p - q).squaredNorm());
 
-    const Vec2 origin = corners[0]; // near, so that a plate far away loses no digits
+    const Vec2 origin = corners[0]; // near the plate, so that no digits are lost far away
     double area = 0;                // with its sign [m²]
     Vec2 weighted = {0, 0};         // [m³]
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
         const Vec2 p = corners[i] - origin, q = corners[i + 1] - origin;
-        const double triangle = (p.x() * q.y() - p.y() * q.x()) / 2; // negative where the outline runs backwards
+        const double triangle = (p.x() * q.y() - p.y() * q.x()) / 2; // negative if it runs clockwise
         area += triangle;
-        weighted += triangle / 3 * (p + q); // its middle is (p + q)/3: the third corner is at 0
+        weighted += triangle / 3 * (p + q); // its centroid is (p + q)/3: the third corner is at 0
     }
     course::require(std::abs(area) > 1e-12 * size, "the area [m²] must not be zero", area);
     return origin + weighted / area;
 }
 
-//> Solution 1.7: three looks at a motion
-Law law_of_motion(const Sample &first, const Sample &second, const Sample &third) {
+//> Solution 1.7: a motion through three samples
+Motion fit_motion(const Sample &first, const Sample &second, const Sample &third) {
     course::require_range(first.t, first.x, second.t, second.x, third.t, third.x);
     const char *claim = "the times [s] must differ from each other";
     course::require(first.t != second.t && first.t != third.t, claim, first.t);
     course::require(second.t != third.t, claim, second.t);
 
-    const double v_12 = (second.x - first.x) / (second.t - first.t); // its velocity half way between the first two
-    const double v_23 = (third.x - second.x) / (third.t - second.t); // and half way between the last two
-    const double a = 2 * (v_23 - v_12) / (third.t - first.t);        // half ways that lie half of t_3 - t_1 apart
+    const double v_12 = (second.x - first.x) / (second.t - first.t); // its velocity midway between the first two times
+    const double v_23 = (third.x - second.x) / (third.t - second.t); // and midway between the last two
+    const double a = 2 * (v_23 - v_12) / (third.t - first.t);        // these two times are (t_3 - t_1)/2 apart
     const double v_0 = v_12 - a * (first.t + second.t) / 2;
     return {first.x - first.t * (v_0 + a * first.t / 2), v_0, a};
 }

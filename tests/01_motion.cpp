@@ -7,22 +7,21 @@
 #include <cmath>
 #include <optional>
 
-using motion::Law, motion::PointMass, motion::Sample, motion::Schemes, motion::State;
-using namespace motion::subject; // px_per_second, uniform_motion, ... law_of_motion: the student's
+using motion::Integrators, motion::Motion, motion::PointMass, motion::Sample, motion::State;
+using namespace motion::subject; // px_per_second, uniform_motion, ... fit_motion: the student's
 
 constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
 const double too_large = std::nextafter(course::largest, infinity);
-const std::array<double, 6> outside{infinity, -infinity, not_a_number, too_large, -too_large, -3e200}; // of the range
 
 // --------------------------------------------------------------------------------------------------- 1.1 px_per_second
 
 //> Worked example: pixels
-TEST_CASE("the worked example: 4 px in each of 30 frames a second are 120 px/s", "[1.1]") {
+TEST_CASE("4 px per frame at 30 frames per second are 120 px/s", "[1.1]") {
     CHECK_THAT(px_per_second(4, 30), IsNear(120.0, rounding)); // 4 px/frame · 30 frame/s
 }
 
 //> More pixels
-TEST_CASE("more frames a second, or more pixels a frame: faster; to the left is negative", "[1.1]") {
+TEST_CASE("more frames per second or more pixels per frame are faster, and to the left is negative", "[1.1]") {
     CHECK_THAT(px_per_second(4, 60), IsNear(240.0, rounding));
     CHECK_THAT(px_per_second(8, 60), IsNear(480.0, rounding));
     CHECK_THAT(px_per_second(8, 30), IsNear(240.0, rounding));
@@ -33,7 +32,7 @@ TEST_CASE("more frames a second, or more pixels a frame: faster; to the left is 
 }
 
 //>
-TEST_CASE("a second holds that many frames: moved on in each, it has gone as far as it goes in a second", "[1.1]") {
+TEST_CASE("the speed is the distance covered in one second, added up frame by frame", "[1.1]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const double px = dice.real(-20, 20);
@@ -45,21 +44,7 @@ TEST_CASE("a second holds that many frames: moved on in each, it has gone as far
     }
 }
 
-TEST_CASE("no frames a second, fewer than none, and what is not a number within ±1e5, is refused", "[1.1]") {
-    CHECK_THROWS_AS(px_per_second(4, 0), std::invalid_argument);
-    CHECK_THROWS_AS(px_per_second(4, -30), std::invalid_argument);
-    CHECK_THROWS_AS(px_per_second(4, -1e-300), std::invalid_argument);
-    CHECK_THROWS_AS(px_per_second(0, 0), std::invalid_argument); // even if nothing moves
-
-    for (const double bad : outside) {
-        CHECK_THROWS_AS(px_per_second(bad, 30), std::invalid_argument);
-        CHECK_THROWS_AS(px_per_second(4, bad), std::invalid_argument);
-        CHECK_THROWS_AS(px_per_second(0, bad), std::invalid_argument);
-    }
-    px_per_second(4, 30); // good input is still answered
-}
-
-TEST_CASE("px_per_second takes every number up to ±1e5, and numbers close to 0; its answer may be larger", "[1.1]") {
+TEST_CASE("px_per_second allows numbers up to ±1e5 and close to 0, and its answer may be larger", "[1.1]") {
     CHECK_THAT(px_per_second(1e5, 1e5), IsNear(1e10, rounding));
     CHECK_THAT(px_per_second(-1e5, 1e5), IsNear(-1e10, rounding));
     CHECK_THAT(px_per_second(1e-10, 1e5), IsNear(1e-5, rounding));
@@ -67,17 +52,34 @@ TEST_CASE("px_per_second takes every number up to ±1e5, and numbers close to 0;
     CHECK_THAT(px_per_second(1e5, 1e-300), IsNear(0.0, rounding)); // very few, but more than none
 }
 
+//> Refused
+TEST_CASE("0 frames per second or fewer are refused", "[1.1]") {
+    CHECK_REFUSED(px_per_second(4, 0), "no frames per second");
+    CHECK_REFUSED(px_per_second(4, -30), "-30 frames per second");
+    CHECK_REFUSED(px_per_second(4, -1e-300), "-1e-300 frames per second");
+    CHECK_REFUSED(px_per_second(0, 0), "no frames per second, and nothing that moves");
+    px_per_second(4, 30); // good input is still answered
+}
+
+//>
+TEST_CASE("a speed from a number beyond ±1e5, infinite or not a number is refused", "[1.1]") {
+    CHECK_OUT_OF_RANGE_REFUSED(px_per_second, {4, 30});
+    CHECK_OUT_OF_RANGE_REFUSED(px_per_second, {0, 30}); // even if nothing moves
+    CHECK_REFUSED(px_per_second(too_large, 30), "the first number beyond 1e5, as px_per_frame");
+    CHECK_REFUSED(px_per_second(4, too_large), "the first number beyond 1e5, as frames_per_second");
+}
+
 // -------------------------------------------------------------------------------------------------- 1.2 uniform_motion
 
 //> Worked example: uniform motion
-TEST_CASE("the worked example: at 4 px/frame it is 120 px further after 30 frames", "[1.2]") {
+TEST_CASE("30 frames at 4 px/frame are 120 px, from wherever it starts", "[1.2]") {
     CHECK_THAT(uniform_motion({200, 80}, {4, 0}, 30), IsNear(Vec2{320, 80}, rounding)); // 200 + 4 · 30
     CHECK_THAT(uniform_motion({0, 0}, {4, 0}, 30), IsNear(Vec2{120, 0}, rounding));
     CHECK_THAT(uniform_motion({200, 80}, {0, -4}, 30), IsNear(Vec2{200, -40}, rounding)); // 80 - 4 · 30
 }
 
 //> Both components
-TEST_CASE("x and y go their own ways, back in time too", "[1.2]") {
+TEST_CASE("x and y move independently of each other, for negative t too", "[1.2]") {
     CHECK_THAT(uniform_motion({1, -2}, {3, 0.5}, 4), IsNear(Vec2{13, 0}, rounding));          // 1 + 12, -2 + 2
     CHECK_THAT(uniform_motion({1, -2}, {3, 0.5}, -4), IsNear(Vec2{-11, -4}, rounding));       // 1 - 12, -2 - 2
     CHECK_THAT(uniform_motion({1, -2}, {-3, 0.5}, 0.5), IsNear(Vec2{-0.5, -1.75}, rounding)); // half a second
@@ -86,7 +88,7 @@ TEST_CASE("x and y go their own ways, back in time too", "[1.2]") {
 }
 
 //>
-TEST_CASE("a way that is walked in two parts is the whole way", "[1.2]") {
+TEST_CASE("moving for t, and then for some more time, is moving for both times at once", "[1.2]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const Vec2 start = dice.point(-100, 100), velocity = dice.point(-20, 20);
@@ -99,7 +101,7 @@ TEST_CASE("a way that is walked in two parts is the whole way", "[1.2]") {
     }
 }
 
-TEST_CASE("between any two instants it moves along its velocity, and by as much as there is time", "[1.2]") {
+TEST_CASE("the displacement points along the velocity, and its length is speed times time", "[1.2]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const Vec2 direction = dice.direction();
@@ -115,7 +117,7 @@ TEST_CASE("between any two instants it moves along its velocity, and by as much 
 }
 
 //> Erratum E1.9
-TEST_CASE("erratum E1.9: for 3 miles, 80 miles an hour need more time than 90, not less", "[1.2]") {
+TEST_CASE("erratum E1.9: 3 miles take longer at 80 miles per hour than at 90", "[1.2]") {
     const double at_90 = 3.0 / 90 * 60, at_80 = 3.0 / 80 * 60;                               // in minutes: 2 and 2.25
     CHECK_THAT(uniform_motion({0, 0}, {90.0 / 60, 0}, at_90), IsNear(Vec2{3, 0}, rounding)); // in miles a minute
     CHECK_THAT(uniform_motion({0, 0}, {80.0 / 60, 0}, at_80), IsNear(Vec2{3, 0}, rounding));
@@ -125,21 +127,7 @@ TEST_CASE("erratum E1.9: for 3 miles, 80 miles an hour need more time than 90, n
 }
 
 //>
-TEST_CASE("a uniform motion with anything in it that is not a number within ±1e5 is refused", "[1.2]") {
-    for (const double bad : outside) {
-        CHECK_THROWS_AS(uniform_motion({bad, 2}, {3, 4}, 5), std::invalid_argument);
-        CHECK_THROWS_AS(uniform_motion({1, bad}, {3, 4}, 5), std::invalid_argument);
-        CHECK_THROWS_AS(uniform_motion({1, 2}, {bad, 4}, 5), std::invalid_argument);
-        CHECK_THROWS_AS(uniform_motion({1, 2}, {3, bad}, 5), std::invalid_argument);
-        CHECK_THROWS_AS(uniform_motion({1, 2}, {3, 4}, bad), std::invalid_argument);
-        CHECK_THROWS_AS(uniform_motion({1, 2}, {0, 0}, bad), std::invalid_argument); // even if nothing moves
-        CHECK_THROWS_AS(uniform_motion({bad, 2}, {0, 0}, 5), std::invalid_argument);
-        CHECK_THROWS_AS(uniform_motion({1, 2}, {bad, 4}, 0), std::invalid_argument); // or no time passes
-    }
-    uniform_motion({1, 2}, {3, 4}, 5); // good input is still answered
-}
-
-TEST_CASE("uniform_motion takes every number up to ±1e5, and numbers close to 0; its answer may be larger", "[1.2]") {
+TEST_CASE("uniform_motion allows numbers up to ±1e5 and close to 0, and its answer may be larger", "[1.2]") {
     const Vec2 far{1e5, -1e5}, far_away{1e10 + 1e5, -1e10 - 1e5};
     CHECK_THAT(uniform_motion(far, far, 1e5), IsNear(far_away, rounding));
     CHECK_THAT(uniform_motion(-far, far, -1e5), IsNear(Vec2{-far_away}, rounding));
@@ -150,31 +138,18 @@ TEST_CASE("uniform_motion takes every number up to ±1e5, and numbers close to 0
     CHECK_THAT(uniform_motion({0, 0}, {5, 1e-7}, 1e5), IsNear(Vec2{5e5, 0.01}, rounding));
 }
 
+TEST_CASE("a uniform motion with a number beyond ±1e5, infinite or not a number is refused", "[1.2]") {
+    CHECK_OUT_OF_RANGE_REFUSED(uniform_motion, {{1, 2}, {3, 4}, 5});
+    CHECK_OUT_OF_RANGE_REFUSED(uniform_motion, {{1, 2}, {0, 0}, 5}); // even if nothing moves
+    CHECK_OUT_OF_RANGE_REFUSED(uniform_motion, {{1, 2}, {3, 4}, 0}); // or no time passes
+}
+
 // ---------------------------------------------------------------------------------------------- 1.3 accelerated_motion
-
-//> By hand: thrown up
-TEST_CASE("a stone thrown up at 7 m/s where g is 10 m/s² is 2.4 m up after 0.6 s, and rises at 1 m/s", "[1.3]") {
-    // on average (7 + 1)/2 = 4 m/s, for 0.6 s; and 3 m/s sideways, 1.8 m, which nothing changes
-    CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, 0.6), IsNear(State{{2.8, 2.4}, {3, 1}}, rounding));
-    // it falls through the same height at the same speed, 0.2 s later
-    CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, 0.8), IsNear(State{{3.4, 2.4}, {3, -1}}, rounding));
-    // and was 2 m below, and faster, before
-    CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, -0.2), IsNear(State{{0.4, -1.6}, {3, 9}}, rounding));
-}
-
-//> Table 13.1
-TEST_CASE("Table 13.1: from rest, at 2 m/s², the velocity is 0, 2, 4, 6, 8, 10 m/s", "[1.3]") {
-    const std::array<double, 6> velocity{0, 2, 4, 6, 8, 10}; // 2 t
-    for (int t = 0; t <= 5; ++t) {
-        const State after = accelerated_motion({{0, 0}, {0, 0}}, {2, 0}, t);
-        CHECK_THAT(after.velocity, IsNear(Vec2{velocity[std::size_t(t)], 0}, rounding).of("velocity [m/s]"));
-    }
-}
 
 //> Table 13.2
 const std::array<double, 6> table_13_2{50, 55, 62, 71, 82, 95}; // 50 + 4 t + t²
 
-TEST_CASE("Table 13.2: from 50, at 4 and with an acceleration of 2, it is at 50, 55, 62, 71, 82, 95", "[1.3]") {
+TEST_CASE("Table 13.2: from 50 m at 4 m/s with 2 m/s², it is at 50, 55, 62, 71, 82, 95 m", "[1.3]") {
     for (int t = 0; t <= 5; ++t) {
         const double x = table_13_2[std::size_t(t)], v = 4 + 2.0 * t;
         CHECK_THAT(accelerated_motion({{50, 0}, {4, 0}}, {2, 0}, t), IsNear(State{{x, 0}, {v, 0}}, rounding));
@@ -183,18 +158,37 @@ TEST_CASE("Table 13.2: from 50, at 4 and with an acceleration of 2, it is at 50,
     }
 }
 
+//> Table 13.1
+TEST_CASE("Table 13.1: from rest with 2 m/s², the velocity is 0, 2, 4, 6, 8, 10 m/s", "[1.3]") {
+    const std::array<double, 6> velocity{0, 2, 4, 6, 8, 10}; // 2 t
+    for (int t = 0; t <= 5; ++t) {
+        const State after = accelerated_motion({{0, 0}, {0, 0}}, {2, 0}, t);
+        CHECK_THAT(after.velocity, IsNear(Vec2{velocity[std::size_t(t)], 0}, rounding).of("velocity [m/s]"));
+    }
+}
+
+//> By hand: thrown up
+TEST_CASE("a stone thrown up at 7 m/s under 10 m/s² is 2.4 m up after 0.6 s, still rising at 1 m/s", "[1.3]") {
+    // on average (7 + 1)/2 = 4 m/s, for 0.6 s; and 3 m/s sideways, 1.8 m, which nothing changes
+    CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, 0.6), IsNear(State{{2.8, 2.4}, {3, 1}}, rounding));
+    // it falls through the same height at the same speed, 0.2 s later
+    CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, 0.8), IsNear(State{{3.4, 2.4}, {3, -1}}, rounding));
+    // and was 2 m below, and faster, before
+    CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, -0.2), IsNear(State{{0.4, -1.6}, {3, 9}}, rounding));
+}
+
 //>
 TEST_CASE("at t = 0 nothing has changed", "[1.3]") {
     CHECK_THAT(accelerated_motion({{1, -2}, {3, 7}}, {5, -6}, 0), IsNear(State{{1, -2}, {3, 7}}));
 }
 
-TEST_CASE("without acceleration it is a uniform motion", "[1.3]") {
+TEST_CASE("without acceleration the velocity stays the same, and the motion is uniform", "[1.3]") {
     CHECK_THAT(accelerated_motion({{1, -2}, {3, 0.5}}, {0, 0}, 4), IsNear(State{{13, 0}, {3, 0.5}}, rounding));
     CHECK_THAT(accelerated_motion({{1, -2}, {0, 0}}, {0, 0}, 4), IsNear(State{{1, -2}, {0, 0}}, rounding));
 }
 
 //> Average and energy
-TEST_CASE("it goes as far as at the average of its first and its last velocity", "[1.3]") {
+TEST_CASE("the displacement is the average of first and last velocity, times t", "[1.3]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const State start{dice.point(-50, 50), dice.point(-20, 20)};
@@ -215,7 +209,7 @@ TEST_CASE("it goes as far as at the average of its first and its last velocity",
 }
 
 //>
-TEST_CASE("two flights, one after the other, are one", "[1.3]") {
+TEST_CASE("two flights, one after the other, are the same as one long flight", "[1.3]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const State start{dice.point(-50, 50), dice.point(-20, 20)};
@@ -229,7 +223,7 @@ TEST_CASE("two flights, one after the other, are one", "[1.3]") {
     }
 }
 
-TEST_CASE("turned round, it flies back home", "[1.3]") {
+TEST_CASE("with its velocity reversed it flies back to where it started", "[1.3]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const State start{dice.point(-50, 50), dice.point(-20, 20)};
@@ -244,7 +238,7 @@ TEST_CASE("turned round, it flies back home", "[1.3]") {
 }
 
 //> Erratum E1.5
-TEST_CASE("erratum E1.5: 2 is Table 13.1's acceleration; a constant velocity of 2 m/s makes another table", "[1.3]") {
+TEST_CASE("erratum E1.5: Table 13.1 shows an acceleration of 2 m/s², not a constant velocity of 2 m/s", "[1.3]") {
     for (int t = 1; t <= 5; ++t) {
         // As printed, "a constant velocity of 2": 2, 2, 2, 2, 2 m/s, and places 2, 4, 6, 8, 10 m.
         CHECK_THAT(accelerated_motion({{0, 0}, {2, 0}}, {0, 0}, t), IsNear(State{{2.0 * t, 0}, {2, 0}}, rounding));
@@ -255,7 +249,7 @@ TEST_CASE("erratum E1.5: 2 is Table 13.1's acceleration; a constant velocity of 
 }
 
 //> Erratum E1.6
-TEST_CASE("erratum E1.6: in Table 13.2 the changes are 5, 7, 9, 11, 13; it is their change that is always 2", "[1.3]") {
+TEST_CASE("erratum E1.6: in Table 13.2 the changes are 5, 7, 9, 11, 13, and only their change is always 2", "[1.3]") {
     const auto x = [](int t) { return accelerated_motion({{50, 0}, {4, 0}}, {2, 0}, t).position.x(); };
     const std::array<double, 5> change{5, 7, 9, 11, 13};
     for (int t = 1; t <= 5; ++t)
@@ -265,7 +259,7 @@ TEST_CASE("erratum E1.6: in Table 13.2 the changes are 5, 7, 9, 11, 13; it is th
 }
 
 //> Erratum E1.8
-TEST_CASE("erratum E1.8: an acceleration of 2 is 2 px/frame², and 1800 px/s² at 30 frames a second", "[1.3]") {
+TEST_CASE("erratum E1.8: 2 px/frame² are 1800 px/s² at 30 frames per second", "[1.3]") {
     const State in_frames = accelerated_motion({{0, 0}, {0, 0}}, {2, 0}, 30); // t in frames: a second
     CHECK_THAT(in_frames.position, IsNear(Vec2{900, 0}, rounding).of("position [px]"));
 
@@ -277,7 +271,7 @@ TEST_CASE("erratum E1.8: an acceleration of 2 is 2 px/frame², and 1800 px/s² a
 }
 
 //> Erratum E1.11
-TEST_CASE("erratum E1.11: all of the velocity makes the way, not only the gained part", "[1.3]") {
+TEST_CASE("erratum E1.11: the displacement comes from the whole velocity, not only from the gained part", "[1.3]") {
     // The strip below v = 4 + 2 t, from 0 to 3: a rectangle of 4 · 3 and a triangle of 6 · 3 / 2.
     const State after = accelerated_motion({{50, 0}, {4, 0}}, {2, 0}, 3);
     CHECK_THAT(after.position.x() - 50, IsNear(12.0 + 9, 1e-9).of("way [m]")); // the printed "integral" is 9
@@ -287,25 +281,7 @@ TEST_CASE("erratum E1.11: all of the velocity makes the way, not only the gained
 }
 
 //>
-TEST_CASE("an accelerated motion with anything in it that is not a number within ±1e5 is refused", "[1.3]") {
-    for (const double bad : outside) {
-        CHECK_THROWS_AS(accelerated_motion({{bad, 2}, {3, 4}}, {5, 6}, 7), std::invalid_argument);
-        CHECK_THROWS_AS(accelerated_motion({{1, bad}, {3, 4}}, {5, 6}, 7), std::invalid_argument);
-        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {bad, 4}}, {5, 6}, 7), std::invalid_argument);
-        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, bad}}, {5, 6}, 7), std::invalid_argument);
-        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {bad, 6}, 7), std::invalid_argument);
-        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {5, bad}, 7), std::invalid_argument);
-        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {5, 6}, bad), std::invalid_argument);
-        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {0, 0}, bad), std::invalid_argument);
-        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {0, 0}}, {0, 0}, bad), std::invalid_argument); // at rest
-        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {3, 4}}, {bad, 6}, 0), std::invalid_argument); // at once
-        CHECK_THROWS_AS(accelerated_motion({{1, 2}, {bad, 4}}, {5, 6}, 0), std::invalid_argument);
-    }
-    accelerated_motion({{1, 2}, {3, 4}}, {5, 6}, 7); // good input is still answered
-}
-
-TEST_CASE("accelerated_motion takes every number up to ±1e5, and numbers close to 0; its answer may be larger",
-          "[1.3]") {
+TEST_CASE("accelerated_motion allows numbers up to ±1e5 and close to 0, and its answer may be larger", "[1.3]") {
     const Vec2 far{1e5, -1e5}, sooner = (1e5 + 1e10 + 5e14) * Vec2{1, -1}, before = (1e5 - 1e10 + 5e14) * Vec2{1, -1};
     CHECK_THAT(accelerated_motion({far, far}, far, 1e5), IsNear(State{sooner, (1e5 + 1e10) * Vec2{1, -1}}, rounding));
     CHECK_THAT(accelerated_motion({far, far}, far, -1e5), IsNear(State{before, (1e5 - 1e10) * Vec2{1, -1}}, rounding));
@@ -316,6 +292,13 @@ TEST_CASE("accelerated_motion takes every number up to ±1e5, and numbers close 
     CHECK_THAT(accelerated_motion({{0, 0}, far}, {0, 0}, 1e-10), IsNear(State{{1e-5, -1e-5}, far}, rounding));
     CHECK_THAT(accelerated_motion({{0, 0}, close}, {0, 0}, 1e5), IsNear(State{{1e-5, -1e-5}, close}, rounding));
     CHECK_THAT(accelerated_motion({{0, 0}, {0, 0}}, close, 1e5), IsNear(State{{0.5, -0.5}, {1e-5, -1e-5}}, rounding));
+}
+
+TEST_CASE("an accelerated motion with a number beyond ±1e5, infinite or not a number is refused", "[1.3]") {
+    CHECK_OUT_OF_RANGE_REFUSED(accelerated_motion, {{{1, 2}, {3, 4}}, {5, 6}, 7});
+    CHECK_OUT_OF_RANGE_REFUSED(accelerated_motion, {{{1, 2}, {3, 4}}, {0, 0}, 7}); // even without acceleration,
+    CHECK_OUT_OF_RANGE_REFUSED(accelerated_motion, {{{1, 2}, {0, 0}}, {0, 0}, 7}); // at rest,
+    CHECK_OUT_OF_RANGE_REFUSED(accelerated_motion, {{{1, 2}, {3, 4}}, {5, 6}, 0}); // or if no time passes
 }
 
 // -------------------------------------------------------------------------------------------------- 1.4 centre_of_mass
@@ -335,57 +318,34 @@ std::vector<PointMass> random_bodies(Dice &dice, int count) {
 //> Worked example: centre of mass
 const std::vector<PointMass> three{{{0, 0}, 1}, {{4, 0}, 1}, {{0, 3}, 2}};
 
-TEST_CASE("the worked example: 1 kg at (0, 0), 1 kg at (4, 0), 2 kg at (0, 3) balance at (1, 1.5)", "[1.4]") {
+TEST_CASE("1 kg at (0, 0), 1 kg at (4, 0) and 2 kg at (0, 3) balance at (1, 1.5)", "[1.4]") {
     // x: (1 · 0 + 1 · 4 + 2 · 0) / 4 = 1;  y: (1 · 0 + 1 · 0 + 2 · 3) / 4 = 1.5
     CHECK_THAT(centre_of_mass(three), IsNear(Vec2{1, 1.5}, rounding));
 }
 
 //> A seesaw
-TEST_CASE("the heavier of two is nearer to where they balance", "[1.4]") {
+TEST_CASE("two bodies balance nearer to the heavier one", "[1.4]") {
     CHECK_THAT(centre_of_mass({{{2, 7}, 3}, {{6, -1}, 3}}), IsNear(Vec2{4, 3}, rounding)); // equal: the middle
     CHECK_THAT(centre_of_mass({{{2, 7}, 9}, {{6, -1}, 3}}), IsNear(Vec2{3, 5}, rounding)); // 1 : 3, so a quarter
     CHECK_THAT(centre_of_mass({{{2, 7}, 3}, {{6, -1}, 9}}), IsNear(Vec2{5, 1}, rounding));
     CHECK_THAT(centre_of_mass({{{2, 7}, 0}, {{6, -1}, 9}}), IsNear(Vec2{6, -1}, rounding)); // nothing at (2, 7)
 }
 
-//> No mass, no centre
-TEST_CASE("where there is no mass there is no centre; a little mass is enough", "[1.4]") {
-    CHECK_THAT(centre_of_mass({}), IsNear(no_centre));
-    CHECK_THAT(centre_of_mass({{{2, 7}, 0}}), IsNear(no_centre));
-    CHECK_THAT(centre_of_mass({{{2, 7}, 0}, {{6, -1}, 0}}), IsNear(no_centre));
-    CHECK_THAT(centre_of_mass({{{2, 7}, 1e-9}, {{6, -1}, 3e-9}}), IsNear(Vec2{5, 1}, rounding));
-    CHECK_THAT(centre_of_mass({{{2, 7}, 1e-100}, {{6, -1}, 3e-100}}), IsNear(Vec2{5, 1}, rounding));
-}
-
 //>
-TEST_CASE("one body alone is its own centre of mass", "[1.4]") {
+TEST_CASE("a single body is its own centre of mass", "[1.4]") {
     CHECK_THAT(centre_of_mass({{{2, 7}, 0.25}}), IsNear(Vec2{2, 7}, rounding));
     CHECK_THAT(centre_of_mass({{{-6, -1}, 1e4}}), IsNear(Vec2{-6, -1}, rounding));
 }
 
-TEST_CASE("equal bodies at one place count each, and a body without mass changes nothing, even as the last", "[1.4]") {
+TEST_CASE("bodies at the same position all count, and a body without mass changes nothing", "[1.4]") {
     CHECK_THAT(centre_of_mass({{{2, 7}, 1}, {{2, 7}, 1}, {{5, 1}, 1}}), IsNear(Vec2{3, 5}, rounding));
     CHECK_THAT(centre_of_mass({{{2, 7}, 1}, {{2, 7}, 3}, {{6, -1}, 4}}), IsNear(Vec2{4, 3}, rounding));
     CHECK_THAT(centre_of_mass({{{2, 7}, 3}, {{6, -1}, 3}, {{9, 9}, 0}}), IsNear(Vec2{4, 3}, rounding));
     CHECK_THAT(centre_of_mass({{{2, 7}, 3}, {{6, -1}, 3}, {{9, 9}, -0.0}}), IsNear(Vec2{4, 3}, rounding));
 }
 
-TEST_CASE("centre_of_mass takes 12 000 bodies, every number up to ±1e5, and a light body beside a heavy one", "[1.4]") {
-    const Vec2 far{1e5, 1e5};
-    CHECK_THAT(centre_of_mass({{far, 1e5}, {-far, 1e5}, {{1e5, -1e5}, 2e4}}), IsNear(Vec2{1e5 / 11, -1e5 / 11}, 1e-9));
-    CHECK_THAT(centre_of_mass({{{0, 0}, 9e4}, {{10, 0}, 1e4}}), IsNear(Vec2{1, 0}, rounding));
-    CHECK_THAT(centre_of_mass({{{0, 0}, 1}, {far, 1e-9}}), IsNear(Vec2{1e-4, 1e-4}, rounding)); // 1e-13 of it is less
-
-    std::vector<PointMass> row; // at 1, 2, 3, ... m along x
-    for (int x = 1; x <= 12000; ++x) row.push_back({{double(x), -2}, 1e5});
-    CHECK_THAT(centre_of_mass(row), IsNear(Vec2{6000.5, -2}, 1e-9)); // 12 000 roundings
-
-    CHECK_THAT(centre_of_mass(three), IsNear(Vec2{1, 1.5}, rounding)); // and nothing of them is left
-    CHECK_THAT(centre_of_mass({}), IsNear(no_centre));
-}
-
 //> It balances
-TEST_CASE("about the centre of mass, all arms times masses balance, left and right, above and below", "[1.4]") {
+TEST_CASE("masses times distances from the centre of mass cancel out, in x and in y", "[1.4]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const auto bodies = random_bodies(dice, dice.whole(1, 9));
@@ -400,7 +360,7 @@ TEST_CASE("about the centre of mass, all arms times masses balance, left and rig
 }
 
 //>
-TEST_CASE("several bodies may be replaced by one in their centre that has all their mass", "[1.4]") {
+TEST_CASE("several bodies can be replaced by one at their centre of mass with all their mass", "[1.4]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const auto group = random_bodies(dice, dice.whole(1, 4)), others = random_bodies(dice, dice.whole(0, 4));
@@ -416,8 +376,7 @@ TEST_CASE("several bodies may be replaced by one in their centre that has all th
     }
 }
 
-TEST_CASE("whatever the order and the unit of the masses, the centre is the same; moved bodies take it along",
-          "[1.4]") {
+TEST_CASE("order and unit of the masses do not matter, and moved bodies take their centre of mass along", "[1.4]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const auto bodies = random_bodies(dice, dice.whole(1, 9));
@@ -434,8 +393,21 @@ TEST_CASE("whatever the order and the unit of the masses, the centre is the same
     }
 }
 
+TEST_CASE("12 000 bodies, numbers up to ±1e5 and a light body beside a heavy one are allowed", "[1.4]") {
+    const Vec2 far{1e5, 1e5};
+    CHECK_THAT(centre_of_mass({{far, 1e5}, {-far, 1e5}, {{1e5, -1e5}, 2e4}}), IsNear(Vec2{1e5 / 11, -1e5 / 11}, 1e-9));
+    CHECK_THAT(centre_of_mass({{{0, 0}, 9e4}, {{10, 0}, 1e4}}), IsNear(Vec2{1, 0}, rounding));
+    CHECK_THAT(centre_of_mass({{{0, 0}, 1}, {far, 1e-9}}), IsNear(Vec2{1e-4, 1e-4}, rounding)); // 1e-13 of it is less
+
+    std::vector<PointMass> row; // at 1, 2, 3, ... m along x
+    for (int x = 1; x <= 12000; ++x) row.push_back({{double(x), -2}, 1e5});
+    CHECK_THAT(centre_of_mass(row), IsNear(Vec2{6000.5, -2}, 1e-9)); // 12 000 roundings
+
+    CHECK_THAT(centre_of_mass(three), IsNear(Vec2{1, 1.5}, rounding)); // and nothing of them is remembered
+}
+
 //> Erratum E1.1
-TEST_CASE("erratum E1.1: three bodies are three terms; the printed sum has a fourth", "[1.4]") {
+TEST_CASE("erratum E1.1: three bodies make three terms; the printed sum has four", "[1.4]") {
     // From i = 0 to n there are n + 1. Whatever stands behind the list is weighed too: say, 4 kg at (9, 9).
     std::vector<PointMass> four = three;
     four.push_back({{9, 9}, 4});
@@ -444,74 +416,75 @@ TEST_CASE("erratum E1.1: three bodies are three terms; the printed sum has a fou
     CHECK_THAT(centre_of_mass(three), IsNear(Vec2{1, 1.5}, rounding));
 }
 
-//>
-TEST_CASE("a negative mass, and what is not a number within ±1e5, is refused, wherever it stands", "[1.4]") {
-    for (const std::size_t which : {0u, 1u, 2u}) {
-        for (const double bad : outside) {
-            auto bodies = three;
-            bodies[which].position.x() = bad;
-            CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
-            bodies = three;
-            bodies[which].position.y() = bad;
-            CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
-            bodies = three;
-            bodies[which].mass = bad;
-            CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
-        }
-        auto bodies = three;
-        bodies[which].mass = -0.5; // the others weigh more
-        CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
-        bodies[which].mass = -1e-300;
-        CHECK_THROWS_AS(centre_of_mass(bodies), std::invalid_argument);
-    }
-    CHECK_THROWS_AS(centre_of_mass({{{1, 2}, 3}, {{4, 5}, -3}}), std::invalid_argument); // and not "nothing"
+//> No mass, no centre
+TEST_CASE("without any mass there is no centre of mass; a tiny mass is enough", "[1.4]") {
+    CHECK_THAT(centre_of_mass({}), IsNear(no_centre));
+    CHECK_THAT(centre_of_mass(three), IsNear(Vec2{1, 1.5}, rounding));
+    CHECK_THAT(centre_of_mass({}), IsNear(no_centre)); // nothing is remembered from the call before
+    CHECK_THAT(centre_of_mass({{{2, 7}, 0}}), IsNear(no_centre));
+    CHECK_THAT(centre_of_mass({{{2, 7}, 0}, {{6, -1}, 0}}), IsNear(no_centre));
+    CHECK_THAT(centre_of_mass({{{2, 7}, 1e-9}, {{6, -1}, 3e-9}}), IsNear(Vec2{5, 1}, rounding));
+    CHECK_THAT(centre_of_mass({{{2, 7}, 1e-100}, {{6, -1}, 3e-100}}), IsNear(Vec2{5, 1}, rounding));
+}
 
-    for (const double bad : outside) {
-        CHECK_THROWS_AS(centre_of_mass({{{bad, 2}, 3}}), std::invalid_argument);
-        CHECK_THROWS_AS(centre_of_mass({{{bad, 2}, 0}}), std::invalid_argument); // even if it weighs nothing
-        CHECK_THROWS_AS(centre_of_mass({{{1, 2}, 3}, {{4, bad}, 0}}), std::invalid_argument);
-    }
+//>
+TEST_CASE("a negative mass is refused, whichever body has it", "[1.4]") {
+    for (const std::size_t which : {0u, 1u, 2u})
+        for (const double mass : {-0.5, -1e-300}) { // the others weigh more
+            auto bodies = three;
+            bodies[which].mass = mass;
+            CHECK_REFUSED(centre_of_mass(bodies));
+        }
+    CHECK_REFUSED(centre_of_mass({{{1, 2}, 3}, {{4, 5}, -3}}), "masses of 3 kg and -3 kg");
     std::vector<PointMass> many(200, {{1, 2}, 3});
-    for (const PointMass &bad : {PointMass{{4, too_large}, 5}, {{4, 5}, -6}, {{4, 5}, not_a_number}}) {
+    many.back().mass = -6;
+    CHECK_REFUSED(centre_of_mass(many), "199 bodies of 3 kg, and one of -6 kg");
+}
+
+TEST_CASE("bodies with a number beyond ±1e5, infinite or not a number are refused", "[1.4]") {
+    CHECK_OUT_OF_RANGE_REFUSED(centre_of_mass, {three});
+    CHECK_OUT_OF_RANGE_REFUSED(centre_of_mass, {{{{1, 2}, 3}}});              // a single body
+    CHECK_OUT_OF_RANGE_REFUSED(centre_of_mass, {{{{1, 2}, 0}, {{4, 5}, 0}}}); // even if they have no mass
+    std::vector<PointMass> many(200, {{1, 2}, 3});
+    for (const PointMass &bad : {PointMass{{4, too_large}, 5}, {{4, 5}, not_a_number}}) {
         many.back() = bad;
-        CHECK_THROWS_AS(centre_of_mass(many), std::invalid_argument);
+        CHECK_REFUSED(centre_of_mass(many), "the last of 200 bodies out of range");
     }
-    centre_of_mass(three); // good input is still answered
 }
 
 // ------------------------------------------------------------------------------------------------------------ 1.5 step
 
 namespace {
 
-Schemes all_at(const State &state) { return {state, state, state}; }
+Integrators all_at(const State &state) { return {state, state, state}; }
 
 } // namespace
 
 //> Side by side
-TEST_CASE("Table 13.2 in steps of 1: the one Euler stays behind, the other runs ahead, exact is exact", "[1.5]") {
+TEST_CASE("Table 13.2 in steps of 1: explicit Euler lags behind, semi-implicit runs ahead, exact is right", "[1.5]") {
     const std::array<double, 5> slow{54, 60, 68, 78, 90}, fast{56, 64, 74, 86, 100}, exact{55, 62, 71, 82, 95};
-    Schemes now = all_at({{50, 0}, {4, 0}});
+    Integrators now = all_at({{50, 0}, {4, 0}});
     for (std::size_t n = 0; n < 5; ++n) {
-        now = step(now, {2, 0}, 1);
-        const Vec2 velocity{6 + 2.0 * double(n), 0};   // in all three
-        const Schemes want{{{slow[n], 0}, velocity},   // the old velocity: 4, 6, 8, ...
-                           {{fast[n], 0}, velocity},   // the new one: 6, 8, 10, ...
-                           {{exact[n], 0}, velocity}}; // half way: 5, 7, 9, ...
+        now = step_all(now, {2, 0}, 1);
+        const Vec2 velocity{6 + 2.0 * double(n), 0};       // in all three
+        const Integrators want{{{slow[n], 0}, velocity},   // the old velocity: 4, 6, 8, ...
+                               {{fast[n], 0}, velocity},   // the new one: 6, 8, 10, ...
+                               {{exact[n], 0}, velocity}}; // half way: 5, 7, 9, ...
         CHECK_THAT(now, IsNear(want, rounding));
     }
 }
 
 //> Own ways
 TEST_CASE("one step of 0.5 s, from three different states", "[1.5]") {
-    const Schemes before{{{1, 2}, {3, -4}}, {{-5, 6}, {-7, 8}}, {{9, -1}, {2, 5}}};
-    const Schemes want{{{2.5, 0}, {8, -7}},                          // moves at (3, -4)
-                       {{-6, 8.5}, {-2, 5}},                         // at (-2, 5)
-                       {{11.25, 0.75}, {7, 2}}};                     // at (4.5, 3.5)
-    CHECK_THAT(step(before, {10, -6}, 0.5), IsNear(want, rounding)); // each gains (5, -3) m/s
+    const Integrators before{{{1, 2}, {3, -4}}, {{-5, 6}, {-7, 8}}, {{9, -1}, {2, 5}}};
+    const Integrators want{{{2.5, 0}, {8, -7}},                          // moves at (3, -4)
+                           {{-6, 8.5}, {-2, 5}},                         // at (-2, 5)
+                           {{11.25, 0.75}, {7, 2}}};                     // at (4.5, 3.5)
+    CHECK_THAT(step_all(before, {10, -6}, 0.5), IsNear(want, rounding)); // each gains (5, -3) m/s
 }
 
 //> Errors
-TEST_CASE("after n steps the Eulers are off by n a dt²/2, to either side; halving dt halves that", "[1.5]") {
+TEST_CASE("after n steps the two Eulers are off by n a dt²/2, one behind and one ahead", "[1.5]") {
     Dice dice;
     for (int i = 0; i < course::cases(2000); ++i) {
         const State start{dice.point(-50, 50), dice.point(-20, 20)};
@@ -521,22 +494,22 @@ TEST_CASE("after n steps the Eulers are off by n a dt²/2, to either side; halvi
         const int steps = dice.whole(1, 20);
         for (const int n : {steps, 2 * steps}) {
             const double dt = time / n;
-            Schemes now = all_at(start);
-            for (int k = 0; k < n; ++k) now = step(now, acceleration, dt);
+            Integrators now = all_at(start);
+            for (int k = 0; k < n; ++k) now = step_all(now, acceleration, dt);
 
             const Vec2 error = n * dt * dt / 2 * acceleration; // = time dt/2 · a: half the step, half the error
             const Vec2 velocity = start.velocity + time * acceleration; // of all three
-            const Schemes want{{truth - error, velocity}, {truth + error, velocity}, {truth, velocity}};
+            const Integrators want{{truth - error, velocity}, {truth + error, velocity}, {truth, velocity}};
             CHECK_THAT(now, IsNear(want, 1e-8)); // twelve digits of 250 m, 40 times
         }
     }
 }
 
 //> Slopes
-TEST_CASE("on log-log axes the errors of the Eulers have the slope 1; that of the exact step is rounding", "[1.5]") {
+TEST_CASE("a hundredth of the step is a hundredth of the error; the exact step has only rounding errors", "[1.5]") {
     const auto errors = [](int n) { // after 5 s in n steps, from (0, 0) at (3, 7) m/s, under (0, -9.8) m/s²
-        Schemes now = all_at({{0, 0}, {3, 7}});
-        for (int k = 0; k < n; ++k) now = step(now, {0, -9.8}, 5.0 / n);
+        Integrators now = all_at({{0, 0}, {3, 7}});
+        for (int k = 0; k < n; ++k) now = step_all(now, {0, -9.8}, 5.0 / n);
         const Vec2 truth{15, 35 - 122.5};
         return std::array{(now.explicit_euler.position - truth).norm(), (now.semi_implicit.position - truth).norm(),
                           (now.exact.position - truth).norm()};
@@ -549,9 +522,9 @@ TEST_CASE("on log-log axes the errors of the Eulers have the slope 1; that of th
 }
 
 //>
-TEST_CASE("two exact steps are one of double length; of no other scheme that is so", "[1.5]") {
-    const Schemes start = all_at({{1, 2}, {3, -4}});
-    const Schemes two = step(step(start, {10, -6}, 0.5), {10, -6}, 0.5), one = step(start, {10, -6}, 1);
+TEST_CASE("two exact steps are the same as one of double length; two Euler steps are not", "[1.5]") {
+    const Integrators start = all_at({{1, 2}, {3, -4}});
+    const Integrators two = step_all(step_all(start, {10, -6}, 0.5), {10, -6}, 0.5), one = step_all(start, {10, -6}, 1);
     CHECK_THAT(two.exact, IsNear(one.exact, 1e-9).of("the exact state after two steps"));
     // half the error, and the errors of the one step are a/2
     const Vec2 of_explicit = two.explicit_euler.position - one.explicit_euler.position;
@@ -560,84 +533,71 @@ TEST_CASE("two exact steps are one of double length; of no other scheme that is 
     CHECK_THAT(of_semi_implicit, IsNear(Vec2{-2.5, 1.5}, 1e-9).of("semi-implicit Euler: two steps minus one [m]"));
 }
 
-TEST_CASE("without acceleration all three agree, and a step of 0 changes nothing", "[1.5]") {
+TEST_CASE("without acceleration all three agree, and a step of 0 s changes nothing", "[1.5]") {
     const State start{{1, 2}, {3, -4}}, later{{2.5, 0}, {3, -4}};
-    CHECK_THAT(step(all_at(start), {0, 0}, 0.5), IsNear(all_at(later), rounding));
+    CHECK_THAT(step_all(all_at(start), {0, 0}, 0.5), IsNear(all_at(later), rounding));
 
-    const Schemes before{{{1, 2}, {3, -4}}, {{-5, 6}, {-7, 8}}, {{9, -1}, {2, 5}}};
-    CHECK_THAT(step(before, {10, -6}, 0), IsNear(before));
-    CHECK_THAT(step(before, {10, -6}, -0.0), IsNear(before));
+    const Integrators before{{{1, 2}, {3, -4}}, {{-5, 6}, {-7, 8}}, {{9, -1}, {2, 5}}};
+    CHECK_THAT(step_all(before, {10, -6}, 0), IsNear(before));
+    CHECK_THAT(step_all(before, {10, -6}, -0.0), IsNear(before));
 }
 
 //> Erratum E1.7
-TEST_CASE("erratum E1.7: the printed loop is off by n a/2 px; half an acceleration less at the start mends it",
-          "[1.5]") {
+TEST_CASE("erratum E1.7: the printed loop is n a/2 px ahead; subtracting a/2 at the start fixes it", "[1.5]") {
     // velocity += acceleration, then x += velocity: that is the semi-implicit Euler with dt = 1 frame.
-    Schemes printed = all_at({{50, 0}, {4, 0}});
+    Integrators printed = all_at({{50, 0}, {4, 0}});
     State mended{{50, 0}, {4 - 2.0 / 2, 0}};
     for (int n = 1; n <= 5; ++n) {
-        printed = step(printed, {2, 0}, 1);
+        printed = step_all(printed, {2, 0}, 1);
         CHECK_THAT(printed.semi_implicit.position.x(),
                    IsNear(table_13_2[std::size_t(n)] + n * 2.0 / 2, rounding).of("x as printed [px]"));
 
-        mended = step(all_at(mended), {2, 0}, 1).semi_implicit;
+        mended = step_all(all_at(mended), {2, 0}, 1).semi_implicit;
         CHECK_THAT(mended.position.x(), IsNear(table_13_2[std::size_t(n)], rounding).of("x, mended [px]"));
     }
 }
 
 //>
-TEST_CASE("the code as printed starts from rest: 2, 6, 12, 20, 30, where 1, 4, 9, 16, 25 is true", "[1.5]") {
-    Schemes now = all_at({{0, 0}, {0, 0}});
+TEST_CASE("from rest the printed loop gives 2, 6, 12, 20, 30, where 1, 4, 9, 16, 25 is right", "[1.5]") {
+    Integrators now = all_at({{0, 0}, {0, 0}});
     for (int n = 1; n <= 5; ++n) {
-        now = step(now, {0, 2}, 1);
+        now = step_all(now, {0, 2}, 1);
         const Vec2 velocity{0, 2.0 * n}; // in all three
-        const Schemes want{
+        const Integrators want{
             {{0, double(n * (n - 1))}, velocity}, {{0, double(n * (n + 1))}, velocity}, {{0, double(n * n)}, velocity}};
         CHECK_THAT(now, IsNear(want, rounding));
     }
 }
 
-TEST_CASE("a step back in time, and what is not a number within ±1e5, is refused", "[1.5]") {
-    const Schemes good = all_at({{1, 2}, {3, 4}}), resting = all_at({{1, 2}, {0, 0}});
-    for (const double back : {-0.1, -1e-300}) {
-        CHECK_THROWS_AS(step(good, {5, 6}, back), std::invalid_argument);
-        CHECK_THROWS_AS(step(good, {0, 0}, back), std::invalid_argument);
-        CHECK_THROWS_AS(step(resting, {0, 0}, back), std::invalid_argument); // even if nothing moves
-    }
-    for (const double bad : outside) {
-        CHECK_THROWS_AS(step(resting, {0, 0}, bad), std::invalid_argument);
-        CHECK_THROWS_AS(step(good, {bad, 6}, 0), std::invalid_argument); // or no time passes
-        CHECK_THROWS_AS(step(all_at({{1, 2}, {3, bad}}), {5, 6}, 0), std::invalid_argument);
-        CHECK_THROWS_AS(step(good, {bad, 6}, 0.1), std::invalid_argument);
-        CHECK_THROWS_AS(step(good, {5, bad}, 0.1), std::invalid_argument);
-        CHECK_THROWS_AS(step(good, {5, 6}, bad), std::invalid_argument);
-        for (State Schemes::*const scheme : {&Schemes::explicit_euler, &Schemes::semi_implicit, &Schemes::exact})
-            for (const int axis : {0, 1}) {
-                Schemes spoilt = good;
-                (spoilt.*scheme).position[axis] = bad;
-                CHECK_THROWS_AS(step(spoilt, {5, 6}, 0.1), std::invalid_argument);
-                spoilt = good;
-                (spoilt.*scheme).velocity[axis] = bad;
-                CHECK_THROWS_AS(step(spoilt, {5, 6}, 0.1), std::invalid_argument);
-            }
-    }
-    step(good, {5, 6}, 0.1); // good input is still answered
-}
-
-TEST_CASE("step takes every number up to ±1e5, and numbers close to 0; its answer may be larger", "[1.5]") {
+TEST_CASE("step_all allows numbers up to ±1e5 and close to 0, and its answer may be larger", "[1.5]") {
     const Vec2 far{1e5, -1e5}, faster = (1e5 + 1e10) * Vec2{1, -1};
     const Vec2 slow = (1e5 + 1e10) * Vec2{1, -1}, fast = slow + 1e15 * Vec2{1, -1}, exact = slow + 5e14 * Vec2{1, -1};
-    const Schemes after{{slow, faster}, {fast, faster}, {exact, faster}};
-    const Schemes other_way{{-slow, -faster}, {-fast, -faster}, {-exact, -faster}};
-    CHECK_THAT(step(all_at({far, far}), far, 1e5), IsNear(after, rounding));
-    CHECK_THAT(step(all_at({-far, -far}), -far, 1e5), IsNear(other_way, rounding));
+    const Integrators after{{slow, faster}, {fast, faster}, {exact, faster}};
+    const Integrators other_way{{-slow, -faster}, {-fast, -faster}, {-exact, -faster}};
+    CHECK_THAT(step_all(all_at({far, far}), far, 1e5), IsNear(after, rounding));
+    CHECK_THAT(step_all(all_at({-far, -far}), -far, 1e5), IsNear(other_way, rounding));
 
     const Vec2 close{1e-10, -1e-10};
-    CHECK_THAT(step(all_at({{0, 0}, far}), {0, 0}, 1e-10), IsNear(all_at({{1e-5, -1e-5}, far}), rounding));
-    CHECK_THAT(step(all_at({{0, 0}, close}), {0, 0}, 1e5), IsNear(all_at({{1e-5, -1e-5}, close}), rounding));
+    CHECK_THAT(step_all(all_at({{0, 0}, far}), {0, 0}, 1e-10), IsNear(all_at({{1e-5, -1e-5}, far}), rounding));
+    CHECK_THAT(step_all(all_at({{0, 0}, close}), {0, 0}, 1e5), IsNear(all_at({{1e-5, -1e-5}, close}), rounding));
     const Vec2 gained{1e-5, -1e-5};
-    CHECK_THAT(step(all_at({{0, 0}, {0, 0}}), close, 1e5),
-               IsNear(Schemes{{{0, 0}, gained}, {{1, -1}, gained}, {{0.5, -0.5}, gained}}, rounding));
+    CHECK_THAT(step_all(all_at({{0, 0}, {0, 0}}), close, 1e5),
+               IsNear(Integrators{{{0, 0}, gained}, {{1, -1}, gained}, {{0.5, -0.5}, gained}}, rounding));
+}
+
+TEST_CASE("a negative dt is refused", "[1.5]") {
+    const Integrators moving = all_at({{1, 2}, {3, 4}}), resting = all_at({{1, 2}, {0, 0}});
+    for (const double back : {-0.1, -1e-300}) {
+        CHECK_REFUSED(step_all(moving, {5, 6}, back));
+        CHECK_REFUSED(step_all(moving, {0, 0}, back));
+        CHECK_REFUSED(step_all(resting, {0, 0}, back)); // even if nothing moves
+    }
+}
+
+TEST_CASE("a step with a number beyond ±1e5, infinite or not a number is refused", "[1.5]") {
+    CHECK_OUT_OF_RANGE_REFUSED(step_all, {all_at({{1, 2}, {3, 4}}), {5, 6}, 0.1});
+    CHECK_OUT_OF_RANGE_REFUSED(step_all, {all_at({{1, 2}, {0, 0}}), {0, 0}, 0.1}); // even if nothing moves
+    CHECK_OUT_OF_RANGE_REFUSED(step_all, {all_at({{1, 2}, {3, 4}}), {5, 6}, 0});   // or no time passes
 }
 
 // -------------------------------------------------------------------------------------------------------- 1.6 centroid
@@ -645,8 +605,7 @@ TEST_CASE("step takes every number up to ±1e5, and numbers close to 0; its answ
 using Corners = std::vector<Vec2>;
 
 //> An L
-TEST_CASE("the worked example: an L made of 3 m² about (0.5, 1.5) and 2 m² about (2, 0.5) has its middle at (1.1, 1.1)",
-          "[1.6]") {
+TEST_CASE("an L of 3 m² around (0.5, 1.5) and 2 m² around (2, 0.5) has its centroid at (1.1, 1.1)", "[1.6]") {
     // x: (3 · 0.5 + 2 · 2) / 5 = 1.1;  y: (3 · 1.5 + 2 · 0.5) / 5 = 1.1
     const Corners l{{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 0}};
     CHECK_THAT(centroid(l), IsNear(Vec2{1.1, 1.1}, rounding));
@@ -654,7 +613,7 @@ TEST_CASE("the worked example: an L made of 3 m² about (0.5, 1.5) and 2 m² abo
 }
 
 //> Simple plates
-TEST_CASE("a triangle's middle is the mean of its corners, a rectangle's is where its diagonals cross", "[1.6]") {
+TEST_CASE("a triangle's centroid is the mean of its corners; a rectangle's is where the diagonals cross", "[1.6]") {
     CHECK_THAT(centroid({{0, 0}, {6, 0}, {0, 3}}), IsNear(Vec2{2, 1}, rounding));
     CHECK_THAT(centroid({{0, 0}, {0, 3}, {6, 0}}), IsNear(Vec2{2, 1}, rounding));
     CHECK_THAT(centroid({{7, -4}, {9, -1}, {-1, 2}}), IsNear(Vec2{5, -1}, rounding));
@@ -663,7 +622,7 @@ TEST_CASE("a triangle's middle is the mean of its corners, a rectangle's is wher
 }
 
 //> Erratum E1.3
-TEST_CASE("erratum E1.3: a corner more on a side moves the mean of the corners, but not the plate's middle", "[1.6]") {
+TEST_CASE("erratum E1.3: an extra corner on a side moves the mean of the corners, but not the centroid", "[1.6]") {
     const Vec2 mean = (Vec2{0, 0} + Vec2{1, 0} + Vec2{2, 0} + Vec2{2, 2} + Vec2{0, 2}) / 5;
     CHECK_THAT(mean, IsNear(Vec2{1, 0.8}, rounding)); // as printed: weights at the corners
 
@@ -700,8 +659,7 @@ Plate random_plate(Dice &dice) {
 
 } // namespace
 
-TEST_CASE("a jagged plate: the middle of its slices, from whichever corner and whichever way round it is told",
-          "[1.6]") {
+TEST_CASE("a jagged plate has the centroid of its slices, listed from any corner, either way round", "[1.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const auto [corners, middle] = random_plate(dice);
@@ -716,7 +674,7 @@ TEST_CASE("a jagged plate: the middle of its slices, from whichever corner and w
     }
 }
 
-TEST_CASE("cut in two, a plate balances as its halves do, each with its area for a mass", "[1.6]") {
+TEST_CASE("two halves of a plate balance where the whole plate does, with their areas as masses", "[1.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         // a triangle, cut from one corner to somewhere on the opposite side: the areas are as the parts of that side
@@ -733,7 +691,7 @@ TEST_CASE("cut in two, a plate balances as its halves do, each with its area for
     }
 }
 
-TEST_CASE("a small square far away has its centre to 1e-9 m, wherever it is and however it is turned", "[1.6]") {
+TEST_CASE("the centroid of a small square is right to 1e-9 m, however far away and however turned", "[1.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const Vec2 middle = dice.point(-99000, 99000), half = dice.real(0.005, 5) * dice.direction();
@@ -745,7 +703,7 @@ TEST_CASE("a small square far away has its centre to 1e-9 m, wherever it is and 
     }
 }
 
-TEST_CASE("centroid takes corners up to ±1e5, a thousand of them, and tiny plates; corners may repeat", "[1.6]") {
+TEST_CASE("a thousand corners, corners up to ±1e5, repeated corners and tiny plates are allowed", "[1.6]") {
     CHECK_THAT(centroid({{-1e5, -1e5}, {1e5, -1e5}, {1e5, 1e5}, {-1e5, 1e5}}), IsNear(Vec2{0, 0}, 1e-7));
     for (const double side : {1e-3, 1e-7, 1e-30, 1e-90}) {
         const Vec2 middle = centroid({{0, 0}, {side, 0}, {side, side}, {0, side}}) / side;
@@ -767,7 +725,7 @@ TEST_CASE("centroid takes corners up to ±1e5, a thousand of them, and tiny plat
     }
 }
 
-TEST_CASE("a thin plate has a centre from 1e-11 of its length² on; below 1e-13 its corners are on one line", "[1.6]") {
+TEST_CASE("a plate of 1e-11 of its length² has a centroid; below 1e-13 its corners are on one line", "[1.6]") {
     // the thinner the plate, the more a rounding of 1e-16 m counts
     CHECK_THAT(centroid({{0, 0}, {4, 0}, {4, 1e-6}, {0, 1e-6}}), IsNear(Vec2{2, 5e-7}, 1e-8));
     CHECK_THAT(centroid({{0, 0}, {4, 0}, {4, 1e-9}, {0, 1e-9}}), IsNear(Vec2{2, 5e-10}, 1e-5));
@@ -775,144 +733,129 @@ TEST_CASE("a thin plate has a centre from 1e-11 of its length² on; below 1e-13 
     const double enough = 1.05e-11, too_little = 0.95e-13;                                           // of 1 m²
     CHECK_THAT(centroid({{0, 0}, {1, 0}, {1, enough}, {0, enough}}), IsNear(Vec2{0.5, 0}, 1e-3));    // flat
     CHECK_THAT(centroid({{0, 0}, {0, -1}, {enough, -1}, {enough, 0}}), IsNear(Vec2{0, -0.5}, 1e-3)); // upright
-    CHECK_THROWS_AS(centroid({{0, 0}, {1, 0}, {1, too_little}, {0, too_little}}), std::invalid_argument);
-    CHECK_THROWS_AS(centroid({{0, 0}, {0, 1}, {too_little, 1}, {too_little, 0}}), std::invalid_argument);
-    CHECK_THROWS_AS(centroid({{0, 0}, {0, too_little}, {1, too_little}, {1, 0}}), std::invalid_argument);
+    CHECK_REFUSED(centroid({{0, 0}, {1, 0}, {1, too_little}, {0, too_little}}));
+    CHECK_REFUSED(centroid({{0, 0}, {0, 1}, {too_little, 1}, {too_little, 0}}));
+    CHECK_REFUSED(centroid({{0, 0}, {0, too_little}, {1, too_little}, {1, 0}}));
 
     const double flat = std::ldexp(1, -26); // a long diagonal, and a third corner that is this far above it
-    CHECK_THROWS_AS(centroid({{0, 0}, {65536, 65536}, {32768, 32768 + flat}}), std::invalid_argument); // 6e-14
+    CHECK_REFUSED(centroid({{0, 0}, {65536, 65536}, {32768, 32768 + flat}})); // 6e-14
     CHECK_THAT(centroid({{0, 0}, {65536, 65536}, {32768, 32768 + 256 * flat}}), IsNear(Vec2{32768, 32768}, 1e-3));
 
     // The longest distance between corners counts, not the sides and not the outline.
     Corners many;
     for (int x = 0; x <= 50; ++x) many.push_back({double(x), 0});
     for (int x = 50; x >= 0; --x) many.push_back({double(x), 4e-12}); // 8e-14
-    CHECK_THROWS_AS(centroid(many), std::invalid_argument);
+    CHECK_REFUSED(centroid(many));
     const double h = 3.5e-12; // the area is (2 · 0.5 + 4 · 0.55) h = 1.12e-11 m²
     CHECK_THAT(centroid({{0, 0}, {1, h}, {0.1, 2 * h}, {1, 3 * h}, {0.1, 4 * h}, {1, 5 * h}, {0, 6 * h}}),
                IsNear(Vec2{161.0 / 480, 0}, 1e-3));
 }
 
-TEST_CASE("fewer than three corners, and corners on one line, are no plate", "[1.6]") {
-    CHECK_THROWS_AS(centroid({}), std::invalid_argument);
-    CHECK_THROWS_AS(centroid({{1, 2}}), std::invalid_argument);
-    CHECK_THROWS_AS(centroid({{1, 2}, {3, 4}}), std::invalid_argument);
-    CHECK_THROWS_AS(centroid({{1, 2}, {1, 2}, {1, 2}}), std::invalid_argument);
-    CHECK_THROWS_AS(centroid({{0, 0}, {2, 1}, {6, 3}}), std::invalid_argument);
-    CHECK_THROWS_AS(centroid({{0, 0}, {6, 3}, {2, 1}, {4, 2}}), std::invalid_argument); // to and fro
-    CHECK_THROWS_AS(centroid({{5, 0}, {5, 3}, {5, -2}}), std::invalid_argument);
-    CHECK_THROWS_AS(centroid({{0.1, 0.3}, {0.2, 0.6}, {0.3, 0.9}}), std::invalid_argument); // but for a rounding
-    CHECK_THROWS_AS(centroid({{1e5, 0}, {-1e5, 0}, {0, 1e-9}}), std::invalid_argument);     // 2.5e-15 of its length²
-    centroid({{0, 0}, {2, 0}, {0, 2}}); // good input is still answered
+TEST_CASE("fewer than three corners, or corners on one line, are refused", "[1.6]") {
+    CHECK_REFUSED(centroid({}));
+    CHECK_REFUSED(centroid({{1, 2}}));
+    CHECK_REFUSED(centroid({{1, 2}, {3, 4}}));
+    CHECK_REFUSED(centroid({{1, 2}, {1, 2}, {1, 2}}));
+    CHECK_REFUSED(centroid({{0, 0}, {2, 1}, {6, 3}}));
+    CHECK_REFUSED(centroid({{0, 0}, {6, 3}, {2, 1}, {4, 2}})); // back and forth
+    CHECK_REFUSED(centroid({{5, 0}, {5, 3}, {5, -2}}));
+    CHECK_REFUSED(centroid({{0.1, 0.3}, {0.2, 0.6}, {0.3, 0.9}})); // but for a rounding
+    CHECK_REFUSED(centroid({{1e5, 0}, {-1e5, 0}, {0, 1e-9}}));     // 2.5e-15 of its length²
+    centroid({{0, 0}, {2, 0}, {0, 2}});                            // good input is still answered
 }
 
-TEST_CASE("a corner that is not a number within ±1e5 is refused, wherever it stands", "[1.6]") {
-    for (const double bad : outside)
-        for (const std::size_t which : {0u, 1u, 2u, 3u})
-            for (const int axis : {0, 1}) {
-                Corners corners{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-                corners[which][axis] = bad;
-                CHECK_THROWS_AS(centroid(corners), std::invalid_argument);
-            }
+TEST_CASE("a corner beyond ±1e5, infinite or not a number is refused, whichever it is", "[1.6]") {
+    CHECK_OUT_OF_RANGE_REFUSED(centroid, {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}});
     Corners many(200, {0, 0});
     many.insert(many.end(), {{2, 0}, {2, 2}, {0, too_large}});
-    CHECK_THROWS_AS(centroid(many), std::invalid_argument);
+    CHECK_REFUSED(centroid(many), "the last of 203 corners out of range");
 }
 
-// --------------------------------------------------------------------------------------------------- 1.7 law_of_motion
+// --------------------------------------------------------------------------------------------------- 1.7 fit_motion
 
 //> By hand: three looks
-constexpr double of_law = 1e-8; // what the header promises
+constexpr double fit_tolerance = 1e-8; // what the header promises
 
-TEST_CASE("the worked example: at 6, 11 and 27 m after 1, 2 and 4 s, it began at 3 m, at 2 m/s, with 2 m/s²", "[1.7]") {
+TEST_CASE("6, 11 and 27 m after 1, 2 and 4 s come from 3 m, 2 m/s and 2 m/s²", "[1.7]") {
     // 5 m/s on average from 1 to 2 s, so 5 m/s at 1.5 s; 8 m/s on average from 2 to 4 s, so 8 m/s at 3 s
     // a = (8 - 5) / (3 - 1.5) = 2 m/s²; v_0 = 5 - 2 · 1.5 = 2 m/s; x_0 = 6 - 2 · 1 - 2/2 · 1² = 3 m
-    CHECK_THAT(law_of_motion({1, 6}, {2, 11}, {4, 27}), IsNear(Law{3, 2, 2}, of_law));
+    CHECK_THAT(fit_motion({1, 6}, {2, 11}, {4, 27}), IsNear(Motion{3, 2, 2}, fit_tolerance));
 }
 
 //> Three rows of a table
-TEST_CASE("any three rows of Table 13.2, in any order, tell that it began at 50, at 4, with 2", "[1.7]") {
+TEST_CASE("any three rows of Table 13.2, in any order, give 50 m, 4 m/s and 2 m/s²", "[1.7]") {
     const auto row = [&](int t) { return Sample{double(t), table_13_2[std::size_t(t)]}; };
     for (int i = 0; i <= 5; ++i)
         for (int j = 0; j <= 5; ++j)
             for (int k = 0; k <= 5; ++k)
                 if (i != j && j != k && k != i)
-                    CHECK_THAT(law_of_motion(row(i), row(j), row(k)), IsNear(Law{50, 4, 2}, of_law));
+                    CHECK_THAT(fit_motion(row(i), row(j), row(k)), IsNear(Motion{50, 4, 2}, fit_tolerance));
 }
 
 //> Made backwards
-TEST_CASE("a law that was chosen first comes back from any three looks at it", "[1.7]") {
+TEST_CASE("a random motion is recovered from any three samples of it", "[1.7]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
-        const Law law{dice.real(-100, 100), dice.real(-20, 20), dice.real(-10, 10)};
+        const Motion law{dice.real(-100, 100), dice.real(-20, 20), dice.real(-10, 10)};
         const auto look = [&](double t) { return Sample{t, law.x_0 + t * (law.v_0 + t * law.a / 2)}; };
         const double t_1 = dice.real(-10, 10), t_2 = dice.real(-10, 10), t_3 = dice.real(-10, 10);
         if (std::min({std::abs(t_1 - t_2), std::abs(t_2 - t_3), std::abs(t_3 - t_1)}) < 0.5) continue;
 
         // A look is off by 1e-13 m, of 800; divided by two gaps of 0.5 s and seen from 10 s away: 1e-10, and room.
-        CHECK_THAT(law_of_motion(look(t_1), look(t_2), look(t_3)), IsNear(law, of_law));
+        CHECK_THAT(fit_motion(look(t_1), look(t_2), look(t_3)), IsNear(law, fit_tolerance));
     }
 }
 
 //>
-TEST_CASE("what rests has no velocity; what moves uniformly, no acceleration; and what turns round at t = 0 rests then",
-          "[1.7]") {
-    CHECK_THAT(law_of_motion({1, -4}, {2, -4}, {4, -4}), IsNear(Law{-4, 0, 0}, of_law));
-    CHECK_THAT(law_of_motion({-1, 9}, {2, 3}, {4, -1}), IsNear(Law{7, -2, 0}, of_law));
-    CHECK_THAT(law_of_motion({0, 5}, {0.5, 4}, {-2, -11}), IsNear(Law{5, 0, -8}, of_law));
+TEST_CASE("a resting body has no velocity, a uniform motion no acceleration", "[1.7]") {
+    CHECK_THAT(fit_motion({1, -4}, {2, -4}, {4, -4}), IsNear(Motion{-4, 0, 0}, fit_tolerance));
+    CHECK_THAT(fit_motion({-1, 9}, {2, 3}, {4, -1}), IsNear(Motion{7, -2, 0}, fit_tolerance));
+    CHECK_THAT(fit_motion({0, 5}, {0.5, 4}, {-2, -11}), IsNear(Motion{5, 0, -8}, fit_tolerance));
 }
 
-TEST_CASE("looks at close times are allowed: hundredths of a second apart, or less", "[1.7]") {
+TEST_CASE("samples may be hundredths of a second apart, or less", "[1.7]") {
     // x = 5 - 3 t + 4 t²; a rounding of 1e-15 m, by two gaps of 0.01 s
-    CHECK_THAT(law_of_motion({0.50, 4.5}, {0.51, 4.5104}, {0.53, 4.5336}), IsNear(Law{5, -3, 8}, 1e-6));
-    CHECK_THAT(law_of_motion({0, 0}, {1e-4, 1e-4}, {1, 1}), IsNear(Law{0, 1, 0}, 1e-6));
-    CHECK_THAT(law_of_motion({0, 0}, {1, 1}, {1e-10, 1e-10}), IsNear(Law{0, 1, 0}, 1e-3));
+    CHECK_THAT(fit_motion({0.50, 4.5}, {0.51, 4.5104}, {0.53, 4.5336}), IsNear(Motion{5, -3, 8}, 1e-6));
+    CHECK_THAT(fit_motion({0, 0}, {1e-4, 1e-4}, {1, 1}), IsNear(Motion{0, 1, 0}, 1e-6));
+    CHECK_THAT(fit_motion({0, 0}, {1, 1}, {1e-10, 1e-10}), IsNear(Motion{0, 1, 0}, 1e-3));
 }
 
-TEST_CASE("the same times with other places have another law", "[1.7]") {
-    CHECK_THAT(law_of_motion({1, 6}, {2, 11}, {4, 27}), IsNear(Law{3, 2, 2}, of_law));
-    CHECK_THAT(law_of_motion({1, 6}, {2, 11}, {4, 21}), IsNear(Law{1, 5, 0}, of_law));
-    CHECK_THAT(law_of_motion({1, 6}, {2, 9}, {4, 21}), IsNear(Law{5, 0, 2}, of_law));
+TEST_CASE("each call stands alone: the same times with other positions give another motion", "[1.7]") {
+    CHECK_THAT(fit_motion({1, 6}, {2, 11}, {4, 27}), IsNear(Motion{3, 2, 2}, fit_tolerance));
+    CHECK_THAT(fit_motion({1, 6}, {2, 11}, {4, 21}), IsNear(Motion{1, 5, 0}, fit_tolerance));
+    CHECK_THAT(fit_motion({1, 6}, {2, 9}, {4, 21}), IsNear(Motion{5, 0, 2}, fit_tolerance));
 }
 
-TEST_CASE("law_of_motion takes every number up to ±1e5, and finds a tiny acceleration; its answer may be larger",
-          "[1.7]") {
+TEST_CASE("fit_motion allows numbers up to ±1e5 and tiny accelerations, and its answer may be larger", "[1.7]") {
     // thrice ±1e5 m: what is at 1e5 m at 0 s and at 1e5 s, and was at -1e5 m at -1e5 s, has slowed down
     std::array<Sample, 3> looks{Sample{-1e5, -1e5}, Sample{0, 1e5}, Sample{1e5, 1e5}};
     std::array<Sample, 3> mirrored{Sample{1e5, -1e5}, Sample{0, 1e5}, Sample{-1e5, 1e5}};
     for (int i = 0; i < 3; ++i) {
         std::rotate(looks.begin(), looks.begin() + 1, looks.end());
         std::rotate(mirrored.begin(), mirrored.begin() + 1, mirrored.end());
-        CHECK_THAT(law_of_motion(looks[0], looks[1], looks[2]), IsNear(Law{1e5, 1, -2e-5}, of_law));
-        CHECK_THAT(law_of_motion(mirrored[0], mirrored[1], mirrored[2]), IsNear(Law{1e5, -1, -2e-5}, of_law));
+        CHECK_THAT(fit_motion(looks[0], looks[1], looks[2]), IsNear(Motion{1e5, 1, -2e-5}, fit_tolerance));
+        CHECK_THAT(fit_motion(mirrored[0], mirrored[1], mirrored[2]), IsNear(Motion{1e5, -1, -2e-5}, fit_tolerance));
     }
-    CHECK_THAT(law_of_motion({-1e5, 500}, {0, 0}, {1e5, 500}).a * 1e7, IsNear(1.0, 1e-6).of("a [1e-7 m/s²]"));
-    CHECK_THAT(law_of_motion({-1e5, 0.5}, {0, 0}, {1e5, 0.5}).a * 1e10, IsNear(1.0, 1e-6).of("a [1e-10 m/s²]"));
+    CHECK_THAT(fit_motion({-1e5, 500}, {0, 0}, {1e5, 500}).a * 1e7, IsNear(1.0, 1e-6).of("a [1e-7 m/s²]"));
+    CHECK_THAT(fit_motion({-1e5, 0.5}, {0, 0}, {1e5, 0.5}).a * 1e10, IsNear(1.0, 1e-6).of("a [1e-10 m/s²]"));
 
-    CHECK_THAT(law_of_motion({1, 1e5}, {2, -1e5}, {3, 1e5}), IsNear(Law{7e5, -8e5, 4e5}, of_law));
-    CHECK_THAT(law_of_motion({0, 1e5}, {1e-3, -1e5}, {2e-3, 1e5}), IsNear(Law{1e5, -4e8, 4e11}, of_law));
+    CHECK_THAT(fit_motion({1, 1e5}, {2, -1e5}, {3, 1e5}), IsNear(Motion{7e5, -8e5, 4e5}, fit_tolerance));
+    CHECK_THAT(fit_motion({0, 1e5}, {1e-3, -1e5}, {2e-3, 1e5}), IsNear(Motion{1e5, -4e8, 4e11}, fit_tolerance));
 }
 
-TEST_CASE("two looks at one instant are refused, whichever two, and even if they agree", "[1.7]") {
+TEST_CASE("two samples at the same time are refused, whichever two, even if they agree", "[1.7]") {
     const Sample one{1, 6}, two{2, 11}, four{4, 27};
     for (const Sample &again : {Sample{1, 6}, Sample{1, 7}}) {
-        CHECK_THROWS_AS(law_of_motion(one, again, four), std::invalid_argument);
-        CHECK_THROWS_AS(law_of_motion(one, two, again), std::invalid_argument);
-        CHECK_THROWS_AS(law_of_motion(two, one, again), std::invalid_argument);
-        CHECK_THROWS_AS(law_of_motion(one, again, one), std::invalid_argument);
+        CHECK_REFUSED(fit_motion(one, again, four));
+        CHECK_REFUSED(fit_motion(one, two, again));
+        CHECK_REFUSED(fit_motion(two, one, again));
+        CHECK_REFUSED(fit_motion(one, again, one));
     }
-    CHECK_THROWS_AS(law_of_motion({0, 6}, {-0.0, 7}, four), std::invalid_argument);
-    law_of_motion(one, two, four); // good input is still answered
+    CHECK_REFUSED(fit_motion({0, 6}, {-0.0, 7}, four));
+    fit_motion(one, two, four); // good input is still answered
 }
 
-TEST_CASE("a look at what is not a number within ±1e5, or at such a time, is refused", "[1.7]") {
-    for (const double bad : outside) {
-        CHECK_THROWS_AS(law_of_motion({bad, 6}, {2, 11}, {4, 27}), std::invalid_argument);
-        CHECK_THROWS_AS(law_of_motion({1, bad}, {2, 11}, {4, 27}), std::invalid_argument);
-        CHECK_THROWS_AS(law_of_motion({1, 6}, {bad, 11}, {4, 27}), std::invalid_argument);
-        CHECK_THROWS_AS(law_of_motion({1, 6}, {2, bad}, {4, 27}), std::invalid_argument);
-        CHECK_THROWS_AS(law_of_motion({1, 6}, {2, 11}, {bad, 27}), std::invalid_argument);
-        CHECK_THROWS_AS(law_of_motion({1, 6}, {2, 11}, {4, bad}), std::invalid_argument);
-        CHECK_THROWS_AS(law_of_motion({1, 6}, {bad, 6}, {4, 6}), std::invalid_argument); // even if it is at rest
-    }
+TEST_CASE("a sample with a number beyond ±1e5, infinite or not a number is refused", "[1.7]") {
+    CHECK_OUT_OF_RANGE_REFUSED(fit_motion, {{1, 6}, {2, 11}, {4, 27}});
+    CHECK_OUT_OF_RANGE_REFUSED(fit_motion, {{1, 6}, {2, 6}, {4, 6}}); // even if nothing moves
 }

@@ -52,27 +52,27 @@ void print_centres(std::ostream &out) {
 }
 
 //> Side by side, printed
-void print_schemes(std::ostream &out) {
+void print_integrators(std::ostream &out) {
     out << row({{"t [s]", 7}, {"explicit Euler [m]", 20}, {"semi-implicit [m]", 19}, {"exact [m]", 0}});
-    Schemes now{moving, moving, moving};
+    Integrators now{moving, moving, moving};
     for (int t = 0; t <= 5; ++t) {
         out << row({{text(t), 7},
                     {text(now.explicit_euler.position.x()), 20},
                     {text(now.semi_implicit.position.x()), 19},
                     {text(now.exact.position.x()), 0}});
-        now = step(now, acceleration, 1);
+        now = step_all(now, acceleration, 1);
     }
 }
 
-//> An L and a law
+//> An L and a fit
 const std::vector<Vec2> l_shape{{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 0}};
 
 void print_centroid(std::ostream &out) { out << "middle of the L [m]: " << text(centroid(l_shape)) << '\n'; }
 
-void print_law(std::ostream &out) {
-    const Law law = law_of_motion({1, 55}, {2, 62}, {5, 95});
-    out << "rows 1, 2 and 5 of Table 13.2: x_0 = " << text(law.x_0) << ", v_0 = " << text(law.v_0)
-        << ", a = " << text(law.a) << '\n';
+void print_fit(std::ostream &out) {
+    const Motion found = fit_motion({1, 55}, {2, 62}, {5, 95});
+    out << "rows 1, 2 and 5 of Table 13.2: x_0 = " << text(found.x_0) << ", v_0 = " << text(found.v_0)
+        << ", a = " << text(found.a) << '\n';
 }
 
 //> Table 13.2 as a curve
@@ -93,14 +93,14 @@ void trace_centre(std::ostream &out) {
         out << position.x() << '\t' << position.y() << '\t' << mass << '\t' << centre.x() << '\t' << centre.y() << '\n';
 }
 
-//> Three ways to step
-void trace_schemes(std::ostream &out) {
+//> Three integrators, traced
+void trace_integrators(std::ostream &out) {
     out << "# t[s]\texplicit[m]\tsemi-implicit[m]\texact[m]\n";
-    Schemes now{moving, moving, moving};
+    Integrators now{moving, moving, moving};
     for (int t = 0; t <= 5; ++t) {
         out << t << '\t' << now.explicit_euler.position.x() << '\t' << now.semi_implicit.position.x() << '\t'
             << now.exact.position.x() << '\n';
-        now = step(now, acceleration, 1);
+        now = step_all(now, acceleration, 1);
     }
 }
 
@@ -112,8 +112,8 @@ void trace_error(std::ostream &out) {
 
     out << "# dt[s]\texplicit[m]\tsemi-implicit[m]\texact[m]\n";
     for (const int steps : {3, 7, 17, 31, 70, 150, 310, 700, 1500, 3100, 7000, 15000, 31000, 70000, 150000, 310000}) {
-        Schemes now{thrown, thrown, thrown};
-        for (int i = 0; i < steps; ++i) now = step(now, gravity, 5.0 / steps);
+        Integrators now{thrown, thrown, thrown};
+        for (int i = 0; i < steps; ++i) now = step_all(now, gravity, 5.0 / steps);
         out << 5.0 / steps << '\t' << (now.explicit_euler.position - truth).norm() << '\t'
             << (now.semi_implicit.position - truth).norm() << '\t' << (now.exact.position - truth).norm() << '\n';
     }
@@ -135,12 +135,12 @@ int main(int argc, char **argv) {
                         {"velocities", print_table_13_1},
                         {"positions", print_table_13_2},
                         {"centres", print_centres},
-                        {"schemes", print_schemes},
+                        {"integrators", print_integrators},
                         {"centroid", print_centroid},
-                        {"law", print_law},
+                        {"fit", print_fit},
                         {"01_motion_table.tsv", trace_table},
                         {"01_motion_centre.tsv", trace_centre},
-                        {"01_motion_schemes.tsv", trace_schemes},
+                        {"01_motion_integrators.tsv", trace_integrators},
                         {"01_motion_error.tsv", trace_error},
                         {"01_motion_l.tsv", trace_l}});
 }

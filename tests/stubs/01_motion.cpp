@@ -1,5 +1,5 @@
-// Section 1, Motion. Replace a whole `throw ...;` by your own code, save, and see:  ./course check 1
-// Bad input is refused in a line or two, as in the first function; the others need such lines as well.
+// Section 1, Motion. Replace a whole `throw ...;` by your own code, save, and look:  ./course check 1
+// The lines above each `throw` refuse numbers that make no sense; leave them as they are.
 
 #include "motion.hpp"
 
@@ -11,38 +11,53 @@ namespace motion {
 // 1.1 core
 double px_per_second(double px_per_frame, double frames_per_second) {
     course::require_range(px_per_frame, frames_per_second);
-    course::require(frames_per_second > 0, "frames_per_second must be positive", frames_per_second);
-    throw course::NotYet{"each frame moves it on, and a second has so many frames: return their ..."};
+    throw course::NotYet{"how many pixels does it move in one frame, and how many frames are there in a second?"};
 }
 
 // 1.2 core
 Vec2 uniform_motion(const Vec2 &start, const Vec2 &velocity, double t) {
-    throw course::NotYet{"how far does it go in one second? And in t of them? It does not begin at (0, 0)"};
+    course::require_range(start, velocity, t);
+    throw course::NotYet{"how far does it move in one second? And in t seconds? And where did it start?"};
 }
 
 // 1.3 core
 State accelerated_motion(const State &start, const Vec2 &acceleration, double t) {
-    throw course::NotYet{"how fast is it after t, and how fast was it on average until then?"};
+    course::require_range(start.position, start.velocity, acceleration, t);
+    throw course::NotYet{"how fast is it at time t, and how fast was it on average until then?"};
 }
 
 // 1.4 core
 std::optional<Vec2> centre_of_mass(const std::vector<PointMass> &bodies) {
-    throw course::NotYet{"add up the masses, and the positions times their masses, in one loop"};
+    for (const PointMass &body : bodies) {
+        course::require_range(body.position, body.mass);
+        course::require(body.mass >= 0, "mass [kg] must not be negative", body.mass);
+    }
+    throw course::NotYet{"in one loop, add up the masses, and the positions times their masses"};
 }
 
 // 1.5 stretch
-Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
-    throw course::NotYet{"each scheme gains the same velocity in a step; with which one does it move?"};
+Integrators step_all(const Integrators &before, const Vec2 &acceleration, double dt) {
+    for (const State &state : {before.explicit_euler, before.semi_implicit, before.exact})
+        course::require_range(state.position, state.velocity);
+    course::require_range(acceleration, dt);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    throw course::NotYet{"all three gain the same velocity in a step; at which velocity does each of them move?"};
 }
 
 // 1.6 stretch
 Vec2 centroid(const std::vector<Vec2> &corners) {
-    throw course::NotYet{"cut the plate into triangles that share its first corner; the middle of each is known"};
+    course::require(corners.size() >= 3, "the number of corners must be three or more", double(corners.size()));
+    course::require_range(corners);
+    throw course::NotYet{"cut the plate into triangles that share its first corner; you know the centroid of each"};
 }
 
 // 1.7 challenge
-Law law_of_motion(const Sample &first, const Sample &second, const Sample &third) {
-    throw course::NotYet{"how fast was it on average between two looks, and at which moment was it just so fast?"};
+Motion fit_motion(const Sample &first, const Sample &second, const Sample &third) {
+    course::require_range(first.t, first.x, second.t, second.x, third.t, third.x);
+    const char *claim = "the times [s] must differ from each other";
+    course::require(first.t != second.t && first.t != third.t, claim, first.t);
+    course::require(second.t != third.t, claim, second.t);
+    throw course::NotYet{"what was its average velocity between two samples, and when did it move at exactly that?"};
 }
 
 } // namespace motion

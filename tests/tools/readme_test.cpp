@@ -42,13 +42,17 @@ TEST_CASE("the first verdicts that chapter 1 shows are real ones, of the lines t
         INFO(text);
         CHECK(chapter.find(text) != std::string::npos);
     };
-    const std::string hurried = "return px_per_frame / frames_per_second;";
-    const std::string right = "return px_per_frame * frames_per_second;";
+    const std::string divides = "return px_per_frame / frames_per_second;";
+    const std::string multiplies = "return px_per_frame * frames_per_second;";
+    const std::string refuses =
+        "course::require(frames_per_second > 0, \"frames_per_second must be positive\", frames_per_second);";
 
     shows("$ ./course check 1\n" + verdict_on(stub) + "```");
-    shows("```cpp\n    " + hurried + "\n```");
-    shows("$ ./course check 1\n" + verdict_on(with(hurried)) + "```");
-    shows("`" + right + "`");
-    const std::string passed = verdict_on(with(right));
-    shows("```console\n" + passed.substr(0, passed.find('\n') + 1) + "```");
+    shows("    " + divides + "\n");
+    shows("$ ./course check 1\n" + verdict_on(with(divides)) + "```");
+    shows("`" + multiplies + "`");
+    shows("$ ./course check 1\n" + verdict_on(with(multiplies)) + "```");
+    shows("    " + refuses + "\n");
+    const std::string passed = verdict_on(with(refuses + '\n' + multiplies));
+    shows(passed.substr(0, passed.find('\n') + 1) + "```");
 }

@@ -3,12 +3,12 @@
 
 namespace motion {
 
-Schemes step(const Schemes &before, const Vec2 &acceleration, double dt) {
+Integrators step_all(const Integrators &before, const Vec2 &acceleration, double dt) {
     for (const State &state : {before.explicit_euler, before.semi_implicit, before.exact})
         course::require_range(state.position, state.velocity);
     course::require_range(acceleration, dt);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
-    Schemes after = before;
+    Integrators after = before;
     after.explicit_euler.position += dt * before.explicit_euler.velocity;
     after.explicit_euler.velocity += dt * acceleration;
     after.semi_implicit.velocity += dt * acceleration;

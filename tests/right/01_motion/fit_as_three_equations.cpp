@@ -5,7 +5,7 @@
 
 namespace motion {
 
-Law law_of_motion(const Sample &first, const Sample &second, const Sample &third) {
+Motion fit_motion(const Sample &first, const Sample &second, const Sample &third) {
     course::require_range(first.t, first.x, second.t, second.x, third.t, third.x);
     course::require(first.t != second.t, "the times [s] must differ", first.t);
     course::require(second.t != third.t, "the times [s] must differ", second.t);

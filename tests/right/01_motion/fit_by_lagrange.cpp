@@ -3,12 +3,12 @@
 
 namespace motion {
 
-Law law_of_motion(const Sample &first, const Sample &second, const Sample &third) {
+Motion fit_motion(const Sample &first, const Sample &second, const Sample &third) {
     course::require_range(first.t, first.x, second.t, second.x, third.t, third.x);
     course::require(first.t != second.t, "the times [s] must differ", first.t);
     course::require(second.t != third.t, "the times [s] must differ", second.t);
     course::require(third.t != first.t, "the times [s] must differ", third.t);
-    Law law{0, 0, 0};
+    Motion law{0, 0, 0};
     const auto add = [&](const Sample &here, double t_1, double t_2) {
         const double share = here.x / ((here.t - t_1) * (here.t - t_2));
         law.x_0 += share * t_1 * t_2;
