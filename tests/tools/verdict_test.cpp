@@ -628,6 +628,43 @@ TEST_CASE("whoever lacks a function is shown the header's line, and what he has 
     CHECK(explain_missing("0000000000000000 T ns::remeet(int)\n", header, "meet").ends_with("int second);`."));
 }
 
+TEST_CASE("an older file is told the new names of what it calls by old ones, and only of these") {
+    const std::vector<Renamed> renamed{
+        {"Crossing", "LineIntersection", 1}, {"meet", "segments_intersect", 2}, {"half", "", 3}};
+    const auto said = [&](const std::string &first, const std::string &second = "") {
+        const std::string end = "\n    3 |  y\n      |  ^\n", place = "/x/07.cpp:3:5: error: ";
+        return diagnose_compiler(place + first + end + (second.empty() ? "" : place + second + end), "/x/07.cpp",
+                                 "07.cpp", renamed)
+            .sentence;
+    };
+    const std::string alone = "`Crossing` is called `LineIntersection` now: rename it in your file (see CHANGELOG).";
+    for (const char *unknown :
+         {"‘Crossing’ was not declared in this scope; did you mean ‘meet’?", "‘Crossing’ has not been declared",
+          "‘Crossing’ does not name a type", "‘Crossing’ is not a member of ‘wall’",
+          "‘struct Wall’ has no member named ‘Crossing’", "use of undeclared identifier 'Crossing'",
+          "unknown type name 'Crossing'", "no type named 'Crossing' in namespace 'wall'",
+          "no member named 'Crossing' in namespace 'wall'"})
+        CHECK(said(unknown) == alone);
+    CHECK(said("‘Crossing’ was not declared", "‘Crossing’ was not declared") == alone);
+    CHECK(said("‘meet’ was not declared", "‘Crossing’ was not declared")
+          == "`meet` is called `segments_intersect` now, `Crossing` is called `LineIntersection`: rename them in your "
+             "file (see CHANGELOG).");
+    // Something else is wrong first, or an old name stands beside what is wrong.
+    CHECK(said("‘x’ was not declared", "‘Crossing’ was not declared") == "'x' was not declared");
+    CHECK(said("‘x’ was not declared in this scope; did you mean ‘meet’?").starts_with("'x' was not declared"));
+    CHECK(said("‘meet’ cannot be used as a function").starts_with("'meet' cannot be used"));
+    CHECK(said("‘half’ was not declared").starts_with("'half' was not declared"));
+
+    const std::string header = "\nbool segments_intersect(int);\nbool common_points(int);\n",
+                      symbols = "0000000000000000 T ns::meet(int)\n";
+    CHECK(explain_missing(symbols, header, "segments_intersect", renamed)
+          == " `meet` is called `segments_intersect` now: rename it in your file (see CHANGELOG).");
+    CHECK(explain_missing(symbols, header, "common_points", renamed) == " The header says `bool common_points(int);`.");
+    CHECK(explain_missing("0000000000000000 T ns::meeting(int)\n", header, "segments_intersect", renamed)
+              .find("CHANGELOG")
+          == std::string::npos);
+}
+
 TEST_CASE("an error in a file that a student only uses is told where the student has caused it, and what it means") {
     const auto verdict = diagnose_compiler(
         "/x/course.hpp: In instantiation of 'void f()':\n/x/07.cpp:26:5:   required from here\n"

@@ -5,6 +5,7 @@
 #include "book/markdown.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
+#include "loop/renamed.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -620,6 +621,29 @@ TEST_CASE("exercises of the header without a row, a hint, a solution, rows witho
                  std::tuple{"../../plots/07_wall_path.svg", "wall.hpp",
                             "plots/07_wall_path.gp:1: the chapter does not show this figure;"});
     book.edit_chapter(was, is);
+    CHECK(book.check().code == something_to);
+    CHECK_THAT(book.check().text, ContainsSubstring(message));
+}
+
+TEST_CASE("old names are read from renamed.txt, and each leads to a name of the header") {
+    const Book book;
+    CHECK(renamed(book.tree, book.section).empty());
+    book.put("chapters/07_wall/renamed.txt", "# since version 2\nspan length # one\r\n\nBrick Wall\n");
+    CHECK(book.check().code == all_well);
+    const auto names = renamed(book.tree, book.section);
+    REQUIRE(names.size() == 2);
+    CHECK(names[0].before == "span");
+    CHECK(names[0].now == "length");
+    CHECK(names[0].line == 2);
+    CHECK(names[1].now == "Wall");
+
+    const auto [line, message] = GENERATE(
+        std::tuple{"span", "renamed.txt:1: a line holds an old name and the new one, with a blank between."},
+        std::tuple{"span length width", "renamed.txt:1: a line holds an old name"},
+        std::tuple{"span length()", "renamed.txt:1: a line holds an old name"},
+        std::tuple{"span Where",
+                   "renamed.txt:1: the header has nothing called `Where`; write the name that `span` has now."});
+    book.put("chapters/07_wall/renamed.txt", line);
     CHECK(book.check().code == something_to);
     CHECK_THAT(book.check().text, ContainsSubstring(message));
 }

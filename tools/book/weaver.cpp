@@ -6,6 +6,7 @@
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 #include "ground/nearest.hpp"
+#include "loop/renamed.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -242,6 +243,20 @@ Woven weave(const Tree &tree, const Page &page, std::string_view text, const Out
     return Weaver{tree, page, text, output}.weave();
 }
 
+namespace {
+
+/// Whether a header's code names this function, type or constant.
+bool names(const std::string &header, const std::string &name) {
+    const std::regex word{"\\b" + name + "\\b"};
+    for (const Line &line : lines_of(header)) {
+        const std::string_view code = line.text.substr(0, line.text.find("//"));
+        if (std::regex_search(code.begin(), code.end(), word)) return true;
+    }
+    return false;
+}
+
+} // namespace
+
 std::vector<Finding> missing_parts(const Tree &tree, const Section &section) {
     const fs::path chapter = tree.chapter(section), header = tree.header(section);
     const std::string text = read_file(chapter);
@@ -285,6 +300,14 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section) {
                 {figure, 1,
                  fmt::format("the chapter does not show this figure; put `![what it shows](../../plots/{})` there.",
                              svg)});
+    for (const Renamed &name : renamed(tree, section))
+        if (name.now.empty())
+            missing.push_back(
+                {tree.renamed(section), name.line, "a line holds an old name and the new one, with a blank between."});
+        else if (!names(read_file(header), name.now))
+            missing.push_back({tree.renamed(section), name.line,
+                               fmt::format("the header has nothing called `{}`; write the name that `{}` has now.",
+                                           name.now, name.before)});
     return missing;
 }
 

@@ -43,7 +43,7 @@ using Output = std::function<std::string(const Section &, const std::string &par
 Woven weave(const Tree &tree, const Page &page, std::string_view text, const Output &output);
 
 /// Exercises of the header without a row in the chapter's table, a hint, a solution; rows without an exercise; figures
-/// that the chapter does not show.
+/// that the chapter does not show; lines of renamed.txt that name nothing in the header.
 std::vector<Finding> missing_parts(const Tree &tree, const Section &section);
 
 } // namespace course

@@ -46,6 +46,8 @@ struct Tree {
     std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }
     std::filesystem::path solution(const Section &s) const { return root / "solutions" / (s.name + ".cpp"); }
     std::filesystem::path tests(const Section &s) const { return root / "tests" / (s.name + ".cpp"); }
+    /// What was called otherwise in earlier versions of the section; it need not exist.
+    std::filesystem::path renamed(const Section &s) const { return root / "chapters" / s.name / "renamed.txt"; }
     std::filesystem::path memory() const { return root / ".course"; } ///< what the course remembers of its student
 };
 

@@ -139,7 +139,21 @@ std::optional<Verdict> diagnose_text(std::string_view text, const std::string &n
     return {};
 }
 
-Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name) {
+namespace {
+
+/// The name that the compiler does not know, if that is what its words say.
+std::string unknown_name(const std::string &words) {
+    if (const auto member = between(words, "no member named '", "'")) return std::string{*member};
+    for (const char *unknown : {"was not declared", "has not been declared", "does not name a type",
+                                "is not a member of", "undeclared identifier", "unknown type name", "no type named"})
+        if (contains(words, unknown)) return std::string{between(words, "'", "'").value_or("")};
+    return "";
+}
+
+} // namespace
+
+Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name,
+                          const std::vector<Renamed> &renamed) {
     Verdict verdict = broken(Kind::does_not_compile, "");
     auto remarks = remarks_in(printed, file);
     std::erase_if(remarks, [](const Remark &remark) { return !remark.is_error; });
@@ -151,6 +165,11 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
     }
     const Remark &first = remarks.front();
     verdict.sentence = explained(first.said);
+    if (!explain_renamed({unknown_name(first.said.words)}, renamed).empty()) {
+        std::vector<std::string> unknown;
+        for (const Remark &remark : remarks) unknown.push_back(unknown_name(remark.said.words));
+        verdict.sentence = explain_renamed(unknown, renamed);
+    }
     verdict.file = shown(first.file, file, name);
     verdict.line = first.line;
     if (const auto &[words, code, caret, notes] = first.said; !code.empty()) {
@@ -290,16 +309,20 @@ std::string declaration(const std::string &header, const std::string &function) 
 
 } // namespace
 
-std::string explain_missing(std::string_view symbols, const std::string &header, const std::string &function) {
+std::string explain_missing(std::string_view symbols, const std::string &header, const std::string &function,
+                            const std::vector<Renamed> &renamed) {
     const std::string wanted = declaration(header, function);
     const std::string says = wanted.empty() ? "" : " The header says `" + wanted + "`";
-    std::vector<std::string> others;
+    std::vector<std::string> others, by_old_name;
     for (const auto &[whole, name] : functions_in(symbols)) {
         if (name == function)
             return says + (says.empty() ? " Yours is `" : "; yours is `") + whole
                    + "`, which is another function to the compiler: copy name, parameters and namespace.";
         if (header.find(' ' + name + '(') == header.npos) others.push_back(name);
+        for (const Renamed &one : renamed)
+            if (one.before == name && one.now == function) by_old_name.push_back(name);
     }
+    if (const std::string old = explain_renamed(by_old_name, renamed); !old.empty()) return ' ' + old;
     std::string near = nearest(function, others);
     if (edit_distance(near, function) > 1 + function.size() / 3) near.clear(); // a helper with a name of its own
     return says + (says.empty() ? "" : ".") + (near.empty() ? "" : " Yours has `" + near + "`: is that it, misspelt?");

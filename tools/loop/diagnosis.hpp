@@ -1,6 +1,7 @@
 #pragma once
 // What a compiler and a linker print, as one thing to mend.
 
+#include "loop/renamed.hpp"
 #include "verdict/shared/verdict.hpp"
 
 #include <filesystem>
@@ -14,10 +15,13 @@ namespace course {
 /// @param number  of the section, for the way back
 std::optional<Verdict> diagnose_text(std::string_view text, const std::string &shown_name, const std::string &number);
 
-/// The first error, with its line of code; how many more there are.
+/// The first error, with its line of code; how many more there are. If it is about an old name, the new names of all the
+/// old ones that errors are about.
 /// @param errors  what the compiler printed
 /// @param file, shown_name  the student's file, and how to call it
-Verdict diagnose_compiler(std::string_view errors, const std::filesystem::path &file, const std::string &shown_name);
+/// @param renamed  old names of the section
+Verdict diagnose_compiler(std::string_view errors, const std::filesystem::path &file, const std::string &shown_name,
+                          const std::vector<Renamed> &renamed = {});
 
 /// Warnings, one line each, without those that only explain another.
 std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
@@ -37,9 +41,12 @@ std::vector<std::string> find_unreached(std::string_view text, const std::string
 Verdict diagnose_linker(std::string_view errors, const std::string &shown_name, const std::string &number);
 
 /// What helps somebody whose file lacks a function, to be put behind that sentence: how the header declares it, and what
-/// the file has instead, a function of that name with other parameters or in another namespace, or one misspelt.
+/// the file has instead: a function of that name with other parameters or in another namespace, one by its old name, or
+/// one misspelt.
 /// @param symbols  what `nm -C --defined-only` printed of the student's object
 /// @param header   the text of the section's header
-std::string explain_missing(std::string_view symbols, const std::string &header, const std::string &function);
+/// @param renamed  old names of the section
+std::string explain_missing(std::string_view symbols, const std::string &header, const std::string &function,
+                            const std::vector<Renamed> &renamed = {});
 
 } // namespace course

@@ -157,7 +157,7 @@ void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Se
             defined = plain_output(run({w.nm, "-C", "--defined-only", object.string()}).out);
             header = read_file(tree.header(section));
         }
-        verdict.sentence += explain_missing(defined, header, verdict.call->function);
+        verdict.sentence += explain_missing(defined, header, verdict.call->function, renamed(tree, section));
     }
 }
 
@@ -245,7 +245,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     const std::string said = plain_output(compiled.err);
     if (auto why = stopped_by_a_limit(compiled, said); !why.empty())
         return not_built(stopped(Kind::does_not_compile, std::move(why)));
-    if (compiled.code != 0) return not_built(diagnose_compiler(said, file, name));
+    if (compiled.code != 0) return not_built(diagnose_compiler(said, file, name, renamed(tree, section)));
     if (const auto elsewhere = included_from_elsewhere(read_file(includes), file, w.includes))
         return not_built(stopped(Kind::does_not_compile,
                                  "Your file includes " + tree.shown(*elsewhere)

@@ -107,7 +107,7 @@ void empty_folder(const fs::path &folder) {
 std::string student_error(const Tree &tree, const Section &section, const std::string &printed) {
     const fs::path file = tree.exercise(section);
     const std::string name = tree.shown(file);
-    Verdict verdict = diagnose_compiler(printed, file, name);
+    Verdict verdict = diagnose_compiler(printed, file, name, renamed(tree, section));
     if (verdict.line == 0) verdict = diagnose_linker(printed, name, section.short_number());
     return (verdict.line == 0 ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ") + verdict.sentence;
 }
