@@ -6,7 +6,7 @@ set size ratio -1
 set xrange [-1.15:6.35]; set yrange [-1.15:1.6]
 unset border; unset tics; unset grid; unset key
 set label 'spread evenly' at 0,1.35 center textcolor lt 1
-set label 'speed by chance' at 2.6,1.35 center textcolor lt 6
+set label 'random speed' at 2.6,1.35 center textcolor lt 6
 set label 'as printed' at 5.2,1.35 center textcolor lt 5
 yours = with_yours("ARG3 using 1:2 with points lt 2 pt 6 ps 0.5 lw 1 title 'yours'")
 plot ARG1 using 1:2 with points lt 1 pt 7 ps 0.25, \

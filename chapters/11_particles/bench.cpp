@@ -1,4 +1,4 @@
-// `./course bench particles` builds and runs this: a benchmark belongs to no figure that is drawn anew each time.
+// `./course bench particles` builds and runs this. Its figure is not redrawn each time, unlike the others.
 #include "../program.hpp"
 
 #include "pools.hpp"
@@ -12,11 +12,11 @@ using namespace particles;
 using course::row, course::text;
 
 //> What is measured
-/// Frames of 1/60 s and lives of 2 s: in each frame one particle of 120 dies, and another one starts in its place.
+/// Frames of 1/60 s and lives of 2 s: in each frame one particle in 120 dies, and another is spawned in its place.
 constexpr double dt = 1.0 / 60;
 constexpr double life = 2;
 
-/// `count` particles, of ages that chance has mixed.
+/// `count` particles with random ages.
 std::vector<Particle> crowd(std::size_t count) {
     std::mt19937_64 engine{count};
     std::vector<Particle> particles(count, {.position = {0, 0}, .velocity = {1, 9}, .age = 0, .life = life});
@@ -24,19 +24,19 @@ std::vector<Particle> crowd(std::size_t count) {
     return particles;
 }
 
-/// A frame of a pool that is full again at its end; how many have started.
+/// A frame of a pool that is full again at its end; how many were spawned.
 template <class AnyPool> std::size_t frame(AnyPool &pool) {
     const Particle young{.position = {0, 0}, .velocity = {1, 9}, .age = 0.5 * dt, .life = life};
     pool.step(dt);
-    std::size_t started = 0;
-    while (pool.start(young)) ++started;
-    return started;
+    std::size_t spawned = 0;
+    while (pool.spawn(young)) ++spawned;
+    return spawned;
 }
 
 //> How it is measured
-/// Seconds of the processor that one call of `work` takes; what other programs take meanwhile does not count.
+/// Processor time [s] that one call of `work` takes; what other programs use meanwhile does not count.
 template <class Work> double seconds(const Work &work) {
-    for (int calls = 1;; calls *= 2) { // twice as many, until a clock that is read at both ends only costs nothing
+    for (int calls = 1;; calls *= 2) { // twice as many each time, until reading the clock costs next to nothing
         const std::clock_t begin = std::clock();
         for (int i = 0; i < calls; ++i) work();
         const double passed = double(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -52,17 +52,17 @@ template <class Work> double median_seconds(const Work &work) {
     return times[times.size() / 2];
 }
 
-/// Millions of particles a second.
+/// Millions of particles per second.
 template <class AnyPool> double rate(std::size_t count) {
     AnyPool pool{crowd(count)};
-    std::size_t started = 0;
-    const double time = median_seconds([&] { started += frame(pool); });
-    if (started == 0) throw std::runtime_error{"nobody has started: this would measure nothing"};
+    std::size_t spawned = 0;
+    const double time = median_seconds([&] { spawned += frame(pool); });
+    if (spawned == 0) throw std::runtime_error{"no particle was spawned: this would measure nothing"};
     return 1e-6 * double(count) / time;
 }
 
-/// Bytes a second [GB/s] of numbers that are read, changed and written back in place, as particles are. It is the most
-/// of twenty: what memory can carry when nobody else wants it.
+/// Bytes per second [GB/s] for numbers that are read, changed and written back in place, as particles are. It is the most
+/// of twenty: what memory can remainder when nobody else wants it.
 double bandwidth() {
     std::vector<double> numbers(32u << 20, 1.0); // 256 MB: far more than any cache holds
     double least = 1;
@@ -76,22 +76,22 @@ double bandwidth() {
 //> The results
 struct Row {
     std::size_t count;
-    std::array<double, 3> rates; ///< of linear search, free list, swap and remove [1e6/s]
+    std::array<double, 3> rates; ///< of linear search, free list, swap and pop [1e6/s]
 };
 
 struct Results {
-    double memory{}; ///< [GB/s], the most of what was measured between the rows
+    double memory{}; ///< [GB/s], the best of what was measured between the rows
     std::vector<Row> rows;
 };
 
-/// Bytes of a particle that go to the processor and back in a frame.
+/// Bytes that a particle moves to the processor and back in each frame.
 constexpr std::array<double, 3> bytes{2 * sizeof(Pool::value_type), 2 * sizeof(Pool::value_type), 2 * sizeof(Particle)};
 
 const Results &results() { // measured once, printed and traced
     static const Results all = [] {
         Results found{};
         for (const std::size_t n : {256u, 1024u, 4096u, 16384u, 65536u, 262144u, 1000000u}) {
-            found.rows.push_back({n, {rate<LinearSearch>(n), rate<FreeList>(n), rate<SwapRemove>(n)}});
+            found.rows.push_back({n, {rate<LinearSearch>(n), rate<FreeList>(n), rate<SwapPop>(n)}});
             found.memory = std::max(found.memory, bandwidth());
         }
         return found;
@@ -101,14 +101,14 @@ const Results &results() { // measured once, printed and traced
 
 void print_pools(std::ostream &out) {
     const auto &[memory, rows] = results();
-    const auto digits = [](double x) { // three of them
+    const auto digits = [](double x) { // three digits
         std::ostringstream shown;
         shown << std::setprecision(x < 100 ? 2 : 3) << x;
         return shown.str();
     };
-    out << "Millions of particles a second, and which share that is of what memory can carry (" << digits(memory)
+    out << "Millions of particles per second, and which share that is of what memory can remainder (" << digits(memory)
         << " GB/s):\n"
-        << row({{"particles", 11}, {"linear search", 17}, {"free list", 17}, {"swap and remove", 0}});
+        << row({{"particles", 11}, {"linear search", 17}, {"free list", 17}, {"swap and pop", 0}});
     for (const auto &[count, rates] : rows) {
         std::array<std::string, 3> cells;
         for (std::size_t i = 0; i < 3; ++i)
@@ -119,8 +119,8 @@ void print_pools(std::ostream &out) {
 
 void trace_pools(std::ostream &out) {
     const auto &[memory, rows] = results();
-    out << std::setprecision(4); // no measurement has more
-    out << "# particles[1]\tlinear search[1e6/s]\tfree list[1e6/s]\tswap and remove[1e6/s]\tmemory[1e6/s]\n";
+    out << std::setprecision(4); // a measurement has no more digits
+    out << "# particles[1]\tlinear search[1e6/s]\tfree list[1e6/s]\tswap and pop[1e6/s]\tmemory[1e6/s]\n";
     for (const auto &[count, rates] : rows) {
         out << count;
         for (const double rate : rates) out << '\t' << rate;

@@ -9,16 +9,16 @@
 using namespace particles;
 using course::row, course::text;
 
-//> Chance
-/// Numbers in [0, 1), the same on every machine: the generator is laid down by the standard, bit by bit.
-class Chance {
+//> Random numbers
+/// Random numbers, at least 0 and less than 1, the same on every machine: C++ specifies this generator bit by bit.
+class Random {
   public:
-    explicit Chance(std::uint64_t seed) : engine{seed} {}
+    explicit Random(std::uint64_t seed) : engine{seed} {}
     double one() { return std::ldexp(double(engine() >> 11), -53); } // its upper 53 bits, times 2^-53
     std::vector<double> many(int count) {
-        std::vector<double> chances;
-        for (int i = 0; i < count; ++i) chances.push_back(one());
-        return chances;
+        std::vector<double> numbers;
+        for (int i = 0; i < count; ++i) numbers.push_back(one());
+        return numbers;
     }
 
   private:
@@ -31,7 +31,7 @@ void print_pool(std::ostream &out) {
     Pool pool(3);
     out << row({{"start", 7}, {"does it fit?", 14}, {"slots", 0}});
     for (int i = 1; i <= 4; ++i) {
-        const auto after = start(pool, spark);
+        const auto after = spawn(pool, spark);
         if (after) pool = *after;
         std::string slots;
         for (const auto &slot : pool) slots += slot ? '*' : '.';
@@ -43,7 +43,7 @@ void print_pool(std::ostream &out) {
 void print_shades(std::ostream &out) {
     out << row({{"age [s]", 9}, {"life [s]", 10}, {"shade, of 16", 0}});
     for (const double age : {0.0, 0.18, 0.1875, 1.5, 2.9, 3.0}) {
-        const auto found = shade(age, 3, 16);
+        const auto found = shade_index(age, 3, 16);
         out << row({{text(age), 9}, {"3", 10}, {found ? text(*found) : "dead", 0}});
     }
 }
@@ -60,22 +60,21 @@ void print_steps(std::ostream &out) {
 }
 
 //> How fast are they?
-/// Speeds of 40000 particles, as shares of the fastest: spread evenly, by a chance for the speed, and as printed.
+/// Speeds of 40000 particles, as fractions of the maximum: spread evenly, a random number as the speed, and as printed.
 std::array<std::vector<double>, 3> speeds() {
-    Chance chance{11};
+    Random random{11};
     std::array<std::vector<double>, 3> found;
     for (int i = 0; i < 40000; ++i) {
-        const std::vector<double> chances = chance.many(2);
-        found[0].push_back(explosion(chances, 1).at(0).norm());
-        found[1].push_back(chances[0]);                           // the usual mistake
-        found[2].push_back((2 + std::floor(4 * chances[0])) / 5); // 2, 3, 4 or 5 of 5
+        const std::vector<double> random_numbers = random.many(2);
+        found[0].push_back(disc_burst(random_numbers, 1).at(0).norm());
+        found[1].push_back(random_numbers[0]);                           // the usual mistake
+        found[2].push_back((2 + std::floor(4 * random_numbers[0])) / 5); // 2, 3, 4 or 5 of 5
     }
     return found;
 }
 
 void print_speeds(std::ostream &out) {
-    out << row(
-        {{"slower than", 13}, {"of the area", 13}, {"explosion", 11}, {"speed by chance", 17}, {"as printed", 0}});
+    out << row({{"slower than", 13}, {"of the area", 13}, {"disc_burst", 12}, {"random speed", 14}, {"as printed", 0}});
     const auto found = speeds();
     for (const double share : {0.25, 0.39, 0.5, 0.75, 0.9}) {
         std::array<std::string, 3> percent;
@@ -84,18 +83,18 @@ void print_speeds(std::ostream &out) {
             percent[i] = text(std::round(100 * double(slower) / 40000)) + " %";
         }
         const std::string area = text(std::round(100 * share * share)) + " %";
-        out << row({{text(share), 13}, {area, 13}, {percent[0], 11}, {percent[1], 17}, {percent[2], 0}});
+        out << row({{text(share), 13}, {area, 13}, {percent[0], 12}, {percent[1], 14}, {percent[2], 0}});
     }
 }
 
 //> Ten seconds
-void print_due(std::ostream &out) {
-    out << row({{"frames a second", 17}, {"started in 10 s, 45 a second", 0}});
+void print_emission(std::ostream &out) {
+    out << row({{"frames per second", 17}, {"emitted in 10 s at 45 per second", 0}});
     for (const int frames : {24, 30, 60, 144}) {
-        Due now{};
+        Emission now{};
         int total = 0;
         for (int frame = 0; frame < 10 * frames; ++frame) {
-            now = due(45, now.carry, 1.0 / frames);
+            now = emission_count(45, now.remainder, 1.0 / frames);
             total += now.count;
         }
         out << row({{text(frames), 17}, {text(total), 0}});
@@ -107,13 +106,14 @@ void print_bounces(std::ostream &out) {
     const std::vector<Wall> walls{{.start = {0, 0}, .end = {20, 0}}, {.start = {20, 0}, .end = {11, 12}}};
     out << row({{"restitution", 13}, {"position after 3.5 s", 22}, {"velocity", 0}});
     for (const double e : {1.0, 0.5, 0.0}) {
-        const Particle after = fly({.position = {4, 3}, .velocity = {4, -2}, .age = 0, .life = 9}, walls, e, 3.5);
+        const Particle after =
+            move_and_collide({.position = {4, 3}, .velocity = {4, -2}, .age = 0, .life = 9}, walls, e, 3.5);
         out << row({{text(e), 13}, {text(after.position), 22}, {text(after.velocity), 0}});
     }
 }
 
 //> No gaps
-void print_renewed(std::ostream &out) {
+void print_compacted(std::ostream &out) {
     std::vector<Particle> pool;
     for (int i = 0; i < 6; ++i) pool.push_back({{double(i), 0}, {0, 0}, i == 1 || i == 5 ? 2.0 : 1.0, 2}); // 1, 5: dead
     const auto names = [](const std::vector<Particle> &particles) {
@@ -123,14 +123,14 @@ void print_renewed(std::ostream &out) {
     };
     out << row({{"pool", 13}, {"of which dead", 15}, {"newborn", 9}, {"room for 6", 0}});
     const std::vector<Particle> newborn{{{7, 0}, {0, 0}, 0, 2}, {{8, 0}, {0, 0}, 0, 2}};
-    out << row({{names(pool), 13}, {"1 5", 15}, {names(newborn), 9}, {names(renew(pool, newborn, 6)), 0}});
+    out << row({{names(pool), 13}, {"1 5", 15}, {names(newborn), 9}, {names(compact_pool(pool, newborn, 6)), 0}});
 }
 
 //> A firework
 void trace_firework(std::ostream &out) {
     const World night{.gravity = 9.81, .wind = 0.5, .width = 48, .height = 30};
     const double dt = 1.0 / 60;
-    Chance chance{2002};
+    Random random{2002};
     std::vector<std::vector<Particle>> paths; // of each spark, a frame a point
     const auto add = [&](const Particle &spark) {
         paths.push_back({spark});
@@ -138,23 +138,24 @@ void trace_firework(std::ostream &out) {
     };
 
     Particle rocket{.position = {28, 0.5}, .velocity = {1, 19}, .age = 0, .life = 1.8};
-    Due now{};
+    Emission now{};
     while (const auto next = step(rocket, night, dt)) {
         rocket = *next;
-        now = due(30, now.carry, dt);
+        now = emission_count(30, now.remainder, dt);
         for (int i = 0; i < now.count; ++i)
-            add(trail({rocket.position, 0.1 * rocket.velocity, 0.1, 0.5, 0.2, 0.6}, chance.many(5)));
+            add(emit({rocket.position, 0.1 * rocket.velocity, 0.1, 0.5, 0.2, 0.6}, random.many(5)));
     }
-    for (const Vec2 &velocity : explosion(chance.many(2 * 40), 9)) // fast ones, slow ones, all of the disc
+    for (const Vec2 &velocity : disc_burst(random.many(2 * 40), 9)) // fast ones, slow ones, all of the disc
         add({.position = rocket.position, .velocity = rocket.velocity + velocity, .age = 0, .life = 1.6});
-    for (const Vec2 &velocity : ring(12, 13, 0.2)) // and a ring around them
+    for (const Vec2 &velocity : ring_burst(12, 13, 0.2)) // and a ring around them
         add({.position = rocket.position, .velocity = rocket.velocity + velocity, .age = 0, .life = 1.2});
 
     out << "# age[s]\tx[m]\ty[m]\tshade[1]\n";
     for (const std::vector<Particle> &path : paths) {
         for (std::size_t i = 0; i < path.size(); i += 4) {
             const auto &[position, velocity, age, life] = path[i];
-            out << age << '\t' << position.x() << '\t' << position.y() << '\t' << shade(age, life, 4).value() << '\n';
+            out << age << '\t' << position.x() << '\t' << position.y() << '\t' << shade_index(age, life, 4).value()
+                << '\n';
         }
         out << '\n';
     }
@@ -162,13 +163,14 @@ void trace_firework(std::ostream &out) {
 
 //> Three explosions
 void trace_discs(std::ostream &out) {
-    Chance chance{5};
-    out << "# even x[1]\teven y[1]\tchance x[1]\tchance y[1]\tprinted x[1]\tprinted y[1]\n";
+    Random random{5};
+    out << "# even x[1]\teven y[1]\trandom x[1]\trandom y[1]\tprinted x[1]\tprinted y[1]\n";
     for (int i = 0; i < 600; ++i) {
-        const std::vector<double> chances = chance.many(2);
-        const Vec2 even = explosion(chances, 1).at(0), direction = even.normalized();
-        const Vec2 by_chance = chances[0] * direction, printed = (2 + std::floor(4 * chances[0])) / 5 * direction;
-        out << even.x() << '\t' << even.y() << '\t' << by_chance.x() << '\t' << by_chance.y() << '\t' << printed.x()
+        const std::vector<double> random_numbers = random.many(2);
+        const Vec2 even = disc_burst(random_numbers, 1).at(0), direction = even.normalized();
+        const Vec2 at_random = random_numbers[0] * direction,
+                   printed = (2 + std::floor(4 * random_numbers[0])) / 5 * direction;
+        out << even.x() << '\t' << even.y() << '\t' << at_random.x() << '\t' << at_random.y() << '\t' << printed.x()
             << '\t' << printed.y() << '\n';
     }
 }
@@ -176,7 +178,7 @@ void trace_discs(std::ostream &out) {
 //> Densities
 void trace_density(std::ostream &out) {
     const auto found = speeds();
-    out << "# share of the disc[1]\texplosion[1]\tspeed by chance[1]\tas printed[1]\n";
+    out << "# share of the disc[1]\tdisc_burst[1]\trandom speed[1]\tas printed[1]\n";
     for (int bin = 0; bin < 20; ++bin) { // each a ring with a twentieth of the area
         out << (bin + 0.5) / 20;
         for (const std::vector<double> &speed : found) {
@@ -201,7 +203,7 @@ void trace_energy(std::ostream &out) {
         out << frame / 20.0;
         for (std::size_t i = 0; i < 4; ++i) {
             out << '\t' << sparks[i].velocity.squaredNorm() / Vec2{7, 3.4}.squaredNorm(); // of the energy at the start
-            sparks[i] = fly(sparks[i], walls, restitutions[i], 1.0 / 20);
+            sparks[i] = move_and_collide(sparks[i], walls, restitutions[i], 1.0 / 20);
         }
         out << '\n';
     }
@@ -214,9 +216,9 @@ int main(int argc, char **argv) {
                         {"shades", print_shades},
                         {"steps", print_steps},
                         {"speeds", print_speeds},
-                        {"rate", print_due},
+                        {"rate", print_emission},
                         {"bounces", print_bounces},
-                        {"renewal", print_renewed},
+                        {"compact", print_compacted},
                         {"11_particles_firework.tsv", trace_firework},
                         {"11_particles_discs.tsv", trace_discs},
                         {"11_particles_density.tsv", trace_density},

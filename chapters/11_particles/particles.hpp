@@ -6,29 +6,29 @@
 #include <optional>
 #include <vector>
 
-/// Section 11: many small things that start, move, glow and go out.
+/// Section 11: particles, many small things that are spawned, move, change colour and die.
 ///
-/// What goes in lies within ±1e5, both ends included; what comes out may be larger. Numbers that are computed are right
-/// to 1e-12, or to 1e-12 of the largest number that goes into them where that is more than 1. After n terms, bounces or
-/// added angles it is n times that.
+/// Numbers that go in are within ±1e5, which itself is allowed; numbers that come out may be larger. Computed numbers are
+/// right to 1e-12, or to 1e-12 of the largest number that goes into them if that is more than 1. After n terms, bounces
+/// or added angles the limit is n times that.
 namespace particles {
 
 using course::Vec2;
 
 //> A particle
-/// A point that moves, ages, and goes out.
+/// A point that moves, grows older, and dies.
 struct Particle {
     Vec2 position; ///< [m]
     Vec2 velocity; ///< [m/s]
-    double age{};  ///< since it started [s], not negative
-    double life{}; ///< all of its life [s], positive: as soon as `age` has reached it, the particle is dead
+    double age{};  ///< time since it was spawned [s], not negative
+    double life{}; ///< its whole lifetime [s], positive: as soon as `age` reaches it, the particle is dead
     COURSE_FIELDS("m, m/s, s, s", position, velocity, age, life)
 };
 
-//> What goes in
-/// Refuses a particle with a number that is not within ±1e5 (which itself is allowed), with a negative age, or with a
-/// life that is not positive. One that is dead is not refused.
-/// @throws std::invalid_argument naming the number; "not a number" is none.
+//> Refusing a particle
+/// Refuses a particle with a number that is not within ±1e5, with a negative age, or with a life that is not positive.
+/// A dead particle is not refused.
+/// @throws std::invalid_argument naming the number; "not a number" is refused as well.
 inline void require_particle(const Particle &particle) {
     course::require_range(particle.position, particle.velocity, particle.age, particle.life);
     course::require(particle.age >= 0, "age [s] must not be negative", particle.age);
@@ -36,148 +36,169 @@ inline void require_particle(const Particle &particle) {
 }
 
 //> A pool
-/// A fixed number of slots. Each holds a particle, or nothing: then it is free.
+/// A fixed number of slots. Each slot holds a particle, or nothing: then it is free.
 using Pool = std::vector<std::optional<Particle>>;
 
-/// The pool with `particle` in a slot that was free, whichever you like, and every other slot as it was.
-/// Nothing if no slot is free: the pool neither grows, nor gives up a particle for another one.
-/// The particle goes in as it is; those in the pool are not looked at.
+//> Spawn
+/// The pool with `particle` in one slot that was free (any of them), and with every other slot as it was.
+/// Nothing if no slot is free: the pool does not grow, and no particle is removed to make room.
+/// The particle is stored unchanged; those already in the pool are not checked.
 /// @throws std::invalid_argument as `require_particle` says
-std::optional<Pool> start(const Pool &pool, const Particle &particle);
+std::optional<Pool> spawn(const Pool &pool, const Particle &particle);
 
 //> Life and colour
-/// Which of the shades 0, 1, … `shades` - 1 a particle shows. They follow each other through its life, all equally long.
-/// Nothing as soon as it is dead: `age` has reached `life`.
-/// Where a rounding decides between two neighbouring shades, either is right.
+/// Which of the shades 0, 1, … `shades` - 1 a particle shows at this age. Each is shown for the same part of its life.
+/// Nothing once the particle is dead: `age` has reached `life`.
+/// Where rounding decides between two neighbouring shades, either is right.
 /// @param age     [s], not negative
-/// @param life    all of it [s], positive; not the life of one shade
-/// @param shades  any whole number from 1; with two billion of them, a loop over all would take seconds
-/// @throws std::invalid_argument if a parameter is not as it must be, or if `age` or `life` is not a number within ±1e5.
-std::optional<int> shade(double age, double life, int shades);
+/// @param life    the whole lifetime [s], positive; not the time for one shade
+/// @param shades  how many, at least 1; with two billion of them, a loop over all would take seconds
+/// @throws std::invalid_argument if a parameter is not as described, or if `age` or `life` is not within ±1e5.
+std::optional<int> shade_index(double age, double life, int shades);
 
-//> A step
+//> The world
 /// What acts on all particles, and the picture: a particle outside of it is dead.
 struct World {
     double gravity{}; ///< downwards [m/s²]; negative: upwards
-    double wind{};    ///< to the right, an acceleration as well [m/s²]; negative: to the left
-    double width{};   ///< of the picture [m], positive; 0 belongs to it, `width` does not
-    double height{};  ///< of the picture [m], positive; 0 belongs to it, `height` does not
+    double wind{};    ///< to the right, an acceleration too [m/s²]; negative: to the left
+    double width{};   ///< of the picture [m], positive; x = 0 belongs to it, x = `width` does not
+    double height{};  ///< of the picture [m], positive; y = 0 belongs to it, y = `height` does not
     COURSE_FIELDS("m/s², m/s², m, m", gravity, wind, width, height)
 };
 
-/// The particle one step of `dt` later. The scheme is semi-implicit: first the velocity changes, then the position, by
-/// the new velocity. Then it is `dt` older. Nothing if it is dead by then: outside of the picture, or at its life's end.
-/// Where it was before does not matter. Where a rounding decides whether it is dead, either is right.
+//> A step
+/// The particle one step of `dt` later. The scheme is semi-implicit Euler: first the velocity changes, then the position
+/// changes by the new velocity. The particle is then `dt` older.
+/// Nothing if it is dead after the step: outside the picture, or at the end of its life. Where it was before the step
+/// does not matter. Where rounding decides whether it is dead, either is right.
 /// @param dt  [s], not negative
 /// @throws std::invalid_argument as `require_particle` says, if the picture's width or height is not positive, if `dt`
-///         is negative, or if anything is not a number within ±1e5.
+///         is negative, or if any number is not within ±1e5.
 std::optional<Particle> step(const Particle &particle, const World &world, double dt);
 
 //> A ring
-/// The velocities [m/s] of particles that leave in all directions: all as fast as `speed`, and with the same angle from
-/// each to the next. In order, against the clock; the first one in the direction `first`.
-/// @param count  how many, not negative; 0: an empty list
+/// Velocities [m/s] in all directions: all of them as fast as `speed`, with the same angle from each to the next,
+/// anticlockwise, starting at the angle `first`.
+/// @param count  how many, not negative; 0 gives an empty list
 /// @param speed  [m/s], not negative
 /// @param first  [rad]; 0 is to the right
-/// @throws std::invalid_argument if `count` or `speed` is negative, or if `speed` or `first` is not a number within ±1e5.
-std::vector<Vec2> ring(int count, double speed, double first);
+/// @throws std::invalid_argument if `count` or `speed` is negative, or if `speed` or `first` is not within ±1e5.
+std::vector<Vec2> ring_burst(int count, double speed, double first);
 
-//> An explosion
-/// Velocities [m/s], spread evenly over a disc of the radius `fastest`: equal areas get equal shares.
-/// @param chances  numbers from 0 up to, but without, 1: two for each velocity, one pair after the other. The first of
-///                 a pair makes its speed: 0 makes 0, and more makes more. The second makes its angle: 0 is to the
-///                 right, and in equal steps it goes once round, against the clock.
-/// @param fastest  [m/s], not negative
-/// @throws std::invalid_argument if the number of chances is odd, if one is outside of [0, 1), if `fastest` is negative
-///         or not a number within ±1e5.
-std::vector<Vec2> explosion(const std::vector<double> &chances, double fastest);
+//> Refusing random numbers
+/// @throws std::invalid_argument if one of the numbers is less than 0, is 1 or more, or is not a number
+inline void require_random_numbers(const std::vector<double> &random_numbers) {
+    for (const double number : random_numbers)
+        course::require(number >= 0 && number < 1, "a random number must be at least 0 and less than 1", number);
+}
+
+//> A disc
+/// Velocities [m/s], spread evenly over a disc of radius `max_speed`: equal areas hold equal numbers of them.
+/// @param random_numbers  at least 0 and less than 1: two for each velocity, one pair after the other. The first of a
+///                        pair sets the speed: 0 gives 0, and a larger number a larger speed. The second sets the
+///                        angle: 0 is to the right, and in equal steps it goes once round, anticlockwise.
+/// @param max_speed       [m/s], not negative
+/// @throws std::invalid_argument as `require_random_numbers` says, if their number is odd, or if `max_speed` is negative
+///         or not within ±1e5.
+std::vector<Vec2> disc_burst(const std::vector<double> &random_numbers, double max_speed);
 
 //> An emitter
-/// What leaves a trail of particles behind, as a rocket does.
+/// Something that leaves a trail of particles, as a rocket does.
 struct Emitter {
     Vec2 position;     ///< [m]
     Vec2 velocity;     ///< [m/s]
-    double offset{};   ///< along each axis, particles start at most so far from it [m], not negative
-    double jitter{};   ///< along each axis, they are at most so much faster or slower than it [m/s], not negative
-    double shortest{}; ///< life [s], positive
-    double longest{};  ///< life [s], at least `shortest`
-    COURSE_FIELDS("m, m/s, m, m/s, s, s", position, velocity, offset, jitter, shortest, longest)
+    double offset{};   ///< along each axis, a particle is spawned at most this far from it [m], not negative
+    double jitter{};   ///< along each axis, a particle is at most this much faster or slower [m/s], not negative
+    double min_life{}; ///< of a particle [s], positive
+    double max_life{}; ///< of a particle [s], at least `min_life`
+    COURSE_FIELDS("m, m/s, m, m/s, s, s", position, velocity, offset, jitter, min_life, max_life)
 };
 
-/// A particle of the trail, of age 0. It inherits the emitter's velocity, and adds to it what chance says.
-/// @param chances  five numbers from 0 up to, but without, 1: for the position's x and y, the velocity's x and y, and
-///                 the life. In equal steps each goes from the smallest value there is to the largest.
-/// @throws std::invalid_argument if there are not five chances, if one is outside of [0, 1), if a field is not as it
-///         must be, or if anything is not a number within ±1e5.
-Particle trail(const Emitter &emitter, const std::vector<double> &chances);
+//> Emit
+/// One particle of the trail, of age 0. It inherits the emitter's velocity; the random numbers vary it.
+/// @param random_numbers  five, at least 0 and less than 1: for the position's x and y, the velocity's x and y, and the
+///                        life. From 0 to 1, each of these runs in equal steps from its smallest value to its largest.
+/// @throws std::invalid_argument as `require_random_numbers` says, if there are not five of them, if a field is not as
+///         described, or if any number is not within ±1e5.
+Particle emit(const Emitter &emitter, const std::vector<double> &random_numbers);
 
-//> How many are due?
-/// How many particles a frame starts.
-struct Due {
-    int count{};    ///< whole ones
-    double carry{}; ///< what is left of one for the next frame [1], from 0 up to, but without, 1
-    COURSE_FIELDS("1, 1", count, carry)
+//> How many this frame?
+/// How many particles a frame emits.
+struct Emission {
+    int count{};        ///< whole particles
+    double remainder{}; ///< the fraction of a particle left for the next frame [1], at least 0 and less than 1
+    COURSE_FIELDS("1, 1", count, remainder)
 };
 
-/// How many particles of `rate` a second are due in a frame of `dt`. No part of one is lost: `count` and the new carry
-/// are together what was carried and what the frame adds. So in any time they are within one of `rate` times it,
-/// however it is cut into frames. Where a rounding decides whether one is whole, either is right.
-/// @param rate   [1/s], not negative
-/// @param carry  what the frame before has left [1], from 0 up to, but without, 1
-/// @param dt     [s], not negative
-/// @throws std::invalid_argument if a parameter is not as it must be, or not a number within ±1e5, or if `rate` times
-///         `dt` is more than 1e6.
-Due due(double rate, double carry, double dt);
+//> Emission count
+/// How many particles a frame of length `dt` emits at `rate` per second. No fraction is lost: `count` plus the new
+/// remainder is the old remainder plus what this frame adds. So over any time the counts add up to `rate` times that
+/// time, to within one, however it is cut into frames. Where rounding decides whether a particle is whole, either is
+/// right.
+/// @param rate       [1/s], not negative
+/// @param remainder  what the frame before left over [1], at least 0 and less than 1
+/// @param dt         [s], not negative
+/// @throws std::invalid_argument if a parameter is not as described or not within ±1e5, or if `rate` times `dt` is more
+///         than 1e6.
+Emission emission_count(double rate, double remainder, double dt);
 
-//> Walls
-/// A segment of section 7, 1e-3 m long or more. It turns what comes from its left side, seen as you walk from start to
-/// end; what comes from its right passes.
+//> A wall
+/// A segment of section 7, at least 1e-3 m long. It reflects particles that come from its left side, as seen when
+/// walking from its start to its end; particles that come from its right side pass through.
 using Wall = segment_intersection::Segment;
 
-/// On a wall, or at its end, means: no farther from it than this [m]. And a particle approaches a wall if it is faster
-/// than this towards it [m/s]; else it flies along.
-inline constexpr double touching = 1e-9;
+/// A particle is on a wall, or at its end, if it is within this distance of it [m]. It approaches a wall if it moves
+/// towards it faster than this [m/s]; otherwise it moves along it.
+inline constexpr double contact_tolerance = 1e-9;
 
-/// After so many bounces in one call a particle stays where it is until the call's time is over. It keeps the velocity
-/// that its last bounce has given it.
-inline constexpr int most_bounces = 1000;
+/// After this many bounces in one call a particle stays where it is until the call's time is over, and keeps the
+/// velocity that its last bounce gave it.
+inline constexpr int max_bounces = 1000;
 
-/// The particle `dt` later and older. It flies straight on until it meets a wall: there the part of its velocity along
-/// the wall's normal changes its sign and becomes `restitution` times as large, and it flies on for the time that is
-/// left. No wall is jumped over, however long `dt` is. What is within `touching` of a wall, on either side, and
-/// approaches it in the direction of its right side, bounces at once.
-/// Where two walls are met at once, both act, in either order, until it approaches neither.
-/// Whether a wall that is met in the very last instant, or within `touching` of its end, or that is `parallel` to the
-/// particle's path as section 7 says, has turned it is left open.
-/// @param walls        as many as you like
+//> Refusing a wall
+/// @throws std::invalid_argument if the wall is shorter than 1e-3 m, or if a number is not within ±1e5
+inline void require_wall(const Wall &wall) {
+    course::require_range(wall.start, wall.end);
+    const double length = (wall.end - wall.start).norm();
+    course::require(length >= 1e-3, "a wall's length [m] must be at least 1e-3", length);
+}
+
+//> Move and collide
+/// The particle `dt` later, and `dt` older. It moves straight on until it hits a wall; there the part of its velocity
+/// along the wall's normal is reversed and multiplied by `restitution`, and it moves on for the time that is left.
+/// It never skips a wall, however long `dt` is. If it is within `contact_tolerance` of a wall, on either side, and
+/// approaches it towards the right side, it bounces at once. Where it hits two walls at once, both act, in either
+/// order, until it approaches neither. Left open is whether a wall has reflected it that it reaches at the very end of
+/// `dt`, that it meets within `contact_tolerance` of an end, or that is parallel to its path by section 7's definition.
 /// @param restitution  [1], from 0 to 1
 /// @param dt           [s], not negative
-/// @throws std::invalid_argument as `require_particle` says, if a wall is shorter than 1e-3 m, if a parameter is not as
-///         it must be, or if anything is not a number within ±1e5.
-Particle fly(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt);
+/// @throws std::invalid_argument as `require_particle` and `require_wall` say, if a parameter is not as described, or if
+///         any number is not within ±1e5.
+Particle move_and_collide(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt);
 
 //> A pool without gaps
-/// The pool without its dead, and with as many newborn as fit.
-/// Of n that live, whoever stands in one of the first n places stays there; the others move into the gaps, in any
-/// order. Of a b c d e f let a, d and f be dead: then three live, b and c stay, and e moves, which makes e b c.
-/// Behind them stand the newborn in their order, as they are, until there are `capacity` in all.
-/// @param pool      at most `capacity` particles; dead are those whose age has reached their life
+/// The pool without its dead particles, and with as many of the newborn as fit.
+/// If n particles survive, those in the first n places stay there; the others move into the gaps, in any order. Of
+/// a b c d e f let a, d and f be dead: three survive, b and c stay, and e moves, which gives e b c.
+/// Behind them come the newborn, unchanged and in their order, until there are `capacity` particles in all.
+/// @param pool      at most `capacity` particles; those whose age has reached their life are dead
 /// @param capacity  not negative; it may be far more than memory has room for
-/// @throws std::invalid_argument for any particle as `require_particle` says, or if the capacity is negative, or less
-///         than what is in the pool.
-std::vector<Particle> renew(const std::vector<Particle> &pool, const std::vector<Particle> &newborn, int capacity);
+/// @throws std::invalid_argument for any particle as `require_particle` says, or if the capacity is negative or less
+///         than the size of the pool.
+std::vector<Particle> compact_pool(const std::vector<Particle> &pool, const std::vector<Particle> &newborn,
+                                   int capacity);
 
 //> The exercises
 namespace subject {
-COURSE_EXERCISE("11.1", core, particles, start, "pool, particle", "")
-COURSE_EXERCISE("11.2", core, particles, shade, "age [s], life [s], shades", "1")
+COURSE_EXERCISE("11.1", core, particles, spawn, "pool, particle", "")
+COURSE_EXERCISE("11.2", core, particles, shade_index, "age [s], life [s], shades", "1")
 COURSE_EXERCISE("11.3", core, particles, step, "particle, world, dt [s]", "")
-COURSE_EXERCISE("11.4", stretch, particles, ring, "count, speed [m/s], first [rad]", "m/s")
-COURSE_EXERCISE("11.5", stretch, particles, explosion, "chances [1], fastest [m/s]", "m/s")
-COURSE_EXERCISE("11.6", stretch, particles, trail, "emitter, chances [1]", "")
-COURSE_EXERCISE("11.7", stretch, particles, due, "rate [1/s], carry [1], dt [s]", "")
-COURSE_EXERCISE("11.8", challenge, particles, fly, "particle, walls, restitution [1], dt [s]", "")
-COURSE_EXERCISE("11.9", challenge, particles, renew, "pool, newborn, capacity", "")
+COURSE_EXERCISE("11.4", stretch, particles, ring_burst, "count, speed [m/s], first [rad]", "m/s")
+COURSE_EXERCISE("11.5", stretch, particles, disc_burst, "random_numbers [1], max_speed [m/s]", "m/s")
+COURSE_EXERCISE("11.6", stretch, particles, emit, "emitter, random_numbers [1]", "")
+COURSE_EXERCISE("11.7", stretch, particles, emission_count, "rate [1/s], remainder [1], dt [s]", "")
+COURSE_EXERCISE("11.8", challenge, particles, move_and_collide, "particle, walls, restitution [1], dt [s]", "")
+COURSE_EXERCISE("11.9", challenge, particles, compact_pool, "pool, newborn, capacity", "")
 } // namespace subject
 //>
 } // namespace particles

@@ -1,11 +1,11 @@
 #pragma once
 #include "particles.hpp"
 
-/// Three ways to keep particles, for the benchmark: what they have in common is that they are full when they begin.
+/// Three kinds of pool, for the benchmark. Each begins full.
 namespace particles {
 
 //> A frame of one particle
-/// Moves it on; says whether it still lives.
+/// Moves a particle on, and says whether it is still alive.
 inline bool advance(Particle &particle, double dt) {
     particle.velocity += dt * Vec2{0, -9.81};
     particle.position += dt * particle.velocity;
@@ -14,12 +14,12 @@ inline bool advance(Particle &particle, double dt) {
 }
 
 //> Linear search
-/// Who starts looks from the first slot on until it finds one that is free.
+/// To spawn, it searches from the first slot until it finds a free one.
 class LinearSearch {
   public:
     explicit LinearSearch(const std::vector<Particle> &particles) : slots(particles.begin(), particles.end()) {}
 
-    bool start(const Particle &particle) {
+    bool spawn(const Particle &particle) {
         for (auto &slot : slots)
             if (!slot) {
                 slot = particle;
@@ -37,12 +37,12 @@ class LinearSearch {
 };
 
 //> A free list
-/// Beside the slots it keeps a list of those that are free. Who dies adds a slot to it, who starts takes the last one.
+/// Beside the slots it keeps a list of the free ones. A particle that dies adds its slot; spawning takes the last one.
 class FreeList {
   public:
     explicit FreeList(const std::vector<Particle> &particles) : slots(particles.begin(), particles.end()) {}
 
-    bool start(const Particle &particle) {
+    bool spawn(const Particle &particle) {
         if (free.empty()) return false;
         slots[free.back()] = particle;
         free.pop_back();
@@ -61,13 +61,13 @@ class FreeList {
     std::vector<std::size_t> free;
 };
 
-//> Swap and remove
-/// No gaps: the last one moves into the place of who dies, and who starts stands at the end.
-class SwapRemove {
+//> Swap and pop
+/// No gaps: the last particle moves into the place of one that dies, and new ones are added at the end.
+class SwapPop {
   public:
-    explicit SwapRemove(const std::vector<Particle> &all) : particles{all}, capacity{all.size()} {}
+    explicit SwapPop(const std::vector<Particle> &all) : particles{all}, capacity{all.size()} {}
 
-    bool start(const Particle &particle) {
+    bool spawn(const Particle &particle) {
         if (particles.size() == capacity) return false;
         particles.push_back(particle);
         return true;
@@ -77,7 +77,7 @@ class SwapRemove {
             if (advance(particles[i], dt)) {
                 ++i;
             } else {
-                particles[i] = particles.back(); // it has not moved on in this frame, so i stays
+                particles[i] = particles.back(); // it has not moved in this frame yet, so i stays
                 particles.pop_back();
             }
         }

@@ -6,17 +6,17 @@ namespace particles {
 static double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
 
 static Particle go(Particle now, const std::vector<Wall> &walls, double restitution, double dt, int bounces) {
-    if (bounces == most_bounces) return now;
+    if (bounces == max_bounces) return now;
     const Wall *first = nullptr;
     double least = dt;
     for (const Wall &wall : walls) {
         const Vec2 along = wall.end - wall.start, gap = now.position - wall.start;
         const double closing = -det(along, now.velocity), height = det(along, gap); // times the length
         const double length = along.norm();
-        if (closing <= touching * length || height < -touching * length) continue;
+        if (closing <= contact_tolerance * length || height < -contact_tolerance * length) continue;
         const double t = height > 0 ? height / closing : 0;
         const double s = (gap + t * now.velocity).dot(along) / (length * length);
-        if (s < -touching / length || s > 1 + touching / length) continue;
+        if (s < -contact_tolerance / length || s > 1 + contact_tolerance / length) continue;
         if (first ? t < least : t <= least) {
             least = t;
             first = &wall;
@@ -30,7 +30,7 @@ static Particle go(Particle now, const std::vector<Wall> &walls, double restitut
     return go(now, walls, restitution, dt - least, bounces + 1);
 }
 
-Particle fly(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt) {
+Particle move_and_collide(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt) {
     require_particle(particle);
     course::require_range(restitution, dt);
     if (restitution < 0 || restitution > 1 || dt < 0) throw std::invalid_argument{"no such restitution or time"};

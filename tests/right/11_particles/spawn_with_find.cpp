@@ -5,7 +5,7 @@
 
 namespace particles {
 
-std::optional<Pool> start(const Pool &pool, const Particle &particle) {
+std::optional<Pool> spawn(const Pool &pool, const Particle &particle) {
     require_particle(particle);
     Pool after = pool;
     const auto free = std::find_if(after.begin(), after.end(), [](const auto &slot) { return !slot; });

@@ -3,7 +3,7 @@
 
 namespace particles {
 
-std::optional<Pool> start(const Pool &pool, const Particle &particle) {
+std::optional<Pool> spawn(const Pool &pool, const Particle &particle) {
     require_particle(particle);
     Pool after = pool;
     for (auto slot = after.rbegin(); slot != after.rend(); ++slot)

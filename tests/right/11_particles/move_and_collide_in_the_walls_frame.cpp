@@ -5,7 +5,7 @@
 
 namespace particles {
 
-Particle fly(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt) {
+Particle move_and_collide(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt) {
     require_particle(particle);
     course::require_range(restitution, dt);
     if (restitution < 0 || restitution > 1 || dt < 0) throw std::invalid_argument{"no such restitution or time"};
@@ -16,7 +16,7 @@ Particle fly(const Particle &particle, const std::vector<Wall> &walls, double re
     Particle now = particle;
     now.age += dt;
     double left = dt;
-    for (int bounces = 0; bounces < most_bounces && left >= 0; ++bounces) {
+    for (int bounces = 0; bounces < max_bounces && left >= 0; ++bounces) {
         double least = 2 * left + 1; // later than the end
         Eigen::Matrix2d of_first;
         for (const auto &[start, end] : walls) {
@@ -24,10 +24,10 @@ Particle fly(const Particle &particle, const std::vector<Wall> &walls, double re
             Eigen::Matrix2d frame;
             frame << x.x(), x.y(), -x.y(), x.x();
             const Vec2 p = frame * (now.position - start), v = frame * now.velocity;
-            if (v.y() >= -touching || p.y() < -touching) continue;
+            if (v.y() >= -contact_tolerance || p.y() < -contact_tolerance) continue;
             const double t = std::max(p.y(), 0.0) / -v.y();
             const double at = p.x() + t * v.x();
-            if (t < least && at > -touching && at < (end - start).norm() + touching) {
+            if (t < least && at > -contact_tolerance && at < (end - start).norm() + contact_tolerance) {
                 least = t;
                 of_first = frame;
             }

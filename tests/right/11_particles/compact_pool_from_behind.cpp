@@ -6,7 +6,8 @@
 
 namespace particles {
 
-std::vector<Particle> renew(const std::vector<Particle> &pool, const std::vector<Particle> &newborn, int capacity) {
+std::vector<Particle> compact_pool(const std::vector<Particle> &pool, const std::vector<Particle> &newborn,
+                                   int capacity) {
     for (const auto *list : {&pool, &newborn})
         for (const Particle &particle : *list) require_particle(particle);
     if (capacity < 0 || pool.size() > std::size_t(capacity)) throw std::invalid_argument{"no such capacity"};

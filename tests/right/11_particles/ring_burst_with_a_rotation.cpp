@@ -5,7 +5,7 @@
 
 namespace particles {
 
-std::vector<Vec2> ring(int count, double speed, double first) {
+std::vector<Vec2> ring_burst(int count, double speed, double first) {
     course::require_range(speed, first);
     if (count < 0 || speed < 0) throw std::invalid_argument{"no such ring"};
     std::vector<Vec2> velocities(std::size_t(count), Vec2{speed, 0});

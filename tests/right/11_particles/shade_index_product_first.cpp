@@ -5,7 +5,7 @@
 
 namespace particles {
 
-std::optional<int> shade(double age, double life, int shades) {
+std::optional<int> shade_index(double age, double life, int shades) {
     course::require_range(age, life);
     if (age < 0 || life <= 0 || shades < 1) throw std::invalid_argument{"no such life"};
     if (!(age < life)) return {};

@@ -5,7 +5,7 @@
 
 namespace particles {
 
-Particle fly(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt) {
+Particle move_and_collide(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt) {
     require_particle(particle);
     course::require_range(restitution, dt);
     if (restitution < 0 || restitution > 1 || dt < 0) throw std::invalid_argument{"no such restitution or time"};
@@ -15,17 +15,17 @@ Particle fly(const Particle &particle, const std::vector<Wall> &walls, double re
     }
     Particle now = particle;
     now.age += dt;
-    for (int bounces = 0; bounces < most_bounces; ++bounces) {
+    for (int bounces = 0; bounces < max_bounces; ++bounces) {
         double least = dt;
         std::optional<Vec2> normal;
         for (const auto &[start, end] : walls) {
             const Vec2 along = (end - start) / (end - start).norm(), left{-along.y(), along.x()};
             const double closing = -now.velocity.dot(left), distance = (now.position - start).dot(left);
-            if (closing <= touching || distance < -touching) continue;
+            if (closing <= contact_tolerance || distance < -contact_tolerance) continue;
             const double t = std::max(0.0, distance / closing);
             const Vec2 there = now.position + t * now.velocity;
             const double beyond = std::max((start - there).dot(along), (there - end).dot(along));
-            if (t < dt && t <= least && beyond <= touching) {
+            if (t < dt && t <= least && beyond <= contact_tolerance) {
                 least = t;
                 normal = left;
             }

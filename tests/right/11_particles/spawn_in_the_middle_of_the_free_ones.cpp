@@ -3,7 +3,7 @@
 
 namespace particles {
 
-std::optional<Pool> start(const Pool &pool, const Particle &particle) {
+std::optional<Pool> spawn(const Pool &pool, const Particle &particle) {
     require_particle(particle);
     std::vector<std::size_t> free;
     for (std::size_t i = 0; i < pool.size(); ++i)
