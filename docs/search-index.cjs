@@ -6,7 +6,7 @@ const [library, input] = process.argv.slice(2);
 const lunr = require(library);
 const documents = JSON.parse(fs.readFileSync(input, 'utf8'));
 
-// Words end where letters and digits do: `first_touch(motion` is three.
+// Words end where letters and digits do: `time_of_impact(motion` is four.
 lunr.tokenizer.separator = /[^\p{L}\p{N}]+/u;
 const index = lunr(function () {
   this.ref('number');

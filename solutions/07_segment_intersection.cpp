@@ -10,18 +10,18 @@ namespace segment_intersection {
 static double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
 
 //> Solution 7.1: where two lines cross
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start;
     const Vec2 b = wall.end - wall.start;
     const Vec2 gap = wall.start - motion.start;
 
     const double d = det(a, b);
-    if (std::abs(d) <= parallel * a.norm() * b.norm()) return {}; // the lengths make it a sine, whatever the scale
+    if (std::abs(d) <= parallel_tolerance * a.norm() * b.norm()) return {};
 
     const double t = det(gap, b) / d;
     const double s = det(gap, a) / d;
-    return Crossing{t, s, motion.start + t * a};
+    return LineIntersection{t, s, motion.start + t * a};
 }
 
 //> Solution: are they apart?
@@ -48,13 +48,13 @@ static bool apart(const Segment &first, const Segment &second) {
 }
 
 //> Solution 7.2: do they meet?
-bool meet(const Segment &first, const Segment &second) {
+bool segments_intersect(const Segment &first, const Segment &second) {
     course::require_range(first.start, first.end, second.start, second.end);
     return !apart(first, second);
 }
 
 //> Solution 7.3: what they share
-std::vector<Vec2> shared(const Segment &first, const Segment &second) {
+std::vector<Vec2> common_points(const Segment &first, const Segment &second) {
     course::require_range(first.start, first.end, second.start, second.end);
     if (apart(first, second)) return {};
 
@@ -64,7 +64,7 @@ std::vector<Vec2> shared(const Segment &first, const Segment &second) {
     if (square == 0) return {first.start};
 
     const double d = det(a, b);
-    if (std::abs(d) > parallel * a.norm() * b.norm()) { // they cross, and within both
+    if (std::abs(d) > parallel_tolerance * a.norm() * b.norm()) { // they cross, and within both
         const double t = det(second.start - first.start, b) / d;
         return {first.start + std::clamp(t, 0.0, 1.0) * a};
     }
@@ -85,42 +85,40 @@ struct Hit {
 };
 } // namespace
 
-/// The first wall that turns the mover within `time`. `turn` is 1 if the room's corners run anticlockwise, else -1.
-static std::optional<Hit> next_wall(const Mover &mover, const std::vector<Vec2> &room, double turn, double time) {
+/// The first wall that turns the ball within `time`. `winding` is 1 if the room's corners run anticlockwise, else -1.
+static std::optional<Hit> next_wall(const Ball &ball, const std::vector<Vec2> &room, double winding, double time) {
     std::optional<Hit> first;
     for (std::size_t i = 0; i < room.size(); ++i) {
         const Vec2 wall = room[(i + 1) % room.size()] - room[i];
         const double length = wall.norm();
         const Vec2 along = wall / length;
-        const Vec2 inward = turn * Vec2{-along.y(), along.x()};
+        const Vec2 inward = winding * Vec2{-along.y(), along.x()};
 
-        const double closing = -mover.velocity.dot(inward);
-        const double distance = (mover.position - room[i]).dot(inward);
-        if (closing <= 0 || distance < -touching) continue; // it flies away from it, or along it, or comes from outside
+        const double closing = -ball.velocity.dot(inward);
+        const double distance = (ball.position - room[i]).dot(inward);
+        if (closing <= 0 || distance < -contact_tolerance) continue; // not approaching, or coming from outside
 
         const double t = std::max(0.0, distance / closing);
         if (t > time || (first && t >= first->time)) continue;
-        const double s = (mover.position + t * mover.velocity - room[i]).dot(along);
-        if (s >= -touching && s <= length + touching) first = Hit{t, inward, closing};
+        const double s = (ball.position + t * ball.velocity - room[i]).dot(along);
+        if (s >= -contact_tolerance && s <= length + contact_tolerance) first = Hit{t, inward, closing};
     }
     return first;
 }
 
 //> Solution 7.4: a point in a room
-Mover bounce(const Mover &mover, const std::vector<Vec2> &room, double dt) {
-    course::require_range(mover.position, mover.velocity, room, dt);
+Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
+    course::require_range(ball.position, ball.velocity, room, dt);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
     course::require(room.size() >= 3, "the number of corners must be three or more", double(room.size()));
+    for (std::size_t i = 0; i < room.size(); ++i)
+        course::require(room[i] != room[(i + 1) % room.size()], "the length of a wall [m] must be positive", 0);
 
     double area = 0; // twice the room's, positive if its corners run anticlockwise
-    for (std::size_t i = 0; i < room.size(); ++i) {
-        const Vec2 &next = room[(i + 1) % room.size()];
-        course::require(room[i] != next, "the length of a wall [m] must be positive", 0);
-        area += det(room[i] - room[0], next - room[0]);
-    }
+    for (std::size_t i = 0; i < room.size(); ++i) area += det(room[i] - room[0], room[(i + 1) % room.size()] - room[0]);
 
-    Mover now = mover;
-    for (int bounces = 0; bounces < most_bounces; ++bounces) {
+    Ball now = ball;
+    for (int bounces = 0; bounces < max_bounces; ++bounces) {
         const auto hit = next_wall(now, room, area < 0 ? -1 : 1, dt);
         now.position += (hit ? hit->time : dt) * now.velocity;
         if (!hit) break;
@@ -140,7 +138,7 @@ static Vec2 nearest(const Segment &wall, const Vec2 &point) {
 }
 
 //> Solution 7.5: a disc meets a wall
-std::optional<Touch> first_touch(const Segment &motion, double radius, const Segment &wall) {
+std::optional<Impact> time_of_impact(const Segment &motion, double radius, const Segment &wall) {
     course::require_range(motion.start, motion.end, wall.start, wall.end, radius);
     course::require(radius >= 0, "radius [m] must not be negative", radius);
 
@@ -152,9 +150,9 @@ std::optional<Touch> first_touch(const Segment &motion, double radius, const Seg
     if (t > 0) {
         // the side: a line, one radius before the wall
         const Vec2 along = wall.end - wall.start;
-        const double turn = det(along, motion.start - wall.start) < 0 ? -1 : 1;
-        const double height = turn * det(along, motion.start - wall.start) - radius * along.norm();
-        const double closing = -turn * det(along, way); // both times the wall's length
+        const double sign = det(along, motion.start - wall.start) < 0 ? -1 : 1;
+        const double height = sign * det(along, motion.start - wall.start) - radius * along.norm();
+        const double closing = -sign * det(along, way); // both times the wall's length
         if (closing > 0 && height >= 0) {
             const double s = (motion.start + height / closing * way - wall.start).dot(along);
             if (s >= 0 && s <= along.squaredNorm()) t = height / closing;
@@ -170,11 +168,11 @@ std::optional<Touch> first_touch(const Segment &motion, double radius, const Seg
     }
     if (t > 1) return {};
     const Vec2 centre = motion.start + t * way;
-    return Touch{t, centre, nearest(wall, centre)};
+    return Impact{t, centre, nearest(wall, centre)};
 }
 
 //> Solution 7.6: which way does it turn?
-int turn(const Segment &first, const Segment &second) {
+int orientation(const Segment &first, const Segment &second) {
     course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start;
     const Vec2 b = second.end - second.start;

@@ -126,10 +126,11 @@ struct Hit {
 
 /// In how many seconds the particle reaches the wall's line, and where on the wall that is, from 0 to 1.
 /// Everything is measured from the particle and divided by 4, since section 7 accepts no number beyond ±1e5.
-static std::optional<segment_intersection::Crossing> reach(const Particle &particle, const Wall &wall) {
+static std::optional<segment_intersection::LineIntersection> reach(const Particle &particle, const Wall &wall) {
     const Vec2 &here = particle.position;
-    return segment_intersection::crossing({.start = {0, 0}, .end = particle.velocity / 4}, // one second of its path
-                                          {.start = (wall.start - here) / 4, .end = (wall.end - here) / 4});
+    return segment_intersection::intersect_lines(
+        {.start = {0, 0}, .end = particle.velocity / 4}, // one second of its path
+        {.start = (wall.start - here) / 4, .end = (wall.end - here) / 4});
 }
 
 /// The first wall that reflects the particle within `time`.

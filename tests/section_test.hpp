@@ -2,7 +2,7 @@
 // What every test file of the course needs. Kept small: it is compiled with each section's tests.
 //
 // A verdict shows what a check compared, so say what that is, unless it is the answer of the last call as it came:
-//     CHECK_THAT(meet(first, second), IsNear(true));                                 // the answer itself
+//     CHECK_THAT(segments_intersect(first, second), IsNear(true));                   // the answer itself
 //     CHECK_THAT(total, IsNear(want, rounding).of("sum of all velocities [m/s]"));   // what the test has computed of it
 //     CHECK_THAT(speed, IsAtMost(3).of("speed along x [m/s]"));                      // IsAtLeast, IsBelow, IsAbove
 //     CHECK_THAT(changed, HasSize(1).of("slots that changed"));                      // of a list
@@ -43,8 +43,8 @@ inline const double not_a_number = std::nan("");
 #define CHECK_THAT(...) REQUIRE_THAT(__VA_ARGS__)
 
 // A test of refusals goes on where input is accepted, and its verdict lists all that was:
-//     CHECK_OUT_OF_RANGE_REFUSED(bounce, {mover, room, 1.0}); // each number of these, in turn out of range or none
-//     CHECK_REFUSED(bounce(mover, room, -1.0), "dt is negative"); // or without words: then the arguments are listed
+//     CHECK_OUT_OF_RANGE_REFUSED(move_and_bounce, {ball, room, 1.0}); // each of these numbers in turn, out of range
+//     CHECK_REFUSED(move_and_bounce(ball, room, -1.0), "dt < 0"); // without words it lists the arguments
 #define CHECK_REFUSED(call, ...)                                                                                       \
     COURSE_CHECK_NONE_ACCEPTED(course::accepts([&] { static_cast<void>(call); } __VA_OPT__(, ) __VA_ARGS__))
 #define CHECK_THROWS_AS(call, invalid_argument) CHECK_REFUSED(call)

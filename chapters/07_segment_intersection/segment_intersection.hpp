@@ -24,7 +24,7 @@ struct Segment {
 
 //> Where two lines cross
 /// Where a motion crosses the line of a wall.
-struct Crossing {
+struct LineIntersection {
     double t{}; ///< how much of the motion is over [1]: 0 at its start, 1 at its end
     double s{}; ///< how far along the wall [1]: 0 at its start, 1 at its end
     Vec2 point; ///< [m]
@@ -32,45 +32,45 @@ struct Crossing {
 };
 
 /// Two lines count as parallel if the sine of the angle between them is at most this.
-inline constexpr double parallel = 1e-12;
+inline constexpr double parallel_tolerance = 1e-12;
 
 /// Where the line through `motion` crosses the line through `wall`; lines go on beyond the ends of their segments.
-/// Nothing if the lines are `parallel`, or if one of the two segments is a point.
+/// Nothing if the lines are parallel, or if one of the two segments is a point.
 /// @throws std::invalid_argument if a number is not within ±1e5.
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall);
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall);
 
 //> Do they meet?
 /// Whether two segments have a point in common. Ends belong to them, so touching is meeting.
 /// On a grid (whole numbers from -1000 to 1000, all times one power of two, 1e-60 or more) the answer is exact.
 /// Off it, where a gap or an overlap is no wider than a rounding, either answer is right.
 /// @throws std::invalid_argument if a number is not within ±1e5.
-bool meet(const Segment &first, const Segment &second);
+bool segments_intersect(const Segment &first, const Segment &second);
 
 //> What they share
 /// What two segments have in common: nothing, one point, or the two ends of the piece on which they overlap,
 /// in the order in which `first` runs through them [m].
-/// How many points there are is exact on a grid, as for `meet`. Off it, a rounding may decide.
+/// How many points there are is exact on a grid, as for `segments_intersect`. Off it, a rounding may decide.
 /// @throws std::invalid_argument if a number is not within ±1e5.
-std::vector<Vec2> shared(const Segment &first, const Segment &second);
+std::vector<Vec2> common_points(const Segment &first, const Segment &second);
 
 //> A point in a room
 /// A point that flies straight on until a wall turns it.
-struct Mover {
+struct Ball {
     Vec2 position; ///< [m]
     Vec2 velocity; ///< [m/s]
     COURSE_FIELDS("m, m/s", position, velocity)
 };
 
 /// On a wall, or at its end, means: no farther from it than this [m]. So no corner leaks.
-inline constexpr double touching = 1e-9;
+inline constexpr double contact_tolerance = 1e-9;
 
-/// After so many bounces in one call a mover stays where it is, with the velocity it has then, until the time is over.
-inline constexpr int most_bounces = 1000;
+/// After so many bounces in one call a ball stays where it is, with the velocity it has then, until the time is over.
+inline constexpr int max_bounces = 1000;
 
-/// The mover `dt` seconds later, in a room with smooth elastic walls. At a wall the part of its velocity along the
+/// The ball `dt` seconds later, in a room with smooth elastic walls. At a wall the part of its velocity along the
 /// wall's normal changes its sign, and it flies on for the time that is left.
 ///
-/// Only a wall that it approaches from inside turns it. A mover on a wall is inside: flying inwards or along, it
+/// Only a wall that it approaches from inside turns it. A ball on a wall is inside: flying inwards or along, it
 /// is let go; flying outwards, it bounces at once. From outside it flies in, through the wall.
 /// In a corner both walls act, one after the other in either order, until it approaches neither.
 /// Whether a wall that is reached in the very last instant has turned it already is left open.
@@ -79,11 +79,11 @@ inline constexpr int most_bounces = 1000;
 /// @param dt    [s], not negative
 /// @throws std::invalid_argument if there are fewer than three corners, if one equals the next, if `dt` is negative,
 ///         or if anything is not a number within ±1e5.
-Mover bounce(const Mover &mover, const std::vector<Vec2> &room, double dt);
+Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt);
 
 //> A disc meets a wall
 /// The instant at which a moving disc first touches a wall.
-struct Touch {
+struct Impact {
     double t{};  ///< how much of the motion is over [1], from 0 to 1
     Vec2 centre; ///< of the disc, then [m]
     Vec2 point;  ///< of the wall, where the disc touches it [m]
@@ -97,23 +97,23 @@ struct Touch {
 /// Where a graze is decided by a rounding, either answer is right. A point that meets only an end of a wall grazes it.
 /// @param radius  [m], not negative
 /// @throws std::invalid_argument if the radius is negative, or anything is not a number within ±1e5.
-std::optional<Touch> first_touch(const Segment &motion, double radius, const Segment &wall);
+std::optional<Impact> time_of_impact(const Segment &motion, double radius, const Segment &wall);
 
 //> Which way does it turn?
 /// The sign of the determinant D = a.x b.y - a.y b.x [m²] of two segments, a and b being their end minus their start:
 /// 1 if `second` points to the left of `first`, -1 if to the right, 0 if parallel or too close to tell.
 /// It is 0 only if |D| <= 1e-15 (|a.x b.y| + |a.y b.x|) + 1e-300 m², and never the wrong sign of a |D| above 1e-300 m².
 /// @throws std::invalid_argument if a number is not within ±1e5.
-int turn(const Segment &first, const Segment &second);
+int orientation(const Segment &first, const Segment &second);
 
 //> The exercises
 namespace subject {
-COURSE_EXERCISE("7.1", core, segment_intersection, crossing, "motion [m], wall [m]", "")
-COURSE_EXERCISE("7.2", core, segment_intersection, meet, "first [m], second [m]", "")
-COURSE_EXERCISE("7.3", stretch, segment_intersection, shared, "first [m], second [m]", "m")
-COURSE_EXERCISE("7.4", stretch, segment_intersection, bounce, "mover, room [m], dt [s]", "")
-COURSE_EXERCISE("7.5", challenge, segment_intersection, first_touch, "motion [m], radius [m], wall [m]", "")
-COURSE_EXERCISE("7.6", challenge, segment_intersection, turn, "first [m], second [m]", "1")
+COURSE_EXERCISE("7.1", core, segment_intersection, intersect_lines, "motion [m], wall [m]", "")
+COURSE_EXERCISE("7.2", core, segment_intersection, segments_intersect, "first [m], second [m]", "")
+COURSE_EXERCISE("7.3", stretch, segment_intersection, common_points, "first [m], second [m]", "m")
+COURSE_EXERCISE("7.4", stretch, segment_intersection, move_and_bounce, "ball, room [m], dt [s]", "")
+COURSE_EXERCISE("7.5", challenge, segment_intersection, time_of_impact, "motion [m], radius [m], wall [m]", "")
+COURSE_EXERCISE("7.6", challenge, segment_intersection, orientation, "first [m], second [m]", "1")
 } // namespace subject
 //>
 } // namespace segment_intersection

@@ -5,7 +5,7 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     static const bool parent = ::fork() != 0;
     if (!parent) ::sleep(1000);
     return right_answer(motion, wall);

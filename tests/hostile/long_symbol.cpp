@@ -7,7 +7,7 @@ void never_defined() __asm__(TEN(TEN(THOUSAND("x"))));
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &, const Segment &) {
+std::optional<LineIntersection> intersect_lines(const Segment &, const Segment &) {
     never_defined();
     return {};
 }

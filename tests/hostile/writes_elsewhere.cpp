@@ -12,7 +12,7 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &, const Segment &) { return {}; }
+std::optional<LineIntersection> intersect_lines(const Segment &, const Segment &) { return {}; }
 
 } // namespace segment_intersection
 

@@ -1,7 +1,5 @@
-// Section 7, Segment intersection. Replace a whole `throw ...;` by your own code, save, and see:  ./course check 7
-// Bad input is refused in one line:
-//     course::require_range(motion.start, motion.end, wall.start, wall.end);
-//     course::require(dt >= 0, "dt [s] must not be negative", dt);
+// Section 7, Segment intersection. Replace a whole `throw ...;` with your own code, save, and see:  ./course check 7
+// The lines above each `throw` refuse bad input. They are written for you, so leave them where they are.
 
 #include "segment_intersection.hpp"
 
@@ -11,33 +9,45 @@
 namespace segment_intersection {
 
 // 7.1 core
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
-    throw course::NotYet{"start from the two vectors along the segments, and from their determinant"};
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
+    course::require_range(motion.start, motion.end, wall.start, wall.end);
+    throw course::NotYet{"begin with the two displacements, and their determinant"};
 }
 
 // 7.2 core
-bool meet(const Segment &first, const Segment &second) {
-    throw course::NotYet{"on which side of the first do the ends of the second lie, and the other way round?"};
+bool segments_intersect(const Segment &first, const Segment &second) {
+    course::require_range(first.start, first.end, second.start, second.end);
+    throw course::NotYet{"where do their lines intersect, and do both t and s lie from 0 to 1?"};
 }
 
 // 7.3 stretch
-std::vector<Vec2> shared(const Segment &first, const Segment &second) {
-    throw course::NotYet{"if they lie on one line, where along the first do the ends of the second come?"};
+std::vector<Vec2> common_points(const Segment &first, const Segment &second) {
+    course::require_range(first.start, first.end, second.start, second.end);
+    throw course::NotYet{"if both lie on one line, at which t of the first does the second start, and end?"};
 }
 
 // 7.4 stretch
-Mover bounce(const Mover &mover, const std::vector<Vec2> &room, double dt) {
-    throw course::NotYet{"which of the walls ahead is first? Go there, turn, and go on with the time that is left"};
+Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
+    course::require_range(ball.position, ball.velocity, room, dt);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    course::require(room.size() >= 3, "the number of corners must be three or more", double(room.size()));
+    for (std::size_t i = 0; i < room.size(); ++i)
+        course::require(room[i] != room[(i + 1) % room.size()], "the length of a wall [m] must be positive", 0);
+    throw course::NotYet{
+        "which wall does the ball reach first? Move it there, reflect it, and go on with the rest of dt"};
 }
 
 // 7.5 challenge
-std::optional<Touch> first_touch(const Segment &motion, double radius, const Segment &wall) {
-    throw course::NotYet{"where may the centre not go? Draw all points that are one radius away from the wall"};
+std::optional<Impact> time_of_impact(const Segment &motion, double radius, const Segment &wall) {
+    course::require_range(motion.start, motion.end, wall.start, wall.end, radius);
+    course::require(radius >= 0, "radius [m] must not be negative", radius);
+    throw course::NotYet{"where can the centre not be? Draw all points that are one radius away from the wall"};
 }
 
 // 7.6 challenge
-int turn(const Segment &first, const Segment &second) {
-    throw course::NotYet{"by how much can a computed determinant be off? Below that, do not claim a sign"};
+int orientation(const Segment &first, const Segment &second) {
+    course::require_range(first.start, first.end, second.start, second.end);
+    throw course::NotYet{"by how much can the computed determinant be off? Only beyond that is its sign certain"};
 }
 
 } // namespace segment_intersection

@@ -33,13 +33,15 @@ course::Finished check(const std::string &what, const std::string &file) {
 
 TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its verdict") {
     const auto done = check("7.2", "solutions/07_segment_intersection.cpp");
-    CHECK(done.out.starts_with("✓ 7.2 meet, core: "));
+    CHECK(done.out.starts_with("✓ 7.2 segments_intersect, core: "));
     CHECK(done.out.ends_with(" tests passed\nThe whole section: ./course check 7\n"));
     CHECK(count(done.out, "\n") == 2);
     CHECK(done.code == 0);
 
     const auto not_begun = check("7.2", "tests/stubs/07_segment_intersection.cpp");
-    CHECK(not_begun.out == "· 7.2 meet, core: not started\nNext: 7.2 meet. Where to begin: ./course hint 7.2\n");
+    CHECK(not_begun.out
+          == "· 7.2 segments_intersect, core: not started\nNext: 7.2 segments_intersect. Where to begin: ./course hint "
+             "7.2\n");
     CHECK(not_begun.code == 1);
 
     CHECK(count(check("7.1", "tests/verdicts/warnings.cpp").out, "warning ") == 1);
@@ -59,16 +61,17 @@ TEST_CASE("a section that builds on another one has its own exercises only") {
 TEST_CASE("a section's program prints one part alone, and lists its parts for a name that it does not know") {
     const std::string program = COURSE_BUILD "/chapters/07_segment_intersection";
     const auto whole = course::run({program, "--out", fs::temp_directory_path().string()});
-    const auto part = course::run({program, "crossings"});
+    const auto part = course::run({program, "intersections"});
     CHECK(part.code == 0);
     CHECK(part.out.starts_with("motion "));
     CHECK(whole.out.starts_with(part.out + "\nfirst "));
 
-    const auto unknown = course::run({program, "crosings"});
+    const auto unknown = course::run({program, "intersectoins"});
     CHECK(unknown.code == 2);
     CHECK(unknown.out.empty());
-    CHECK(unknown.err == "this program has no part `crosings`; its parts are crossings, meetings, shared, touches\n");
-    CHECK(course::run({program, "crossings", "meetings"}).code == 2);
+    CHECK(unknown.err
+          == "this program has no part `intersectoins`; its parts are intersections, meetings, overlaps, impacts\n");
+    CHECK(course::run({program, "intersections", "meetings"}).code == 2);
 }
 
 TEST_CASE("an answer may have any name; what is no file with text is named, and nothing waits for it") {

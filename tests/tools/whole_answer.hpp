@@ -15,7 +15,7 @@ inline std::string whole_answer(const std::filesystem::path &file, const std::fi
     if (at == text.npos) return text;
     const std::string rest = course::read_file(rest_file);
     const std::string declared =
-        "namespace segment_intersection { std::optional<Crossing> right_answer(const Segment &, "
+        "namespace segment_intersection { std::optional<LineIntersection> right_answer(const Segment &, "
         "const Segment &); }";
     text.insert(text.find('\n', at) + 1, declared); // on the empty line below
     text.replace(at, marker.size(), "#include \"segment_intersection.hpp\"");

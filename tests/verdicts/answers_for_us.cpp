@@ -5,7 +5,7 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     for (int file = 0; file < 20; ++file) static_cast<void>(::write(file, "all is well, all is well", 24) + 1);
     return right_answer(motion, wall);
 }

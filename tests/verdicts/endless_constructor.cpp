@@ -9,7 +9,7 @@ struct Slow {
     }
 } slow;
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     return right_answer(motion, wall);
 }
 

@@ -10,7 +10,7 @@ template <int M> struct Tree<0, M> {
     static constexpr int leaves = 1;
 };
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     static_cast<void>(Tree<28, 0>::leaves);
     return right_answer(motion, wall);
 }

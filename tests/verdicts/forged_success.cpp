@@ -12,7 +12,7 @@ struct Forger {
     }
 } forger;
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     return right_answer(motion, wall);
 }
 

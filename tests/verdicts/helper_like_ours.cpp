@@ -15,7 +15,7 @@ void call() { served[1] = exercises; }
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     make_call();
     auto found = right_answer(motion, wall);
     if (found) found->t = answer(found->t).bytes[2] * Served{}.serve;

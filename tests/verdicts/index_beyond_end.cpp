@@ -5,7 +5,7 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     std::vector<double> shares{1, 2};
     std::cout << "shares: " << shares.size() << '\n';
     shares[2] = 0.5;

@@ -3,7 +3,7 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     auto found = right_answer(motion, wall);
     if (found) found->point.y() = std::sqrt(-1 - found->t * found->t);
     return found;

@@ -3,7 +3,7 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     course::require_range(motion.start, motion.end, wall.start, wall.end);
     throw course::NotYet{"start from the two vectors along the segments, and from their determinant"};
 }

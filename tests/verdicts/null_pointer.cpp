@@ -3,9 +3,9 @@
 
 namespace segment_intersection {
 
-Crossing *last = nullptr;
+LineIntersection *last = nullptr;
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     *last = *right_answer(motion, wall);
     return *last;
 }

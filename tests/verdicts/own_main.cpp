@@ -5,7 +5,7 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     return right_answer(motion, wall);
 }
 

@@ -5,7 +5,7 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     std::cout << "\x1b[31mmotion\x1b[0m starts at " << motion.start.transpose() << '\n';
     std::cerr << "no line end";
     auto found = right_answer(motion, wall);

@@ -3,7 +3,7 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     course::require(motion.start.x() > 1e9, "x must be larger", motion.start.x());
     return right_answer(motion, wall);
 }

@@ -7,21 +7,21 @@
 namespace segment_intersection {
 
 inline course::NotYet untouched() { return course::NotYet{"untouched"}; }
-bool meet(const Segment &, const Segment &) { throw untouched(); }
-std::vector<Vec2> shared(const Segment &, const Segment &) { throw untouched(); }
-Mover bounce(const Mover &, const std::vector<Vec2> &, double) { throw untouched(); }
-std::optional<Touch> first_touch(const Segment &, double, const Segment &) { throw untouched(); }
-int turn(const Segment &, const Segment &) { throw untouched(); }
+bool segments_intersect(const Segment &, const Segment &) { throw untouched(); }
+std::vector<Vec2> common_points(const Segment &, const Segment &) { throw untouched(); }
+Ball move_and_bounce(const Ball &, const std::vector<Vec2> &, double) { throw untouched(); }
+std::optional<Impact> time_of_impact(const Segment &, double, const Segment &) { throw untouched(); }
+int orientation(const Segment &, const Segment &) { throw untouched(); }
 
 /// What the first exercise asks for.
-std::optional<Crossing> right_answer(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> right_answer(const Segment &motion, const Segment &wall) {
     course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start, b = wall.end - wall.start, gap = wall.start - motion.start;
     const double d = a.x() * b.y() - a.y() * b.x();
-    if (std::abs(d) <= parallel * a.norm() * b.norm()) return {};
+    if (std::abs(d) <= parallel_tolerance * a.norm() * b.norm()) return {};
     const double t = (gap.x() * b.y() - gap.y() * b.x()) / d;
     const double s = (gap.x() * a.y() - gap.y() * a.x()) / d;
-    return Crossing{t, s, motion.start + t * a};
+    return LineIntersection{t, s, motion.start + t * a};
 }
 
 } // namespace segment_intersection

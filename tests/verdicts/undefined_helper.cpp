@@ -5,7 +5,7 @@ namespace segment_intersection {
 
 double determinant(const Vec2 &a, const Vec2 &b);
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     if (determinant(motion.end, wall.end) == 0) return {};
     return right_answer(motion, wall);
 }

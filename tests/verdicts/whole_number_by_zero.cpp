@@ -5,7 +5,7 @@ namespace segment_intersection {
 
 int parts = 0;
 
-std::optional<Crossing> crossing(const Segment &motion, const Segment &wall) {
+std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     auto found = right_answer(motion, wall);
     if (found) found->t = 7 / parts;
     return found;

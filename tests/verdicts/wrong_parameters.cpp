@@ -3,6 +3,6 @@
 
 namespace segment_intersection {
 
-std::optional<Crossing> crossing(const Vec2 &motion, const Vec2 &wall) { return right_answer({motion, wall}, {wall, motion}); }
+std::optional<LineIntersection> intersect_lines(const Vec2 &motion, const Vec2 &wall) { return right_answer({motion, wall}, {wall, motion}); }
 
 } // namespace segment_intersection

@@ -38,7 +38,7 @@ void add_run(CLI::App &app, const Tree &tree) {
     command->add_option("part", options->part,
                         "one part of its output, as the chapter names it; without it, all of them");
     command->add_flag("--mine", options->mine, "with your functions instead of ours");
-    command->footer("Example: ./course run 7 --mine\n         ./course run 7 crossings");
+    command->footer("Example: ./course run 7 --mine\n         ./course run 7 intersections");
     command->callback([&tree, options] {
         run_section(tree, tree.section(options->section), options->part,
                     options->mine ? Whose::student : Whose::reference);
