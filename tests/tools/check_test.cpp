@@ -7,12 +7,15 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -22,17 +25,57 @@ std::size_t count(const std::string &text, const std::string &what) {
     return found;
 }
 
-course::Finished check(const std::string &what, const std::string &file) {
+std::vector<std::string> check_command(const std::string &what, const std::string &file, const fs::path &build) {
     const fs::path root = COURSE_ROOT, whole = fs::path{COURSE_BUILD} / "checked.cpp";
     course::write_file(whole, whole_answer(root / file, root / "tests/verdicts/rest.hpp"));
-    return course::run({"env", "NO_COLOR=1", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
-                        "check", what, "--file", whole.string()});
+    return {"env",
+            "NO_COLOR=1",
+            "COURSE_ROOT=" COURSE_ROOT,
+            "COURSE_BUILD=" + build.string(),
+            COURSE_TOOL,
+            "check",
+            what,
+            "--file",
+            whole.string()};
 }
+
+course::Finished check(const std::string &what, const std::string &file) {
+    return course::run(check_command(what, file, COURSE_BUILD));
+}
+
+/// A build folder that is this one, but for its compiler and an empty folder to work in.
+struct OtherBuild {
+    explicit OtherBuild(const std::string &compiler_script) {
+        const fs::path built = COURSE_BUILD;
+        fs::remove_all(folder);
+        fs::create_directories(work);
+        for (const auto &entry : fs::directory_iterator{built})
+            if (const fs::path name = entry.path().filename();
+                name != "loop" && name != "course.json" && entry != folder)
+                fs::create_symlink(entry.path(), folder / name);
+        auto json = nlohmann::json::parse(course::read_file(built / "course.json"));
+        if (!compiler_script.empty()) {
+            const fs::path compiler = folder / "compiler";
+            course::write_file(compiler, "#!/bin/sh\n" + compiler_script + '\n');
+            fs::permissions(compiler, fs::perms::all);
+            json["compiler"] = compiler.string();
+        }
+        course::write_file(folder / "course.json", json.dump());
+        course::write_file(work / "07_segment_intersection.checked", ""); // all is up to date
+    }
+    ~OtherBuild() { fs::remove_all(folder); }
+    OtherBuild(const OtherBuild &) = delete;
+    OtherBuild &operator=(const OtherBuild &) = delete;
+
+    const fs::path folder = fs::path{COURSE_BUILD} / "other build", work = folder / "loop";
+};
+
+constexpr const char *solution = "solutions/07_segment_intersection.cpp";
 
 } // namespace
 
 TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its verdict") {
-    const auto done = check("7.2", "solutions/07_segment_intersection.cpp");
+    const auto done = check("7.2", solution);
     CHECK(done.out.starts_with("✓ 7.2 segments_intersect, core: "));
     CHECK(done.out.ends_with(" tests passed\nThe whole section: ./course check 7\n"));
     CHECK(count(done.out, "\n") == 2);
@@ -49,7 +92,44 @@ TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its
 
     const auto other = check("7.2", "tests/verdicts/wrong_answer.cpp"); // of 7.1
     CHECK(count(other.out, "7.1") == 0);
-    CHECK(check("7.9", "solutions/07_segment_intersection.cpp").code == 2);
+    CHECK(check("7.9", solution).code == 2);
+}
+
+TEST_CASE("a compiler that the machine has stopped is no verdict, and exits with 4") {
+    REQUIRE(check("7.1", solution).code == 0); // and all of section 7 is built
+    const auto [script, sentence] = GENERATE(table<std::string, std::string>({
+        {"kill -KILL $$", "the compiler was killed from outside"},
+        {"echo 'as: x.o: No space left on device' >&2; exit 1", "the compiler found the disk full"},
+    }));
+    const OtherBuild build{script};
+    const auto done = course::run(check_command("7.1", solution, build.folder));
+    CHECK(done.code == 4);
+    CHECK(done.out.empty());
+    CHECK_THAT(done.err, ContainsSubstring(sentence));
+}
+
+TEST_CASE("a disk that is full is no verdict, and check exits with 4") {
+    REQUIRE(check("7.1", solution).code == 0);
+    const OtherBuild build{""};
+    if (course::run({"unshare", "--mount", "mount", "-t", "tmpfs", "none", build.work.string()}).code != 0)
+        SKIP("only root may mount a small disk here");
+    std::vector<std::string> line{"unshare",
+                                  "--mount",
+                                  "sh",
+                                  "-c",
+                                  "mount -t tmpfs -o size=\"$1\" none \"$2\" && "
+                                  "touch \"$2/07_segment_intersection.checked\" && shift 2 && exec \"$@\"",
+                                  "sh",
+                                  "",
+                                  build.work.string()};
+    for (const std::string &word : check_command("7.1", solution, build.folder)) line.push_back(word);
+    line[6] = "64M";
+    CHECK(course::run(line).code == 0);
+    line[6] = "64k";
+    const auto done = course::run(line);
+    CHECK(done.code == 4);
+    CHECK(done.out.empty());
+    CHECK_THAT(done.err, ContainsSubstring("disk full") || ContainsSubstring("less full"));
 }
 
 TEST_CASE("a section that builds on another one has its own exercises only") {
