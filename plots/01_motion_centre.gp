@@ -11,6 +11,6 @@ yours = with_yours("ARG3 using 4:5 every ::0::0 with points lt 2 pt 6 ps 2 lw 2 
 plot ARG1 using 1:2:(1.3 * sqrt($3)) with points pt 7 ps variable lc rgb DIM notitle, \
      ARG1 using 1:2:(sprintf('%g kg', $3)) with labels left offset 1.2,0.2 textcolor rgb DIM notitle, \
      ARG1 using 4:5 every ::0::0 with points lt 1 pt 7 ps 1.2 title 'centre of mass', \
-     '+' using (4/3.0):(1) every ::0::0 with points lt 6 pt 2 ps 1.2 lw 3 title 'mean, masses forgotten', \
+     '+' using (4/3.0):(1) every ::0::0 with points lt 6 pt 2 ps 1.2 lw 3 title 'mean without masses', \
      '+' using (2):(1.5) every ::0::0 with points lt 4 pt 13 ps 1.2 title 'middle of the box', \
      @yours

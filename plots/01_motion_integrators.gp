@@ -7,7 +7,7 @@ set xrange [-0.2:5.6]; set yrange [*<45:105<*]
 set xlabel 't [s]'; set ylabel 'x [m]'
 yours = with_yours("for [column = 2:4] ARG3 using 1:column with points lt 2 pt 6 ps 1.4 lw 2 title (column == 2 ? 'yours' : '')")
 plot ARG1 using 1:3 with linespoints lt 3 ps 0.9 title 'semi-implicit Euler: runs ahead', \
-     [0:5] 50 + 4 * x + x**2 with lines lc rgb INK lw 1 title 'the truth', \
+     [0:5] 50 + 4 * x + x**2 with lines lc rgb INK lw 1 title 'exact motion', \
      ARG1 using 1:4 with points lt 1 ps 0.8 title 'exact step', \
      ARG1 using 1:2 with linespoints lt 6 ps 0.8 title 'explicit Euler: lags behind', \
      @yours

@@ -1,4 +1,4 @@
-#> Figure: three middles of an L
+#> Figure: three centres of an L
 # gnuplot -c 01_motion_l.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 set output ARG2
@@ -10,7 +10,7 @@ set xlabel 'x [m]'; set ylabel 'y [m]'
 set object 1 polygon from 0,0 to 0,3 to 1,3 to 1,1 to 3,1 to 3,0 to 0,0 behind fillcolor rgb DIM fillstyle transparent solid 0.2 border lc rgb DIM lw 2
 yours = with_yours("ARG3 using 3:4 every ::0::0 with points lt 2 pt 6 ps 2 lw 2 title 'yours'")
 plot ARG1 using 1:2 with points pt 7 ps 0.5 lc rgb DIM notitle, \
-     ARG1 using 3:4 every ::0::0 with points lt 1 pt 7 ps 1.2 title 'middle of the plate', \
+     ARG1 using 3:4 every ::0::0 with points lt 1 pt 7 ps 1.2 title 'centroid', \
      '+' using (4/3.0):(4/3.0) every ::0::0 with points lt 6 pt 2 ps 1.2 lw 3 title 'mean of the corners', \
      '+' using (1.5):(1.5) every ::0::0 with points lt 4 pt 13 ps 1.2 title 'middle of the box', \
      @yours

@@ -37,10 +37,10 @@ TEST_CASE("the speed is the distance covered in one second, added up frame by fr
     for (int i = 0; i < course::cases(20000); ++i) {
         const double px = dice.real(-20, 20);
         const int frames = dice.whole(1, 240);
-        double way = 0;
-        for (int frame = 0; frame < frames; ++frame) way += px;
+        double distance = 0;
+        for (int frame = 0; frame < frames; ++frame) distance += px;
 
-        CHECK_THAT(px_per_second(px, frames), IsNear(way, 1e-11)); // 240 roundings of 5000 px
+        CHECK_THAT(px_per_second(px, frames), IsNear(distance, 1e-11)); // 240 roundings of 5000 px
     }
 }
 
@@ -94,10 +94,10 @@ TEST_CASE("moving for t, and then for some more time, is moving for both times a
         const Vec2 start = dice.point(-100, 100), velocity = dice.point(-20, 20);
         const double t = dice.real(-10, 10), more = dice.real(-10, 10);
 
-        const Vec2 on_the_way = uniform_motion(start, velocity, t);
+        const Vec2 after_t = uniform_motion(start, velocity, t);
         const Vec2 at_once = uniform_motion(start, velocity, t + more);
 
-        CHECK_THAT(uniform_motion(on_the_way, velocity, more), IsNear(at_once, 1e-9)); // twelve digits of 300 m
+        CHECK_THAT(uniform_motion(after_t, velocity, more), IsNear(at_once, 1e-9)); // twelve digits of 300 m
     }
 }
 
@@ -108,10 +108,10 @@ TEST_CASE("the displacement points along the velocity, and its length is speed t
         const double speed = dice.real(0, 50), t = dice.real(-10, 10);
         const Vec2 start = dice.point(-100, 100);
 
-        const Vec2 way = uniform_motion(start, speed * direction, t) - start;
+        const Vec2 displacement = uniform_motion(start, speed * direction, t) - start;
 
-        const double across = way.x() * direction.y() - way.y() * direction.x();
-        CHECK_THAT(way.dot(direction), IsNear(speed * t, 1e-9).of("distance along the velocity [m]"));
+        const double across = displacement.x() * direction.y() - displacement.y() * direction.x();
+        CHECK_THAT(displacement.dot(direction), IsNear(speed * t, 1e-9).of("distance along the velocity [m]"));
         CHECK_THAT(across, IsNear(0.0, 1e-9).of("distance to the side of it [m]")); // twelve digits of 500 m
     }
 }
@@ -119,10 +119,10 @@ TEST_CASE("the displacement points along the velocity, and its length is speed t
 //> Erratum E1.9
 TEST_CASE("erratum E1.9: 3 miles take longer at 80 miles per hour than at 90", "[1.2]") {
     const double at_90 = 3.0 / 90 * 60, at_80 = 3.0 / 80 * 60;                               // in minutes: 2 and 2.25
-    CHECK_THAT(uniform_motion({0, 0}, {90.0 / 60, 0}, at_90), IsNear(Vec2{3, 0}, rounding)); // in miles a minute
+    CHECK_THAT(uniform_motion({0, 0}, {90.0 / 60, 0}, at_90), IsNear(Vec2{3, 0}, rounding)); // in miles per minute
     CHECK_THAT(uniform_motion({0, 0}, {80.0 / 60, 0}, at_80), IsNear(Vec2{3, 0}, rounding));
 
-    // As printed, the two minutes are to be reduced; but in two minutes it has not even got there.
+    // In the two minutes that it takes at 90, the slower car comes only 2.67 miles far.
     CHECK_THAT(uniform_motion({0, 0}, {80.0 / 60, 0}, at_90), IsNear(Vec2{8.0 / 3, 0}, rounding));
 }
 
@@ -188,7 +188,7 @@ TEST_CASE("without acceleration the velocity stays the same, and the motion is u
 }
 
 //> Average and energy
-TEST_CASE("the displacement is the average of first and last velocity, times t", "[1.3]") {
+TEST_CASE("the square of the speed grows by twice the acceleration times the displacement", "[1.3]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const State start{dice.point(-50, 50), dice.point(-20, 20)};
@@ -197,14 +197,15 @@ TEST_CASE("the displacement is the average of first and last velocity, times t",
 
         const State after = accelerated_motion(start, acceleration, t);
 
-        const Vec2 way = after.position - start.position;
+        const Vec2 displacement = after.position - start.position;
         const Vec2 average = (start.velocity + after.velocity) / 2;
         CHECK_THAT(after.velocity, IsNear(Vec2{start.velocity + t * acceleration}, 1e-9).of("velocity [m/s]"));
-        CHECK_THAT(way, IsNear(Vec2{average * t}, 1e-9).of("way [m]")); // twelve digits of 700 m
-        // The square of the speed grows by twice acceleration times way: what the energy says.
+        CHECK_THAT(displacement, IsNear(Vec2{average * t}, 1e-9).of("displacement [m]")); // twelve digits of 700 m
+        // Multiplied by m/2, this says: the kinetic energy grows by force times distance.
         const double gained = after.velocity.squaredNorm() - start.velocity.squaredNorm();
-        CHECK_THAT(2 * acceleration.dot(way),
-                   IsNear(gained, 1e-7).of("twice acceleration times way [m²/s²]")); // twelve digits of 3e4 m²/s²
+        CHECK_THAT(2 * acceleration.dot(displacement),
+                   IsNear(gained, 1e-7)
+                       .of("twice the acceleration times the displacement [m²/s²]")); // twelve digits of 3e4 m²/s²
     }
 }
 
@@ -216,10 +217,10 @@ TEST_CASE("two flights, one after the other, are the same as one long flight", "
         const Vec2 acceleration = dice.point(-10, 10);
         const double t = dice.real(-5, 5), more = dice.real(-5, 5);
 
-        const State on_the_way = accelerated_motion(start, acceleration, t);
+        const State after_t = accelerated_motion(start, acceleration, t);
         const State at_once = accelerated_motion(start, acceleration, t + more);
 
-        CHECK_THAT(accelerated_motion(on_the_way, acceleration, more), IsNear(at_once, 1e-9)); // twelve digits of 700 m
+        CHECK_THAT(accelerated_motion(after_t, acceleration, more), IsNear(at_once, 1e-9)); // twelve digits of 700 m
     }
 }
 
@@ -240,9 +241,9 @@ TEST_CASE("with its velocity reversed it flies back to where it started", "[1.3]
 //> Erratum E1.5
 TEST_CASE("erratum E1.5: Table 13.1 shows an acceleration of 2 m/s², not a constant velocity of 2 m/s", "[1.3]") {
     for (int t = 1; t <= 5; ++t) {
-        // As printed, "a constant velocity of 2": 2, 2, 2, 2, 2 m/s, and places 2, 4, 6, 8, 10 m.
+        // As announced, a constant velocity of 2 m/s: positions 2, 4, 6, 8, 10 m.
         CHECK_THAT(accelerated_motion({{0, 0}, {2, 0}}, {0, 0}, t), IsNear(State{{2.0 * t, 0}, {2, 0}}, rounding));
-        // Printed are the velocities 2, 4, 6, 8, 10 m/s: the acceleration is 2, as the table's title says.
+        // As printed, the velocities 2, 4, 6, 8, 10 m/s: an acceleration of 2 m/s², as the table's title says.
         CHECK_THAT(accelerated_motion({{0, 0}, {0, 0}}, {2, 0}, t),
                    IsNear(State{{1.0 * t * t, 0}, {2.0 * t, 0}}, rounding));
     }
@@ -265,7 +266,7 @@ TEST_CASE("erratum E1.8: 2 px/frame² are 1800 px/s² at 30 frames per second", 
 
     const State in_seconds = accelerated_motion({{0, 0}, {0, 0}}, {2 * 30 * 30, 0}, 1);
     CHECK_THAT(in_seconds.position, IsNear(Vec2{900, 0}, rounding).of("position [px]"));
-    // Were it px/frame, as the comment has it, it would count thirtyfold, and it would creep.
+    // As px/frame, which the printed comment says, it would count only 30 times, and the missile would creep.
     const State creeping = accelerated_motion({{0, 0}, {0, 0}}, {2 * 30, 0}, 1);
     CHECK_THAT(creeping.position, IsNear(Vec2{30, 0}, rounding).of("position [px]"));
 }
@@ -274,10 +275,10 @@ TEST_CASE("erratum E1.8: 2 px/frame² are 1800 px/s² at 30 frames per second", 
 TEST_CASE("erratum E1.11: the displacement comes from the whole velocity, not only from the gained part", "[1.3]") {
     // The strip below v = 4 + 2 t, from 0 to 3: a rectangle of 4 · 3 and a triangle of 6 · 3 / 2.
     const State after = accelerated_motion({{50, 0}, {4, 0}}, {2, 0}, 3);
-    CHECK_THAT(after.position.x() - 50, IsNear(12.0 + 9, 1e-9).of("way [m]")); // the printed "integral" is 9
+    CHECK_THAT(after.position.x() - 50, IsNear(12.0 + 9, 1e-9).of("displacement [m]")); // the printed "integral" is 9
 
     const State from_rest = accelerated_motion({{50, 0}, {0, 0}}, {2, 0}, 3);
-    CHECK_THAT(from_rest.position.x() - 50, IsNear(9.0, 1e-9).of("way [m]")); // true only of what starts from rest
+    CHECK_THAT(from_rest.position.x() - 50, IsNear(9.0, 1e-9).of("displacement [m]")); // right only from rest
 }
 
 //>
@@ -328,7 +329,7 @@ TEST_CASE("two bodies balance nearer to the heavier one", "[1.4]") {
     CHECK_THAT(centre_of_mass({{{2, 7}, 3}, {{6, -1}, 3}}), IsNear(Vec2{4, 3}, rounding)); // equal: the middle
     CHECK_THAT(centre_of_mass({{{2, 7}, 9}, {{6, -1}, 3}}), IsNear(Vec2{3, 5}, rounding)); // 1 : 3, so a quarter
     CHECK_THAT(centre_of_mass({{{2, 7}, 3}, {{6, -1}, 9}}), IsNear(Vec2{5, 1}, rounding));
-    CHECK_THAT(centre_of_mass({{{2, 7}, 0}, {{6, -1}, 9}}), IsNear(Vec2{6, -1}, rounding)); // nothing at (2, 7)
+    CHECK_THAT(centre_of_mass({{{2, 7}, 0}, {{6, -1}, 9}}), IsNear(Vec2{6, -1}, rounding)); // no mass at (2, 7)
 }
 
 //>
@@ -408,7 +409,7 @@ TEST_CASE("12 000 bodies, numbers up to ±1e5 and a light body beside a heavy on
 
 //> Erratum E1.1
 TEST_CASE("erratum E1.1: three bodies make three terms; the printed sum has four", "[1.4]") {
-    // From i = 0 to n there are n + 1. Whatever stands behind the list is weighed too: say, 4 kg at (9, 9).
+    // From i = 0 to n there are n + 1 terms. Whatever comes after the list counts too: say, 4 kg at (9, 9).
     std::vector<PointMass> four = three;
     four.push_back({{9, 9}, 4});
     CHECK_THAT(centre_of_mass(four), IsNear(Vec2{5, 5.25}, rounding)); // (4 + 36)/8, (6 + 36)/8
@@ -469,7 +470,7 @@ TEST_CASE("Table 13.2 in steps of 1: explicit Euler lags behind, semi-implicit r
         const Vec2 velocity{6 + 2.0 * double(n), 0};       // in all three
         const Integrators want{{{slow[n], 0}, velocity},   // the old velocity: 4, 6, 8, ...
                                {{fast[n], 0}, velocity},   // the new one: 6, 8, 10, ...
-                               {{exact[n], 0}, velocity}}; // half way: 5, 7, 9, ...
+                               {{exact[n], 0}, velocity}}; // the average: 5, 7, 9, ...
         CHECK_THAT(now, IsNear(want, rounding));
     }
 }
@@ -633,7 +634,7 @@ TEST_CASE("erratum E1.3: an extra corner on a side moves the mean of the corners
 //>
 namespace {
 
-/// A plate that somebody at (0, 0) sees all of: its corners by growing angle. With its middle, from slices round (0, 0).
+/// A plate that can all be seen from (0, 0), its corners by growing angle; and its centroid, from slices around (0, 0).
 struct Plate {
     Corners corners;
     Vec2 middle;
@@ -773,7 +774,7 @@ TEST_CASE("a corner beyond ±1e5, infinite or not a number is refused, whichever
 
 // --------------------------------------------------------------------------------------------------- 1.7 fit_motion
 
-//> By hand: three looks
+//> By hand: three samples
 constexpr double fit_tolerance = 1e-8; // what the header promises
 
 TEST_CASE("6, 11 and 27 m after 1, 2 and 4 s come from 3 m, 2 m/s and 2 m/s²", "[1.7]") {
@@ -796,13 +797,13 @@ TEST_CASE("any three rows of Table 13.2, in any order, give 50 m, 4 m/s and 2 m/
 TEST_CASE("a random motion is recovered from any three samples of it", "[1.7]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
-        const Motion law{dice.real(-100, 100), dice.real(-20, 20), dice.real(-10, 10)};
-        const auto look = [&](double t) { return Sample{t, law.x_0 + t * (law.v_0 + t * law.a / 2)}; };
+        const Motion want{dice.real(-100, 100), dice.real(-20, 20), dice.real(-10, 10)};
+        const auto sample = [&](double t) { return Sample{t, want.x_0 + t * (want.v_0 + t * want.a / 2)}; };
         const double t_1 = dice.real(-10, 10), t_2 = dice.real(-10, 10), t_3 = dice.real(-10, 10);
         if (std::min({std::abs(t_1 - t_2), std::abs(t_2 - t_3), std::abs(t_3 - t_1)}) < 0.5) continue;
 
-        // A look is off by 1e-13 m, of 800; divided by two gaps of 0.5 s and seen from 10 s away: 1e-10, and room.
-        CHECK_THAT(fit_motion(look(t_1), look(t_2), look(t_3)), IsNear(law, fit_tolerance));
+        // A sample is off by 1e-13 m, of 800; divided by two gaps of 0.5 s and seen from 10 s away: 1e-10, and room.
+        CHECK_THAT(fit_motion(sample(t_1), sample(t_2), sample(t_3)), IsNear(want, fit_tolerance));
     }
 }
 
@@ -828,12 +829,12 @@ TEST_CASE("each call stands alone: the same times with other positions give anot
 
 TEST_CASE("fit_motion allows numbers up to ±1e5 and tiny accelerations, and its answer may be larger", "[1.7]") {
     // thrice ±1e5 m: what is at 1e5 m at 0 s and at 1e5 s, and was at -1e5 m at -1e5 s, has slowed down
-    std::array<Sample, 3> looks{Sample{-1e5, -1e5}, Sample{0, 1e5}, Sample{1e5, 1e5}};
+    std::array<Sample, 3> samples{Sample{-1e5, -1e5}, Sample{0, 1e5}, Sample{1e5, 1e5}};
     std::array<Sample, 3> mirrored{Sample{1e5, -1e5}, Sample{0, 1e5}, Sample{-1e5, 1e5}};
     for (int i = 0; i < 3; ++i) {
-        std::rotate(looks.begin(), looks.begin() + 1, looks.end());
+        std::rotate(samples.begin(), samples.begin() + 1, samples.end());
         std::rotate(mirrored.begin(), mirrored.begin() + 1, mirrored.end());
-        CHECK_THAT(fit_motion(looks[0], looks[1], looks[2]), IsNear(Motion{1e5, 1, -2e-5}, fit_tolerance));
+        CHECK_THAT(fit_motion(samples[0], samples[1], samples[2]), IsNear(Motion{1e5, 1, -2e-5}, fit_tolerance));
         CHECK_THAT(fit_motion(mirrored[0], mirrored[1], mirrored[2]), IsNear(Motion{1e5, -1, -2e-5}, fit_tolerance));
     }
     CHECK_THAT(fit_motion({-1e5, 500}, {0, 0}, {1e5, 500}).a * 1e7, IsNear(1.0, 1e-6).of("a [1e-7 m/s²]"));

@@ -64,6 +64,7 @@ struct Integrators {
     COURSE_FIELDS("1, 1, 1", explicit_euler, semi_implicit, exact)
 };
 
+//> One step of each
 /// All three one step later, each from its own state before. A step of 0 s changes nothing.
 /// @param acceleration  [m/s²]
 /// @param dt            length of the step [s], not negative
@@ -81,7 +82,7 @@ Integrators step_all(const Integrators &before, const Vec2 &acceleration, double
 ///         1e-100 m, either is right.
 Vec2 centroid(const std::vector<Vec2> &corners);
 
-//> A motion through three samples
+//> A sample and a motion
 /// Where something was at one time.
 struct Sample {
     double t{}; ///< [s]
@@ -97,6 +98,7 @@ struct Motion {
     COURSE_FIELDS("m, m/s, m/s²", x_0, v_0, a)
 };
 
+//> A motion through three samples
 /// The motion that passes through these three samples, which may be in any order.
 /// Each of its numbers is right to 1e-8, or to 1e-8 of itself if it is larger than 1, for positions within ±1000 m and
 /// times within ±10 s that are at least half a second apart. With shorter or later times, fewer digits are right.

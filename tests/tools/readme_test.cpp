@@ -4,6 +4,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <regex>
+#include <sstream>
 
 namespace {
 
@@ -14,14 +15,29 @@ std::string without_lines(const std::string &text) {
     return std::regex_replace(text, std::regex{R"((see   tests/\w+\.cpp):\d+)"}, "$1:…");
 }
 
-/// What `./course check 1` says of a student's file.
+/// What `./course check 1.1` says of a student's file.
 std::string verdict_on(const std::string &attempt) {
     const std::filesystem::path file = std::filesystem::temp_directory_path() / "first attempt.cpp";
     course::write_file(file, attempt);
     const auto said = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, "NO_COLOR=1",
-                                   COURSE_TOOL, "check", "1", "--file", file.string()});
+                                   COURSE_TOOL, "check", "1.1", "--file", file.string()});
     std::filesystem::remove(file);
     return without_lines(said.out);
+}
+
+/// So many lines of a text, without the end of the last one.
+std::string first_lines(const std::string &text, int count) {
+    std::size_t end = 0;
+    for (int line = 0; line < count; ++line) end = text.find('\n', end) + 1;
+    return text.substr(0, end - 1);
+}
+
+/// A verdict as a chapter's box shows it, after its command.
+std::string in_box(const std::string &verdict) {
+    std::string box = "> $ ./course check 1.1\n";
+    std::istringstream lines{verdict};
+    for (std::string line; std::getline(lines, line);) box += "> " + line + '\n';
+    return box;
 }
 
 } // namespace
@@ -33,7 +49,7 @@ TEST_CASE("the verdict that the README shows is a real one") {
     CHECK(readme.find("$ ./course check 7\n" + verdict + "```") != std::string::npos);
 }
 
-TEST_CASE("the first verdicts that chapter 1 shows are real ones, of the lines that it shows") {
+TEST_CASE("the verdicts that chapter 1 shows for 1.1 are real ones, of the lines that it shows") {
     const std::string chapter = without_lines(course::read_file(root / "chapters/01_motion/README.md"));
     const std::string stub = course::read_file(root / "tests/stubs/01_motion.cpp");
     const std::size_t from = stub.find("throw course::NotYet"), to = stub.find(';', from) + 1;
@@ -47,12 +63,11 @@ TEST_CASE("the first verdicts that chapter 1 shows are real ones, of the lines t
     const std::string refuses =
         "course::require(frames_per_second > 0, \"frames_per_second must be positive\", frames_per_second);";
 
-    shows("$ ./course check 1\n" + verdict_on(stub) + "```");
-    shows("    " + divides + "\n");
-    shows("$ ./course check 1\n" + verdict_on(with(divides)) + "```");
-    shows("`" + multiplies + "`");
-    shows("$ ./course check 1\n" + verdict_on(with(multiplies)) + "```");
-    shows("    " + refuses + "\n");
-    const std::string passed = verdict_on(with(refuses + '\n' + multiplies));
-    shows(passed.substr(0, passed.find('\n') + 1) + "```");
+    shows('`' + first_lines(verdict_on(stub), 1) + '`');
+    shows('`' + divides + '`');
+    shows(in_box(verdict_on(with(divides))) + "> ```");
+    shows('`' + multiplies + '`');
+    shows(in_box(first_lines(verdict_on(with(multiplies)), 2)) + "> ```");
+    shows("    " + refuses + '\n');
+    shows('`' + first_lines(verdict_on(with(refuses + '\n' + multiplies)), 1) + '`');
 }
