@@ -1,6 +1,7 @@
 // `course weave` on a book of one small chapter, made anew for each test and spoilt in one way.
 
 #include "book/chapter.hpp"
+#include "book/glossary.hpp"
 #include "book/links.hpp"
 #include "book/markdown.hpp"
 #include "commands/commands.hpp"
@@ -625,6 +626,108 @@ TEST_CASE("exercises of the header without a row, a hint, a solution, rows witho
     CHECK_THAT(book.check().text, ContainsSubstring(message));
 }
 
+TEST_CASE("the glossary has a row for each bold term, with what else it is called and where it is explained") {
+    const Book book;
+    book.edit_chapter("# 7 Wall\n",
+                      "# 7 Wall\n\nA **wall** is high.\n\n## Which side?\n\nThe **normal**\n(also called the "
+                      "*unit normal*, or *$\\hat n$*) is *not* a **`Vec2`, of length $1$**, for *it* is **long.**\n\n"
+                      "> ### A box: **x**\n>\n> A **box | wall** (see *there*). **Pencil first:** 2 **and so on…**\n\n"
+                      "```text\n**code**\n```\n\n## Which side?\n\n"
+                      "The **Determinant** (*not* this).\n\n");
+    const std::string rest = "\n## Errata\n\n| | |\n|:--|:--|\n| **E1** | x |\n";
+    book.put("book.md", "# B\n\n**bold**\n\n## Glossary\n\nThe terms.\n" + rest);
+    CHECK_THAT(
+        book.check().text,
+        ContainsSubstring(
+            "chapters/07_wall/README.md:7: the glossary in book.md has no row for \"normal\"; type ./course weave.\n"));
+    CHECK(book.check().code == something_to);
+    CHECK(book.weave("7").text == "woven: book.md, 5 blocks changed\n");
+    const std::string chapter_link = "(chapters/07_wall/README.md", rows = "| `Vec2`, of length $1$ | | [7]"
+                                                                           + chapter_link
+                                                                           + "#which-side) |\n"
+                                                                             "| box \\| wall | | [7]"
+                                                                           + chapter_link
+                                                                           + "#which-side) |\n"
+                                                                             "| Determinant | | [7]"
+                                                                           + chapter_link
+                                                                           + "#which-side-1) |\n"
+                                                                             "| normal | unit normal, $\\hat n$ | [7]"
+                                                                           + chapter_link
+                                                                           + "#which-side) |\n"
+                                                                             "| wall | | [7]"
+                                                                           + chapter_link + ") |\n";
+    const std::string woven =
+        "# B\n\n**bold**\n\n## Glossary\n\nThe terms.\n\n| term | also called | where |\n|:--|:--|:--|\n" + rows + rest;
+    CHECK(book.text("book.md") == woven);
+    CHECK(book.check().code == all_well);
+    CHECK(book.weave().code == all_well);
+
+    const auto [was, is, message] =
+        GENERATE(std::tuple{"| wall | |", "| walls | |",
+                            "book.md:15: no chapter has \"walls\" in bold; type ./course weave, or make it bold where "
+                            "it is explained."},
+                 std::tuple{"unit normal,", "unit,",
+                            "book.md:14: this row is not what the chapters say; type ./course weave, or correct them."},
+                 std::tuple{"| term |", "| Term |", "book.md:9: the glossary is not in order; type ./course weave."});
+    book.put("book.md", replaced(woven, was, is));
+    CHECK(book.check().code == something_to);
+    CHECK_THAT(book.check().text, ContainsSubstring(message));
+    book.weave();
+    CHECK(book.text("book.md") == woven);
+}
+
+TEST_CASE(
+    "a term of several chapters is one row; twice in one chapter it is a finding; without terms there is no table") {
+    const std::string one = "# A\n\n**wall** (also called *brick*), **corner**\n",
+                      two = "# B\n\nA **Wall** (also called the *brick*, *fence*).\n";
+    std::vector<Term> terms = terms_of(one, 1, "a.md", "a.md");
+    for (const Term &term : terms_of(two, 2, "b.md", "b.md")) terms.push_back(term);
+    const Glossary woven = weave_glossary("## Glossary\n", "book.md", terms);
+    CHECK(woven.book
+          == "## Glossary\n\n| term | also called | where |\n|:--|:--|:--|\n| corner | | [1](a.md) |\n| wall | brick, "
+             "fence | [1](a.md), [2](b.md) |\n");
+    CHECK(woven.findings.empty());
+    CHECK(weave_glossary(woven.book, "book.md", terms).differences.empty());
+    CHECK(weave_glossary("## Glossary\n", "book.md", {}).book == "## Glossary\n");
+    CHECK(weave_glossary("# Book\n", "book.md", {}).findings.empty());
+    CHECK(weave_glossary("# Book\n", "book.md", terms)
+              .findings.at(0)
+              .message.starts_with("there is no glossary; write a heading"));
+
+    const Glossary twice =
+        weave_glossary(woven.book, "book.md", terms_of(one + "\nThe **wall**.\n", 1, "a.md", "a.md"));
+    REQUIRE(twice.findings.size() == 1);
+    CHECK(twice.findings[0].line == 5);
+    CHECK(twice.findings[0].message
+          == "\"wall\" is bold in line 3 already; let it be bold once, where it is explained.");
+}
+
+TEST_CASE("a chapter with a fence without an end takes no row out of the glossary") {
+    const Book book;
+    book.edit_chapter("# 7 Wall\n", "# 7 Wall\n\n```cpp\nint x;\n\nA **wall** is high.\n");
+    const std::string woven =
+        "## Glossary\n\n| term | also called | where |\n|:--|:--|:--|\n| wall | | [7](chapters/07_wall/README.md) |\n";
+    book.put("book.md", woven);
+    CHECK(book.weave().code == something_to);
+    CHECK(book.text("book.md") == woven);
+}
+
+TEST_CASE("the place of a demo is a line of its own, with a name and what to try") {
+    const Book book;
+    book.edit_chapter(
+        "# 7 Wall\n",
+        "# 7 Wall\n\n<!-- demo: room | throw the ball -->\n\n<!-- demo: room mine | throw it again -->\n");
+    CHECK(book.check().code == all_well);
+    const std::string wrong =
+        GENERATE("<!-- demo: room -->", "<!-- demo: | throw -->", "<!-- demo: the room | throw -->",
+                 "<!-- demo: room |\nthrow -->", "Text <!-- demo: room | throw -->", "<!-- demo: room | throw --> text",
+                 "<!-- demo room | throw -->");
+    book.edit_chapter("<!-- demo: room mine | throw it again -->", wrong);
+    CHECK(book.check().text
+          == "chapters/07_wall/README.md:5: write a demo's place as `<!-- demo: name | what to try, and what to watch "
+             "-->`, on a line of its own.\n");
+}
+
 TEST_CASE("old names are read from renamed.txt, and each leads to a name of the header") {
     const Book book;
     CHECK(renamed(book.tree, book.section).empty());
@@ -667,7 +770,7 @@ TEST_CASE("hints come with number, title and a text that a terminal can show") {
                       "<details><summary>More</summary>\n\nAn inner fold.\n</details>\n\n```cpp\ndouble "
                       "x;\n```\n</details>\n\n<details>\n<summary>Our solution</summary>\n");
 
-    const std::vector<Hint> all = hints(book.tree, book.section);
+    const std::vector<Hint> all = hints(book.text());
     REQUIRE(all.size() == 2);
     CHECK(all[0].number == "7.1");
     CHECK(all[0].title == "where to look");

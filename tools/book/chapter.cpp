@@ -140,9 +140,8 @@ Chapter read_chapter(std::string_view text, const std::filesystem::path &file) {
     return chapter;
 }
 
-std::vector<Hint> hints(const Tree &tree, const Section &section) {
+std::vector<Hint> hints(std::string_view whole) {
     static const std::regex summary{R"(<summary>\s*(\d+\.\d+), a hint: ([\s\S]*?)\s*</summary>([\s\S]*))"};
-    const std::string whole = read_file(tree.chapter(section));
     const std::string_view text = without_byte_order_mark(whole);
     const std::vector<Line> lines = lines_of(text);
     const Document document = parse_markdown(text);
@@ -162,6 +161,21 @@ std::vector<Hint> hints(const Tree &tree, const Section &section) {
         result.push_back({found[1], title, plain_text(body)});
     });
     return result;
+}
+
+std::vector<Finding> misshapen_demos(std::string_view text, const std::filesystem::path &file) {
+    static const std::regex demo{R"(<!-- demo: [a-z]\w*( mine)? \| \S.* -->\s*)"};
+    const Document document = parse_markdown(without_byte_order_mark(text));
+    std::vector<Finding> findings;
+    each_node(document.get(), [&](cmark_node *node) {
+        if (!is_html(node) && cmark_node_get_type(node) != CMARK_NODE_HTML_INLINE) return;
+        const std::string html = literal(node);
+        if (html.find("<!-- demo") == html.npos || (is_html(node) && std::regex_match(html, demo))) return;
+        findings.push_back({file, cmark_node_get_start_line(node),
+                            "write a demo's place as `<!-- demo: name | what to try, and what to watch -->`, on a line "
+                            "of its own."});
+    });
+    return findings;
 }
 
 namespace {

@@ -40,8 +40,11 @@ struct Hint {
 };
 
 /// All hints of a chapter, in its order: an exercise's rungs one after the other.
-/// @throws Complaint if the chapter cannot be read.
-std::vector<Hint> hints(const Tree &tree, const Section &section);
+std::vector<Hint> hints(std::string_view chapter);
+
+/// Where a demo's place is not written as `<!-- demo: room | what to try, and what to watch -->`, on a line of its own;
+/// `room mine` is the same demo on the reader's code.
+std::vector<Finding> misshapen_demos(std::string_view chapter, const std::filesystem::path &file);
 
 /// The chunks of the solution that belong to the exercise: those called `Solution 7.2` or `Solution 7.2: ...`, and the
 /// helpers called `Solution: ...`, which belong to all. In the order of the file, which is one that compiles.

@@ -5,7 +5,6 @@
 #include "ground/lines.hpp"
 
 #include <algorithm>
-#include <map>
 #include <regex>
 #include <set>
 
@@ -34,12 +33,11 @@ void read_html(const std::string &html, int line, Endpoints &page) {
     }
 }
 
-Endpoints read_page(const fs::path &file) {
-    const std::string text = read_file(file);
-    const WithoutFormulas taken = take_out_formulas(std::string_view{text}.substr(byte_order_mark(text).size()));
+Endpoints read_page(std::string_view text) {
+    const WithoutFormulas taken = take_out_formulas(text.substr(byte_order_mark(text).size()));
     const Document document = parse_markdown(taken.text);
     Endpoints page;
-    std::map<std::string, int> seen;
+    Anchors anchors;
     each_node(document.get(), [&](cmark_node *node) {
         const int line = cmark_node_get_start_line(node);
         switch (cmark_node_get_type(node)) {
@@ -47,12 +45,7 @@ Endpoints read_page(const fs::path &file) {
         case CMARK_NODE_IMAGE: page.links.push_back({cmark_node_get_url(node), line}); break;
         case CMARK_NODE_HTML_BLOCK:
         case CMARK_NODE_HTML_INLINE: read_html(literal(node), line, page); break;
-        case CMARK_NODE_HEADING: {
-            const std::string anchor = anchor_of(words_of(node));
-            const int before = seen[anchor]++; // a second one of that name gets a number
-            page.anchors.insert(before == 0 ? anchor : anchor + '-' + std::to_string(before));
-            break;
-        }
+        case CMARK_NODE_HEADING: page.anchors.insert(anchors.next(words_of(node))); break;
         default: break;
         }
     });
@@ -76,11 +69,11 @@ std::string trouble_with(const std::string &url, const fs::path &file, const fs:
     if (anchor.empty()) return "";
     if (fs::is_directory(target)) target /= "README.md"; // which a forge shows there
     if (target.extension() != ".md" || !fs::exists(target)) return "";
-    const Endpoints there = path.empty() ? Endpoints{} : read_page(target);
+    const Endpoints there = path.empty() ? Endpoints{} : read_page(read_file(target));
     return (path.empty() ? here : there).anchors.contains(anchor)
                ? ""
                : "the link " + named + " leads to no heading of " + target.lexically_relative(root).generic_string()
-                     + "; correct what stands behind #.";
+                     + "; correct what comes after the #.";
 }
 
 } // namespace
@@ -117,8 +110,8 @@ std::string anchor_of(std::string_view heading) {
     return anchor;
 }
 
-std::vector<Finding> dead_links(const fs::path &file, const fs::path &root) {
-    const Endpoints page = read_page(file);
+std::vector<Finding> dead_links(const fs::path &file, std::string_view text, const fs::path &root) {
+    const Endpoints page = read_page(text);
     std::vector<Finding> dead;
     for (const Link &link : page.links)
         if (const std::string trouble = trouble_with(link.url, file, root, page); !trouble.empty())

@@ -2,6 +2,7 @@
 #include "book/finding.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,11 +11,26 @@ namespace course {
 
 /// Links and images of a Markdown file that lead nowhere: to a file that is not there, out of the tree, or to a heading
 /// that is not in its file. Addresses on the web are not followed.
-/// @throws Complaint if the file cannot be read.
-std::vector<Finding> dead_links(const std::filesystem::path &file, const std::filesystem::path &root);
+/// @param text  of the file
+/// @throws Complaint if another file that it links to cannot be read.
+std::vector<Finding> dead_links(const std::filesystem::path &file, std::string_view text,
+                                const std::filesystem::path &root);
 
 /// What a forge calls a heading in a link: "Which way does a wall face?" is `#which-way-does-a-wall-face`.
 std::string anchor_of(std::string_view heading);
+
+/// The anchors of a page's headings, asked for from its first heading to its last: a second one of a name gets a number.
+class Anchors {
+  public:
+    std::string next(std::string_view heading) {
+        std::string anchor = anchor_of(heading);
+        const int before = seen[anchor]++;
+        return before == 0 ? anchor : anchor + '-' + std::to_string(before);
+    }
+
+  private:
+    std::map<std::string, int> seen;
+};
 
 /// Whether a link has a scheme, as "https:" or "mailto:".
 bool is_on_the_web(std::string_view url);

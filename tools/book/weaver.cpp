@@ -257,11 +257,11 @@ bool names(const std::string &header, const std::string &name) {
 
 } // namespace
 
-std::vector<Finding> missing_parts(const Tree &tree, const Section &section) {
+std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std::string_view text) {
     const fs::path chapter = tree.chapter(section), header = tree.header(section);
-    const std::string text = read_file(chapter);
-    const std::vector<ListedExercise> rows = exercise_table(text), declared = declared_exercises(read_file(header));
-    const std::vector<Hint> all_hints = hints(tree, section);
+    const std::string contract = read_file(header);
+    const std::vector<ListedExercise> rows = exercise_table(text), declared = declared_exercises(contract);
+    const std::vector<Hint> all_hints = hints(text);
     const std::vector<Chunk> solutions = cut(tree.solution(section));
     std::vector<Finding> missing;
 
@@ -304,7 +304,7 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section) {
         if (name.now.empty())
             missing.push_back(
                 {tree.renamed(section), name.line, "a line holds an old name and the new one, with a blank between."});
-        else if (!names(read_file(header), name.now))
+        else if (!names(contract, name.now))
             missing.push_back({tree.renamed(section), name.line,
                                fmt::format("the header has nothing called `{}`; write the name that `{}` has now.",
                                            name.now, name.before)});

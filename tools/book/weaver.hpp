@@ -44,6 +44,7 @@ Woven weave(const Tree &tree, const Page &page, std::string_view text, const Out
 
 /// Exercises of the header without a row in the chapter's table, a hint, a solution; rows without an exercise; figures
 /// that the chapter does not show; lines of renamed.txt that name nothing in the header.
-std::vector<Finding> missing_parts(const Tree &tree, const Section &section);
+/// @param chapter  its text
+std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std::string_view chapter);
 
 } // namespace course

@@ -2,6 +2,7 @@
 
 #include "book/chapter.hpp"
 #include "commands/commands.hpp"
+#include "ground/files.hpp"
 #include "ground/terminal.hpp"
 #include "loop/catalogue.hpp"
 #include "loop/memory.hpp"
@@ -21,7 +22,7 @@ struct HintOptions {
 
 std::vector<Hint> rungs_of(const Tree &tree, const FoundExercise &found) {
     std::vector<Hint> rungs;
-    for (Hint &hint : hints(tree, found.section))
+    for (Hint &hint : hints(read_file(tree.chapter(found.section))))
         if (hint.number == found.exercise.number) rungs.push_back(std::move(hint));
     return rungs;
 }

@@ -1,7 +1,9 @@
-// course weave: brings the listings and outputs of the book up to date, or says where they are not.
+// course weave: brings the listings, outputs and glossary of the book up to date, or says where they are not.
 #include "book/weaver.hpp"
 
 #include "book/budgets.hpp"
+#include "book/chapter.hpp"
+#include "book/glossary.hpp"
 #include "book/links.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
@@ -56,20 +58,40 @@ class Command {
     Command(const Tree &tree_, bool check_) : tree{tree_}, check{check_} {}
 
     void section(const Section &section) {
-        const bool readable = page(page_of(tree, section));
+        const fs::path file = tree.chapter(section);
+        const std::string text = read_file(file);
+        const bool readable = page(page_of(tree, section), text);
         if (check && readable) {
-            add(missing_parts(tree, section));
-            add(exceeded_budgets(read_file(tree.chapter(section)), tree.chapter(section)));
+            add(missing_parts(tree, section, text));
+            add(exceeded_budgets(text, file));
+            add(misshapen_demos(text, file));
         }
         ++chapters;
     }
 
-    /// What is about no section: the book's front page, and the links of the pages beside it.
+    /// The book's front page, whose glossary is woven from all chapters.
+    void book() {
+        const fs::path file = tree.root / "book.md";
+        if (!fs::exists(file)) return;
+        if (broken) { // its terms cannot be read
+            page(page_of_book(tree), read_file(file));
+            return;
+        }
+        std::vector<Term> terms;
+        for (const Section &section : tree.sections())
+            for (Term &term : terms_of(read_file(tree.chapter(section)), section.number(),
+                                       tree.shown(tree.chapter(section)), tree.chapter(section)))
+                terms.push_back(std::move(term));
+        const Glossary glossary = weave_glossary(read_file(file), file, terms);
+        add(glossary.findings);
+        page(page_of_book(tree), glossary.book, glossary.differences);
+    }
+
+    /// The links of the pages beside it.
     void root() {
-        if (fs::exists(tree.root / "book.md")) page(page_of_book(tree));
         for (const auto &entry : fs::directory_iterator{tree.root})
             if (check && entry.path().extension() == ".md" && entry.path().filename() != "book.md")
-                add(dead_links(entry.path(), tree.root));
+                add(dead_links(entry.path(), read_file(entry.path()), tree.root));
     }
 
     void finish() {
@@ -86,22 +108,24 @@ class Command {
     void add(const std::vector<Finding> &more) { findings.insert(findings.end(), more.begin(), more.end()); }
 
     /// Whether the page could be read, with all its fences.
-    bool page(const Page &page) {
-        const Woven woven =
-            weave(tree, page, read_file(page.file), [this](const Section &section, const std::string &part) {
-                const auto [known, is_new] = printed.try_emplace({section.name, part});
-                if (is_new) known->second = output_of(tree, section, part);
-                return known->second;
-            });
+    /// @param others  differences between the page's file and this text
+    bool page(const Page &page, const std::string &text, const std::vector<Finding> &others = {}) {
+        const Woven woven = weave(tree, page, text, [this](const Section &section, const std::string &part) {
+            const auto [known, is_new] = printed.try_emplace({section.name, part});
+            if (is_new) known->second = output_of(tree, section, part);
+            return known->second;
+        });
         add(woven.findings);
+        broken = broken || woven.broken;
         if (woven.broken) return false;
         if (check) {
+            add(others);
             add(woven.differences);
-            add(dead_links(page.file, tree.root));
+            add(dead_links(page.file, text, tree.root));
         } else if (write_file(page.file, woven.text)) {
             changed = true;
             std::cout << "woven: " << tree.shown(page.file) << ", "
-                      << counted(static_cast<int>(woven.differences.size()), "block") << " changed\n";
+                      << counted(static_cast<int>(others.size() + woven.differences.size()), "block") << " changed\n";
         }
         listings += woven.listings;
         outputs += woven.outputs;
@@ -113,15 +137,16 @@ class Command {
     std::map<std::pair<std::string, std::string>, std::string> printed; ///< by section and part: each runs once
     std::vector<Finding> findings;
     int chapters = 0, listings = 0, outputs = 0;
-    bool changed = false;
+    bool changed = false, broken = false;
 };
 
 } // namespace
 
 void add_weave(CLI::App &app, const Tree &tree) {
     const auto options = std::make_shared<WeaveOptions>();
-    CLI::App *command = app.add_subcommand("weave", "Bring the book's listings and outputs up to date from the code");
-    command->add_option("section", options->sections, "Their chapters only; without any, the whole book");
+    CLI::App *command = app.add_subcommand("weave", "Bring the book's listings, outputs and glossary up to date");
+    command->add_option("section", options->sections,
+                        "Their chapters and the glossary only; without any, the whole book");
     command->add_flag("--check", options->check,
                       "Change nothing: say what is out of date, is missing, or leads nowhere");
     command->footer("Example: ./course weave 7\n         ./course weave --check");
@@ -130,6 +155,7 @@ void add_weave(CLI::App &app, const Tree &tree) {
         for (const std::string &words : options->sections) sections.push_back(tree.section(words));
         Command weave{tree, options->check};
         for (const Section &section : sections.empty() ? tree.sections() : sections) weave.section(section);
+        weave.book();
         if (sections.empty()) weave.root();
         weave.finish();
     });

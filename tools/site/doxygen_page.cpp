@@ -132,8 +132,7 @@ class PageWriter {
 
     void heading(cmark_node *node) {
         const std::string words = words_of(node), level = std::to_string(cmark_node_get_heading_level(node));
-        std::string anchor = anchor_of(words);
-        if (const int before = seen[anchor]++; before > 0) anchor += '-' + std::to_string(before);
+        const std::string anchor = anchors.next(words);
         const bool title = plain_title.empty();
         if (title) plain_title = words;
         heading_formulas(node);
@@ -402,7 +401,7 @@ class PageWriter {
     const fs::path &file;
     const std::map<std::string, Chunk> chunks;
     const WithoutFormulas taken;
-    std::map<std::string, int> seen; ///< headings, by anchor
+    Anchors anchors;
     std::string plain_title;
     bool lead_may_follow = false;
     std::size_t formulas_back = 0;

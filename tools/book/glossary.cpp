@@ -1,0 +1,226 @@
+#include "book/glossary.hpp"
+
+#include "book/links.hpp"
+#include "book/markdown.hpp"
+#include "ground/lines.hpp"
+#include "ground/text.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace course {
+namespace {
+
+/// Words, code and formulas of a node, as Markdown without emphasis.
+/// @param next  the first formula of the node; afterwards, the first one below it
+std::string markdown_of(cmark_node *root, const std::vector<Formula> &formulas, std::size_t &next) {
+    std::string out;
+    each_node(root, [&](cmark_node *node) {
+        const cmark_node_type type = cmark_node_get_type(node);
+        if (type == CMARK_NODE_SOFTBREAK) out += ' ';
+        if (type == CMARK_NODE_CODE) out += '`' + literal(node) + '`';
+        if (type != CMARK_NODE_TEXT) return;
+        std::string text = literal(node);
+        for (std::size_t at = 0; (at = text.find(WithoutFormulas::stand_in, at)) != text.npos;) {
+            const std::string tex = '$' + formulas.at(next++).tex + '$';
+            text.replace(at, WithoutFormulas::stand_in.size(), tex);
+            at += tex.size();
+        }
+        out += text;
+    });
+    replace_all(out, "|", "\\|"); // for a cell of a table
+    return out;
+}
+
+bool is_term(std::string_view bold) {
+    return !bold.empty() && std::string_view{".!?:;,"}.find(bold.back()) == bold.npos && !bold.ends_with("…");
+}
+
+bool is_in_heading(cmark_node *node) {
+    for (; node; node = cmark_node_parent(node))
+        if (cmark_node_get_type(node) == CMARK_NODE_HEADING) return true;
+    return false;
+}
+
+/// The italics of "(also called the *first*, or *second*)", if that is what follows.
+std::vector<std::string> also_called(cmark_node *bold, const std::vector<Formula> &formulas, std::size_t next) {
+    std::vector<std::string> names;
+    cmark_node *node = cmark_node_next(bold);
+    if (node && cmark_node_get_type(node) == CMARK_NODE_SOFTBREAK) node = cmark_node_next(node);
+    if (!node || !without_blanks(literal(node)).starts_with("(also called")) return names;
+    for (; node; node = cmark_node_next(node)) {
+        const bool is_name = cmark_node_get_type(node) == CMARK_NODE_EMPH;
+        const std::string words = markdown_of(node, formulas, next);
+        if (is_name) names.push_back(words);
+        else if (contains(words, ")")) break;
+    }
+    return names;
+}
+
+} // namespace
+
+std::vector<Term> terms_of(std::string_view chapter, int section, const std::string &link,
+                           const std::filesystem::path &file) {
+    const WithoutFormulas taken = take_out_formulas(chapter.substr(byte_order_mark(chapter).size()));
+    const Document document = parse_markdown(taken.text);
+    cmark_consolidate_text_nodes(document.get());
+    std::vector<Term> terms;
+    Anchors anchors;
+    std::string place = link;
+    std::size_t formula = 0;
+    each_node(document.get(), [&](cmark_node *node) {
+        if (cmark_node_get_type(node) == CMARK_NODE_HEADING) {
+            const std::string anchor = anchors.next(words_of(node));
+            const bool in_a_box = cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_DOCUMENT;
+            if (!in_a_box && cmark_node_get_heading_level(node) > 1) place = link + '#' + anchor;
+        } else if (cmark_node_get_type(node) == CMARK_NODE_STRONG && !is_in_heading(node)) {
+            std::size_t next = formula;
+            const std::string name = markdown_of(node, taken.formulas, next);
+            if (is_term(name))
+                terms.push_back({name, also_called(node, taken.formulas, next), section, place, file,
+                                 cmark_node_get_start_line(node)});
+        } else if (cmark_node_get_type(node) == CMARK_NODE_TEXT) {
+            static_cast<void>(markdown_of(node, taken.formulas, formula));
+        }
+    });
+    return terms;
+}
+
+namespace {
+
+std::string lower(std::string text) {
+    for (char &c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// What begins a row: `| determinant |`.
+std::string head_of(const std::string &row) { return row.substr(0, row.find(" |", 1) + 2); }
+
+/// One row for each name, from all chapters that have it.
+std::vector<std::string> rows_of(const std::vector<Term> &terms) {
+    struct Entry {
+        std::string name;
+        std::vector<std::string> also_called;
+        std::string where;
+    };
+    std::map<std::string, Entry> entries; // sorted whatever the case of the first letter
+    for (const Term &term : terms) {
+        Entry &entry = entries.try_emplace(lower(term.name), Entry{term.name, {}, ""}).first->second;
+        for (const std::string &name : term.also_called)
+            if (std::find(entry.also_called.begin(), entry.also_called.end(), name) == entry.also_called.end())
+                entry.also_called.push_back(name);
+        entry.where += (entry.where.empty() ? "[" : ", [") + std::to_string(term.section) + "](" + term.link + ')';
+    }
+    std::vector<std::string> rows;
+    for (const auto &[key, entry] : entries) {
+        std::string row = "| " + entry.name + " |";
+        for (const std::string &name : entry.also_called)
+            row += (&name == &entry.also_called.front() ? " " : ", ") + name;
+        rows.push_back(row + " | " + entry.where + " |");
+    }
+    return rows;
+}
+
+/// Where the glossary is in book.md, as lines from 1.
+struct Place {
+    int heading = 0;        ///< 0 if there is none
+    int table = 0, end = 0; ///< first and last line of its table; 0 without one
+    int behind = 0;         ///< the line of the next heading, or that behind the last line
+};
+
+Place place_in(std::string_view book) {
+    Place place;
+    const Document document = parse_markdown(book);
+    for (cmark_node *node = cmark_node_first_child(document.get()); node; node = cmark_node_next(node)) {
+        const int line = cmark_node_get_start_line(node);
+        if (cmark_node_get_type(node) == CMARK_NODE_HEADING) {
+            if (place.heading != 0) {
+                place.behind = line;
+                return place;
+            }
+            if (words_of(node) == "Glossary") place.heading = line;
+        } else if (place.heading != 0 && is_table(node)) {
+            place.table = line;
+            place.end = cmark_node_get_end_line(node);
+        }
+    }
+    place.behind = static_cast<int>(lines_of(book).size()) + 1;
+    return place;
+}
+
+} // namespace
+
+Glossary weave_glossary(const std::string &book, const std::filesystem::path &file, const std::vector<Term> &terms) {
+    Glossary result{book, {}, {}};
+    std::map<std::pair<std::string, std::string>, int> seen; // by chapter and name
+    std::vector<Term> once;
+    for (const Term &term : terms) {
+        const auto [first, is_new] = seen.try_emplace({term.file.string(), lower(term.name)}, term.line);
+        if (is_new) once.push_back(term);
+        else
+            result.findings.push_back({term.file, term.line,
+                                       "\"" + term.name + "\" is bold in line " + std::to_string(first->second)
+                                           + " already; let it be bold once, where it is explained."});
+    }
+
+    const std::size_t mark = byte_order_mark(book).size();
+    const Place place = place_in(std::string_view{book}.substr(mark));
+    if (place.heading == 0) {
+        if (!terms.empty())
+            result.findings.push_back({file, 1,
+                                       "there is no glossary; write a heading `## Glossary`, and ./course "
+                                       "weave fills it."});
+        return result;
+    }
+    const std::vector<std::string> rows = rows_of(once);
+    std::vector<std::string> table;
+    if (!rows.empty()) table = {"| term | also called | where |", "|:--|:--|:--|"};
+    table.insert(table.end(), rows.begin(), rows.end());
+
+    // The text, with its table in the place of the one that is there, or below what stands under the heading.
+    const std::vector<Line> lines = lines_of(std::string_view{book}.substr(mark));
+    const std::string end{lines[static_cast<std::size_t>(place.heading) - 1].end};
+    const auto blank = [&](int line) { return without_blanks(lines[static_cast<std::size_t>(line) - 1].text).empty(); };
+    int first = place.table, last = place.end;
+    if (first == 0) {
+        first = place.behind;
+        while (blank(first - 1)) --first;
+        last = first - 1;
+        if (!table.empty()) table.insert(table.begin(), "");
+    }
+    std::vector<std::string> old;
+    result.book = book.substr(0, mark);
+    for (int line = 1; line <= static_cast<int>(lines.size()) + 1; ++line) {
+        if (line == first)
+            for (const std::string &row : table) result.book += row + end;
+        if (line > static_cast<int>(lines.size())) break;
+        const Line &each = lines[static_cast<std::size_t>(line) - 1];
+        if (line < first || line > last) (result.book += each.text) += each.end;
+        else old.emplace_back(each.text);
+    }
+    if (result.book == book) return result;
+
+    std::map<std::string, int> old_rows;
+    for (std::size_t i = 2; i < old.size(); ++i) old_rows.emplace(head_of(old[i]), place.table + static_cast<int>(i));
+    for (const Term &term : once)
+        if (!old_rows.contains(head_of("| " + term.name + " |")))
+            result.differences.push_back(
+                {term.file, term.line,
+                 "the glossary in book.md has no row for \"" + term.name + "\"; type ./course weave."});
+    for (const std::string &row : rows) {
+        const auto its = old_rows.extract(head_of(row));
+        if (!its.empty() && old[static_cast<std::size_t>(its.mapped() - place.table)] != row)
+            result.differences.push_back(
+                {file, its.mapped(), "this row is not what the chapters say; type ./course weave, or correct them."});
+    }
+    for (const auto &[head, line] : old_rows)
+        result.differences.push_back({file, line,
+                                      "no chapter has \"" + head.substr(2, head.size() - 4)
+                                          + "\" in bold; type ./course weave, or make it bold where it is explained."});
+    if (result.differences.empty())
+        result.differences.push_back(
+            {file, std::max(place.table, place.heading), "the glossary is not in order; type ./course weave."});
+    return result;
+}
+
+} // namespace course

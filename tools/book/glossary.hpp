@@ -1,0 +1,39 @@
+#pragma once
+// The glossary of book.md: a row for each term that a chapter has in bold.
+
+#include "book/finding.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// A term where a chapter explains it: `**determinant** (also called the *2D cross product*)`. Bold text that ends in
+/// punctuation is no term, nor is any in a heading.
+struct Term {
+    std::string name;                     ///< "determinant", as in a cell of a table
+    std::vector<std::string> also_called; ///< "2D cross product": the italics of a parenthesis right after it
+    int section = 0;                      ///< 7
+    std::string link;                     ///< "chapters/07_walls/README.md#where-two-lines-cross"
+    std::filesystem::path file;           ///< of the chapter
+    int line = 0;                         ///< from 1
+};
+
+/// The terms of a chapter, in its order.
+/// @param link  of the chapter, as book.md writes it
+std::vector<Term> terms_of(std::string_view chapter, int section, const std::string &link,
+                           const std::filesystem::path &file);
+
+/// A text with a glossary, and in what it differs from the terms.
+struct Glossary {
+    std::string book;                 ///< book.md with a row for each term below its heading `## Glossary`
+    std::vector<Finding> differences; ///< terms without a row, rows without a term, rows that say something else
+    std::vector<Finding> findings;    ///< what weaving cannot put right: no heading, a term that a chapter has twice
+};
+
+/// @param terms  of all chapters, in their order
+Glossary weave_glossary(const std::string &book, const std::filesystem::path &file, const std::vector<Term> &terms);
+
+} // namespace course
