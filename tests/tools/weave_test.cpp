@@ -631,7 +631,7 @@ TEST_CASE("the glossary has a row for each bold term, with what else it is calle
     book.edit_chapter("# 7 Wall\n",
                       "# 7 Wall\n\nA **wall** is high.\n\n## Which side?\n\nThe **normal**\n(also called the "
                       "*unit normal*, or *$\\hat n$*) is *not* a **`Vec2`, of length $1$**, for *it* is **long.**\n\n"
-                      "> ### A box: **x**\n>\n> A **box | wall** (see *there*). **Pencil first:** 2 **and so on…**\n\n"
+                      "> ### A box: **x**\n>\n> **Write** it.\n\nA **box | wall** (see *there*). **Pencil first:** 2 **and so on…**\n\n"
                       "```text\n**code**\n```\n\n## Which side?\n\n"
                       "The **Determinant** (*not* this).\n\n");
     const std::string rest = "\n## Errata\n\n| | |\n|:--|:--|\n| **E1** | x |\n";

@@ -36,9 +36,10 @@ bool is_term(std::string_view bold) {
     return !bold.empty() && std::string_view{".!?:;,"}.find(bold.back()) == bold.npos && !bold.ends_with("…");
 }
 
-bool is_in_heading(cmark_node *node) {
+bool is_in_heading_or_box(cmark_node *node) {
     for (; node; node = cmark_node_parent(node))
-        if (cmark_node_get_type(node) == CMARK_NODE_HEADING) return true;
+        if (cmark_node_get_type(node) == CMARK_NODE_HEADING || cmark_node_get_type(node) == CMARK_NODE_BLOCK_QUOTE)
+            return true;
     return false;
 }
 
@@ -73,7 +74,7 @@ std::vector<Term> terms_of(std::string_view chapter, int section, const std::str
             const std::string anchor = anchors.next(words_of(node));
             const bool in_a_box = cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_DOCUMENT;
             if (!in_a_box && cmark_node_get_heading_level(node) > 1) place = link + '#' + anchor;
-        } else if (cmark_node_get_type(node) == CMARK_NODE_STRONG && !is_in_heading(node)) {
+        } else if (cmark_node_get_type(node) == CMARK_NODE_STRONG && !is_in_heading_or_box(node)) {
             std::size_t next = formula;
             const std::string name = markdown_of(node, taken.formulas, next);
             if (is_term(name))

@@ -11,7 +11,7 @@
 namespace course {
 
 /// A term where a chapter explains it: `**determinant** (also called the *2D cross product*)`. Bold text that ends in
-/// punctuation is no term, nor is any in a heading.
+/// punctuation is not a term, and neither is any in a heading or in a box: `> **Write** ...`.
 struct Term {
     std::string name;                     ///< "determinant", as in a cell of a table
     std::vector<std::string> also_called; ///< "2D cross product": the italics of a parenthesis right after it
