@@ -122,7 +122,7 @@ TEST_CASE("erratum E1.9: 3 miles take longer at 80 miles per hour than at 90", "
     CHECK_THAT(uniform_motion({0, 0}, {90.0 / 60, 0}, at_90), IsNear(Vec2{3, 0}, rounding)); // in miles per minute
     CHECK_THAT(uniform_motion({0, 0}, {80.0 / 60, 0}, at_80), IsNear(Vec2{3, 0}, rounding));
 
-    // In the two minutes that it takes at 90, the slower car comes only 2.67 miles far.
+    // In the two minutes that it takes at 90, the slower car gets only 2.67 miles.
     CHECK_THAT(uniform_motion({0, 0}, {80.0 / 60, 0}, at_90), IsNear(Vec2{8.0 / 3, 0}, rounding));
 }
 

@@ -1,4 +1,4 @@
-// Section 1, Motion. Replace a whole `throw ...;` by your own code, save, and look:  ./course check 1
+// Section 1, Motion. Replace a whole `throw ...;` with your own code, save, and look:  ./course check 1
 // The lines above each `throw` refuse numbers that make no sense; leave them as they are.
 
 #include "motion.hpp"
