@@ -1,4 +1,4 @@
-// 1.3: x and y by themselves
+// 1.3: x and y separately
 #include "motion.hpp"
 
 namespace motion {

@@ -1,4 +1,4 @@
-// 1.4: each new body pulls the centre to itself by its share
+// 1.4: each new body pulls the centre towards itself
 #include "motion.hpp"
 
 namespace motion {

@@ -1,4 +1,4 @@
-// 1.6: slices under each side, down to a line through the first corner
+// 1.6: trapezoids below each side, down to the level of the first corner
 #include "motion.hpp"
 
 #include <algorithm>

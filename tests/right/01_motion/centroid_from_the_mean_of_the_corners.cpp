@@ -1,4 +1,4 @@
-// 1.6: triangles about the mean of the corners
+// 1.6: triangles around the mean of the corners
 #include "motion.hpp"
 
 #include <algorithm>

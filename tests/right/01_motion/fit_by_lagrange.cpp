@@ -1,4 +1,4 @@
-// 1.7: the three parabolas that are 1 at one look and 0 at the others
+// 1.7: three parabolas, each zero at two of the samples
 #include "motion.hpp"
 
 namespace motion {
@@ -10,10 +10,10 @@ Motion fit_motion(const Sample &first, const Sample &second, const Sample &third
     course::require(third.t != first.t, "the times [s] must differ", third.t);
     Motion law{0, 0, 0};
     const auto add = [&](const Sample &here, double t_1, double t_2) {
-        const double share = here.x / ((here.t - t_1) * (here.t - t_2));
-        law.x_0 += share * t_1 * t_2;
-        law.v_0 -= share * (t_1 + t_2);
-        law.a += 2 * share;
+        const double weight = here.x / ((here.t - t_1) * (here.t - t_2));
+        law.x_0 += weight * t_1 * t_2;
+        law.v_0 -= weight * (t_1 + t_2);
+        law.a += 2 * weight;
     };
     add(first, second.t, third.t);
     add(second, third.t, first.t);

@@ -1,4 +1,4 @@
-// 1.1: divided by the seconds that a frame takes
+// 1.1: divided by the length of a frame
 #include "motion.hpp"
 
 namespace motion {

@@ -1,4 +1,4 @@
-// 1.5: what each does in one step, written out
+// 1.5: one step of each, written out
 #include "motion.hpp"
 
 namespace motion {

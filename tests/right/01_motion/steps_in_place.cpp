@@ -1,4 +1,4 @@
-// 1.5: in place: the order of two lines is all that differs
+// 1.5: in place: only the order of two lines differs
 #include "motion.hpp"
 
 namespace motion {
@@ -13,7 +13,7 @@ Integrators step_all(const Integrators &before, const Vec2 &acceleration, double
     after.explicit_euler.velocity += dt * acceleration;
     after.semi_implicit.velocity += dt * acceleration;
     after.semi_implicit.position += dt * after.semi_implicit.velocity;
-    after.exact.velocity += dt * acceleration / 2; // half of it before the move, half behind
+    after.exact.velocity += dt * acceleration / 2; // half of it before the move, half after it
     after.exact.position += dt * after.exact.velocity;
     after.exact.velocity += dt * acceleration / 2;
     return after;

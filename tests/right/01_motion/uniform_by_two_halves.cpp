@@ -1,4 +1,4 @@
-// 1.2: half the way, twice
+// 1.2: half the displacement, twice
 #include "motion.hpp"
 
 namespace motion {

@@ -1,4 +1,4 @@
-// 1.2: x and y by themselves
+// 1.2: x and y separately
 #include "motion.hpp"
 
 namespace motion {

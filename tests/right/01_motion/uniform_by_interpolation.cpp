@@ -1,4 +1,4 @@
-// 1.2: between where it is now and where it is after a second
+// 1.2: interpolates between its positions now and one second later
 #include "motion.hpp"
 
 namespace motion {

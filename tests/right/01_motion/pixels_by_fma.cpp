@@ -1,4 +1,4 @@
-// 1.1: a second is to a frame as its way is to a frame's: with fma
+// 1.1: the same product, by fma
 #include "motion.hpp"
 
 #include <cmath>

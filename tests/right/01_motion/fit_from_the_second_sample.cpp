@@ -1,4 +1,4 @@
-// 1.7: everything measured from the second look, and then moved to t = 0
+// 1.7: everything measured from the second sample, and then moved to t = 0
 #include "motion.hpp"
 
 namespace motion {

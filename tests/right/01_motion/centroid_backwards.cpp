@@ -1,4 +1,4 @@
-// 1.6: triangle after triangle moves the middle by its share of the area so far
+// 1.6: sums that run from the last corner to the first
 #include "motion.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// 1.4: first the total, then each position with its share
+// 1.4: first the total, then each position times its fraction of it
 #include "motion.hpp"
 
 namespace motion {
