@@ -33,8 +33,7 @@ Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt)
     course::require(room.size() >= 3, "the number of corners must be three or more", double(room.size()));
     for (std::size_t i = 0; i < room.size(); ++i)
         course::require(room[i] != room[(i + 1) % room.size()], "the length of a wall [m] must be positive", 0);
-    throw course::NotYet{
-        "which wall does the ball reach first? Move it there, reflect it, and go on with the rest of dt"};
+    throw course::NotYet{"which wall comes first? Move there, reflect the velocity, and go on with the rest of dt"};
 }
 
 // 7.5 challenge

@@ -15,7 +15,7 @@ yours = with_yours("ARG3 using (wall(0, $5)):6 with points lt 2 pt 6 ps 1.8 lw 2
 plot ARG1 using (wall(0, $1)):2:($3 - $1):($4 - $2) with vectors nohead lc rgb DIM lw 3 notitle, \
      ARG1 using (wall(1, $1)):2:($3 - $1):($4 - $2) with vectors nohead lc rgb DIM lw 2 dt (6,5) notitle, \
      7 - (x - 4) / 3 with lines lt 1 notitle, \
-     ARG1 using (wall(0, $5)):6 with points lt 3 pt 7 ps 1.2 title 'the crossing', \
-     ARG1 using (wall(1, $5)):6 with points lt 4 pt 13 ps 1.2 title 'of the dashed wall', \
+     ARG1 using (wall(0, $5)):6 with points lt 3 pt 7 ps 1.2 title 'intersection', \
+     ARG1 using (wall(1, $5)):6 with points lt 4 pt 13 ps 1.2 title 'with the dashed wall', \
      '+' using (9.28):(5.24) every ::0::0 with points lt 6 pt 2 ps 1.4 lw 3 title 'as printed', \
      @yours

@@ -1,4 +1,4 @@
-#> Figure: quarters of the way
+#> Figure: quarters of the motion and the wall
 # gnuplot -c 07_segment_intersection_shares.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 set output ARG2

@@ -6,10 +6,10 @@
 namespace segment_intersection {
 
 //> Solution: a determinant
-/// The area of the parallelogram that a and b span [m²], positive if b points to the left of a.
+/// The signed area of the parallelogram that a and b span [m²]: positive if b points to the left of a.
 static double det(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
 
-//> Solution 7.1: where two lines cross
+//> Solution 7.1: where two lines intersect
 std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall) {
     course::require_range(motion.start, motion.end, wall.start, wall.end);
     const Vec2 a = motion.end - motion.start;
@@ -25,26 +25,25 @@ std::optional<LineIntersection> intersect_lines(const Segment &motion, const Seg
 }
 
 //> Solution: are they apart?
-/// Positive if `point` lies to the left of `line`, negative to the right, zero on it.
+/// Positive if `point` lies to the left of `line`, negative if to the right, 0 if on it.
 static double side(const Segment &line, const Vec2 &point) { return det(line.end - line.start, point - line.start); }
 
-/// Whether both ends of `other` lie on one side of `line`, and neither on it.
-static bool one_sided(const Segment &line, const Segment &other) {
-    const auto [low, high] = std::minmax({side(line, other.start), side(line, other.end)});
-    return low > 0 || high < 0;
+/// Whether both ends of `other` lie on one side of `line`, and neither of them on it.
+static bool on_one_side(const Segment &line, const Segment &other) {
+    const double u = side(line, other.start);
+    const double v = side(line, other.end);
+    return (u > 0 && v > 0) || (u < 0 && v < 0);
 }
 
-/// Whether the two intervals on one axis leave a gap.
-static bool gap_along(int axis, const Segment &first, const Segment &second) {
-    const auto [low_1, high_1] = std::minmax({first.start[axis], first.end[axis]});
-    const auto [low_2, high_2] = std::minmax({second.start[axis], second.end[axis]});
-    return high_1 < low_2 || high_2 < low_1;
+/// Whether there is a gap between the range from a to b and the range from c to d.
+static bool gap_between(double a, double b, double c, double d) {
+    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
 }
 
-/// The boxes are no mere trick: they alone can part two segments that lie on one line.
 static bool apart(const Segment &first, const Segment &second) {
-    return gap_along(0, first, second) || gap_along(1, first, second) || one_sided(first, second)
-           || one_sided(second, first);
+    if (gap_between(first.start.x(), first.end.x(), second.start.x(), second.end.x())) return true;
+    if (gap_between(first.start.y(), first.end.y(), second.start.y(), second.end.y())) return true;
+    return on_one_side(first, second) || on_one_side(second, first);
 }
 
 //> Solution 7.2: do they meet?
@@ -53,7 +52,7 @@ bool segments_intersect(const Segment &first, const Segment &second) {
     return !apart(first, second);
 }
 
-//> Solution 7.3: what they share
+//> Solution 7.3: what they have in common
 std::vector<Vec2> common_points(const Segment &first, const Segment &second) {
     course::require_range(first.start, first.end, second.start, second.end);
     if (apart(first, second)) return {};
@@ -64,7 +63,7 @@ std::vector<Vec2> common_points(const Segment &first, const Segment &second) {
     if (square == 0) return {first.start};
 
     const double d = det(a, b);
-    if (std::abs(d) > parallel_tolerance * a.norm() * b.norm()) { // they cross, and within both
+    if (std::abs(d) > parallel_tolerance * a.norm() * b.norm()) { // they cross, between the ends of both
         const double t = det(second.start - first.start, b) / d;
         return {first.start + std::clamp(t, 0.0, 1.0) * a};
     }
@@ -85,7 +84,7 @@ struct Hit {
 };
 } // namespace
 
-/// The first wall that turns the ball within `time`. `winding` is 1 if the room's corners run anticlockwise, else -1.
+/// The first wall that reflects the ball within `time`. `winding` is 1 if the corners run anticlockwise, else -1.
 static std::optional<Hit> next_wall(const Ball &ball, const std::vector<Vec2> &room, double winding, double time) {
     std::optional<Hit> first;
     for (std::size_t i = 0; i < room.size(); ++i) {
@@ -106,7 +105,7 @@ static std::optional<Hit> next_wall(const Ball &ball, const std::vector<Vec2> &r
     return first;
 }
 
-//> Solution 7.4: a point in a room
+//> Solution 7.4: a ball in a room
 Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
     course::require_range(ball.position, ball.velocity, room, dt);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
@@ -123,7 +122,7 @@ Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt)
         now.position += (hit ? hit->time : dt) * now.velocity;
         if (!hit) break;
         now.velocity += 2 * hit->closing * hit->inward;
-        dt -= hit->time; // what is left is flown, not forgotten
+        dt -= hit->time; // the rest of the frame
     }
     return now;
 }
@@ -137,41 +136,41 @@ static Vec2 nearest(const Segment &wall, const Vec2 &point) {
     return wall.start + std::clamp((point - wall.start).dot(along) / square, 0.0, 1.0) * along;
 }
 
-//> Solution 7.5: a disc meets a wall
+//> Solution 7.5: the time of impact
 std::optional<Impact> time_of_impact(const Segment &motion, double radius, const Segment &wall) {
     course::require_range(motion.start, motion.end, wall.start, wall.end, radius);
     course::require(radius >= 0, "radius [m] must not be negative", radius);
 
-    const Vec2 way = motion.end - motion.start;
+    const Vec2 path = motion.end - motion.start;
     const Vec2 away = motion.start - nearest(wall, motion.start);
-    if (way.dot(away) >= 0) return {}; // no hollow in a wall: what is not coming nearer now never will
+    if (path.dot(away) >= 0) return {}; // walls have no hollows: what is not getting closer now never will
 
     double t = away.norm() <= radius ? 0 : 2; // 2: not within this motion
     if (t > 0) {
-        // the side: a line, one radius before the wall
+        // the side: a line, one radius in front of the wall
         const Vec2 along = wall.end - wall.start;
         const double sign = det(along, motion.start - wall.start) < 0 ? -1 : 1;
         const double height = sign * det(along, motion.start - wall.start) - radius * along.norm();
-        const double closing = -sign * det(along, way); // both times the wall's length
+        const double closing = -sign * det(along, path); // both times the wall's length
         if (closing > 0 && height >= 0) {
-            const double s = (motion.start + height / closing * way - wall.start).dot(along);
+            const double s = (motion.start + height / closing * path - wall.start).dot(along);
             if (s >= 0 && s <= along.squaredNorm()) t = height / closing;
         }
-        // the ends: a circle round each
+        // the ends: a circle around each
         for (const Vec2 &end : {wall.start, wall.end}) {
             const Vec2 from = motion.start - end;
-            const double root = way.squaredNorm() * radius * radius - std::pow(det(way, from), 2);
-            const double ahead = -way.dot(from);
+            const double root = path.squaredNorm() * radius * radius - std::pow(det(path, from), 2);
+            const double ahead = -path.dot(from);
             if (ahead > 0 && root >= 0)
                 t = std::min(t, (from.squaredNorm() - radius * radius) / (ahead + std::sqrt(root)));
         }
     }
     if (t > 1) return {};
-    const Vec2 centre = motion.start + t * way;
+    const Vec2 centre = motion.start + t * path;
     return Impact{t, centre, nearest(wall, centre)};
 }
 
-//> Solution 7.6: which way does it turn?
+//> Solution 7.6: a sign you can trust
 int orientation(const Segment &first, const Segment &second) {
     course::require_range(first.start, first.end, second.start, second.end);
     const Vec2 a = first.end - first.start;
@@ -179,7 +178,7 @@ int orientation(const Segment &first, const Segment &second) {
 
     const double left = a.x() * b.y();
     const double right = a.y() * b.x();
-    const double doubt = 5e-16 * (std::abs(left) + std::abs(right)) + 1e-301; // four and a half roundings; see the text
+    const double doubt = 5e-16 * (std::abs(left) + std::abs(right)) + 1e-301; // four and a half roundings
     const double d = left - right;
     return d > doubt ? 1 : d < -doubt ? -1 : 0;
 }

@@ -37,7 +37,7 @@ TEST_CASE("the worked example: the lines intersect at (379/43, 232/43), with t =
     CHECK_THAT(intersect_lines(motion, wall), IsNear(want, rounding));
 }
 
-//> Laid through a point
+//> Built through a known point
 TEST_CASE("random segments built through a known point intersect there, with the t and s they were built with",
           "[7.1]") {
     Dice dice;
@@ -311,7 +311,7 @@ double grid_unit(Dice &dice) {
 
 } // namespace
 
-//> By shadows
+//> Against an independent method
 // Two segments are apart if and only if their projections on some axis leave a gap between them, and if there is such a
 // separating axis, then it is one of these. Everything here is a whole number, so nothing is rounded.
 bool separating_axis_exists(const Segment &first, const Segment &second) {
@@ -626,7 +626,7 @@ const std::vector<Vec2> cave{{0.5, 1}, {6, 0}, {11.5, 1.5}, {10, 6.5}, {6.5, 3.5
 
 } // namespace
 
-//> A room
+//> Two bounces by hand
 // A floor of 20 m, a wall that leans in along (-9, 12), and two more.
 const std::vector<Vec2> room{{0, 0}, {20, 0}, {11, 12}, {2, 8}};
 
@@ -837,7 +837,7 @@ TEST_CASE("in a hundred thousand frames the ball never leaves the room, and keep
     }
 }
 
-//> Frames and the whole
+//> Many frames and one
 TEST_CASE("a thousand short frames lead to the same place as one long one", "[7.4]") {
     const Vec2 velocity = GENERATE(Vec2{2.3, 1.1}, Vec2{-0.7, 2.9}, Vec2{-3.1, -0.4}, Vec2{0, 1.7}, Vec2{1.9, 0});
     const Ball at_once = move_and_bounce({{2, 3}, velocity}, cave, 30);
@@ -1132,7 +1132,7 @@ TEST_CASE("a disc with its centre on the wall cannot get closer, so there is no 
     CHECK_THAT(time_of_impact({{5, 0}, {9, 0}}, 1, ground), IsNear(never));
 }
 
-TEST_CASE("a disc that overlaps an end of a wall gets closer to that end, or does not", "[7.5]") {
+TEST_CASE("a disc that overlaps an end of a wall is judged by its distance from that end", "[7.5]") {
     CHECK_THAT(time_of_impact({{20.3, 0.4}, {19, 0.4}}, 1, ground),
                IsNear(Impact{0, {20.3, 0.4}, {20, 0}}, rounding)); // nearer
     CHECK_THAT(time_of_impact({{20.3, 0.4}, {24, -0.4}}, 1, ground),
@@ -1221,7 +1221,7 @@ TEST_CASE("left is 1, right is -1, parallel is 0", "[7.6]") {
     CHECK_THAT(orientation({{0, 0}, {7, 0}}, {{3, 0}, {-9, -1e-9}}), IsNear(-1));
 }
 
-//> A sign that lies
+//> Where rounding flips the sign
 TEST_CASE("where the rounded determinant has the wrong sign, the answer is 0 or the right sign", "[7.6]") {
     // On paper both go (2.5, 2.9). In the computer 3.2 - 0.7 is not 2.5: the plain formula gives D = 8.9e-16, left,
     // but these eight numbers, as they are stored, have D = -8.9e-17 exactly: right.

@@ -5,105 +5,107 @@
 #include <optional>
 #include <vector>
 
-/// Section 7: where, and whether, two straight ways meet.
-/// A number that goes in must lie within ±1e5, both ends included; an answer may be larger.
-/// An answer is right to 1e-12, or to 1e-12 of its size where that is more than 1. Nearly parallel lines, a graze, many
-/// bounces, and numbers that differ by many powers of ten lose more, and the tests allow for it.
+/// Section 7: where, and whether, straight motions and walls meet.
+/// Every number that goes in must lie within ±1e5, both ends included; an answer may be larger.
+/// Answers are right to 1e-12, or to 1e-12 of their size where that is more than 1. Nearly parallel lines, a graze, many
+/// bounces, and numbers that differ by many powers of ten lose more, and the tests allow for it. A segment shorter than
+/// 1e-60 m may count as a single point.
 namespace segment_intersection {
 
 using course::Vec2;
 
 //> A segment
-/// A straight way from one point to another; both ends belong to it. It may be a single point, and one that is shorter
-/// than 1e-60 m may count as one.
+/// The straight piece between two points, both ends included.
 struct Segment {
     Vec2 start; ///< [m]
     Vec2 end;   ///< [m]
     COURSE_FIELDS("m, m", start, end)
 };
 
-//> Where two lines cross
-/// Where a motion crosses the line of a wall.
+//> Where two lines intersect
+/// The point at which two lines intersect, and where along each of them it lies.
 struct LineIntersection {
-    double t{}; ///< how much of the motion is over [1]: 0 at its start, 1 at its end
-    double s{}; ///< how far along the wall [1]: 0 at its start, 1 at its end
+    double t{}; ///< parameter along the motion [1]: 0 at its start, 1 at its end
+    double s{}; ///< parameter along the wall [1]: 0 at its start, 1 at its end
     Vec2 point; ///< [m]
     COURSE_FIELDS("1, 1, m", t, s, point)
 };
 
-/// Two lines count as parallel if the sine of the angle between them is at most this.
-inline constexpr double parallel_tolerance = 1e-12;
-
-/// Where the line through `motion` crosses the line through `wall`; lines go on beyond the ends of their segments.
-/// Nothing if the lines are parallel, or if one of the two segments is a point.
-/// @throws std::invalid_argument if a number is not within ±1e5.
+/// Where the line through `motion` intersects the line through `wall`, even if that is beyond their ends.
+/// Nothing if the lines are parallel, or if one of the two segments is a single point.
+/// @throws std::invalid_argument if a coordinate is not within ±1e5.
 std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall);
 
+//> Parallel, within rounding
+/// Two lines count as parallel if |det(a, b)| is at most this times |a| |b|: the sine of the angle between them.
+inline constexpr double parallel_tolerance = 1e-12;
+
 //> Do they meet?
-/// Whether two segments have a point in common. Ends belong to them, so touching is meeting.
-/// On a grid (whole numbers from -1000 to 1000, all times one power of two, 1e-60 or more) the answer is exact.
-/// Off it, where a gap or an overlap is no wider than a rounding, either answer is right.
-/// @throws std::invalid_argument if a number is not within ±1e5.
+/// Whether two segments have a point in common. Their ends belong to them, so touching counts.
+/// Exact for whole-number coordinates up to ±1000. For others, contact by no more than a rounding may go either way.
+/// @throws std::invalid_argument if a coordinate is not within ±1e5.
 bool segments_intersect(const Segment &first, const Segment &second);
 
-//> What they share
-/// What two segments have in common: nothing, one point, or the two ends of the piece on which they overlap,
+//> What they have in common
+/// The points that two segments have in common: none, one, or the two ends of the piece on which they overlap,
 /// in the order in which `first` runs through them [m].
-/// How many points there are is exact on a grid, as for `segments_intersect`. Off it, a rounding may decide.
-/// @throws std::invalid_argument if a number is not within ±1e5.
+/// Their number is exact for whole-number coordinates up to ±1000. For others, rounding may decide it.
+/// @throws std::invalid_argument if a coordinate is not within ±1e5.
 std::vector<Vec2> common_points(const Segment &first, const Segment &second);
 
-//> A point in a room
-/// A point that flies straight on until a wall turns it.
+//> A ball
+/// A ball so small that it counts as a point.
 struct Ball {
     Vec2 position; ///< [m]
     Vec2 velocity; ///< [m/s]
     COURSE_FIELDS("m, m/s", position, velocity)
 };
 
-/// On a wall, or at its end, means: no farther from it than this [m]. So no corner leaks.
-inline constexpr double contact_tolerance = 1e-9;
-
-/// After so many bounces in one call a ball stays where it is, with the velocity it has then, until the time is over.
-inline constexpr int max_bounces = 1000;
-
-/// The ball `dt` seconds later, in a room with smooth elastic walls. At a wall the part of its velocity along the
-/// wall's normal changes its sign, and it flies on for the time that is left.
-///
-/// Only a wall that it approaches from inside turns it. A ball on a wall is inside: flying inwards or along, it
-/// is let go; flying outwards, it bounces at once. From outside it flies in, through the wall.
-/// In a corner both walls act, one after the other in either order, until it approaches neither.
-/// Whether a wall that is reached in the very last instant has turned it already is left open.
+//> A ball in a room
+/// The ball `dt` seconds later, in a room with smooth, elastic walls. Each wall that it reaches reverses the normal part
+/// of its velocity, and the ball moves on for the rest of the time.
+/// A wall acts only on a ball that approaches it from inside, or from on it; a ball from outside flies in through it.
+/// In a corner both walls act, one after the other in either order, until the ball approaches neither.
+/// A wall that is reached in the very last instant may or may not have acted yet.
 /// @param room  its corners in order, either way round; a wall joins each to the next, and the last to the first.
-///              Walls that cross each other are not looked for.
+///              No two walls may cross; this is not checked.
 /// @param dt    [s], not negative
 /// @throws std::invalid_argument if there are fewer than three corners, if one equals the next, if `dt` is negative,
-///         or if anything is not a number within ±1e5.
+///         or if a number is not within ±1e5.
 Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt);
 
-//> A disc meets a wall
-/// The instant at which a moving disc first touches a wall.
+//> On a wall, and for how long
+/// A ball is on a wall, or at its end, if it is no farther from it than this [m].
+inline constexpr double contact_tolerance = 1e-9;
+
+/// After this many bounces in one call, the ball stays where it is until the time is over, and keeps its velocity.
+inline constexpr int max_bounces = 1000;
+
+//> An impact
+/// When and where a moving disc first touches a wall.
 struct Impact {
-    double t{};  ///< how much of the motion is over [1], from 0 to 1
-    Vec2 centre; ///< of the disc, then [m]
+    double t{};  ///< parameter along the motion [1], from 0 to 1
+    Vec2 centre; ///< of the disc at that moment [m]
     Vec2 point;  ///< of the wall, where the disc touches it [m]
     COURSE_FIELDS("1, m, m", t, centre, point)
 };
 
-/// When and where a disc, whose centre makes the way `motion`, first touches a wall: its side or one of its ends.
-/// A wall that is a point is a post; a disc of radius 0 is a point.
-/// A disc that touches the wall, or overlaps it, as it starts: t = 0 if its centre is coming nearer to the wall.
-/// Nothing if it stays clear of the wall, or starts by leaving it or keeping its distance.
-/// Where a graze is decided by a rounding, either answer is right. A point that meets only an end of a wall grazes it.
+//> Time of impact
+/// When and where a disc whose centre moves along `motion` first touches a wall, at its side or at one of its ends.
+/// A wall that is a single point is a post; a disc of radius 0 is a point.
+/// If the disc touches or overlaps the wall at its start: t = 0 if its centre is getting closer to the wall, and nothing
+/// if it is not. Nothing if it never touches the wall.
+/// A graze that is decided by rounding may go either way; so may a point that meets only an end of a wall.
 /// @param radius  [m], not negative
-/// @throws std::invalid_argument if the radius is negative, or anything is not a number within ±1e5.
+/// @throws std::invalid_argument if the radius is negative, or if a number is not within ±1e5.
 std::optional<Impact> time_of_impact(const Segment &motion, double radius, const Segment &wall);
 
-//> Which way does it turn?
-/// The sign of the determinant D = a.x b.y - a.y b.x [m²] of two segments, a and b being their end minus their start:
-/// 1 if `second` points to the left of `first`, -1 if to the right, 0 if parallel or too close to tell.
-/// It is 0 only if |D| <= 1e-15 (|a.x b.y| + |a.y b.x|) + 1e-300 m², and never the wrong sign of a |D| above 1e-300 m².
-/// @throws std::invalid_argument if a number is not within ±1e5.
+//> Orientation
+/// The sign of D = a.x b.y - a.y b.x [m²], where a and b are the displacements of the two segments: 1 if `second` points
+/// to the left of `first`, -1 if to the right, and 0 if they are parallel, or too close to parallel to tell.
+/// Never the wrong sign if |D| > 1e-300 m², and 0 only if |D| <= 1e-15 (|a.x b.y| + |a.y b.x|) + 1e-300 m²,
+/// where D is the exact value for the eight numbers as they are stored.
+/// @throws std::invalid_argument if a coordinate is not within ±1e5.
 int orientation(const Segment &first, const Segment &second);
 
 //> The exercises

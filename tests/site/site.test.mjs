@@ -359,10 +359,10 @@ describe('search', () => {
 
   // What readers type, and the place that must come first: a part, by the beginning of its address.
   const questions = {
-    'how to bounce off a wall': 'chapter_07_segment_intersection.html#a-point-in-a-room',
-    'the normal of a wall': 'chapter_07_segment_intersection.html#a-point-in-a-room',
-    'ball in a box': 'chapter_07_segment_intersection.html#a-point-in-a-room',
-    'collision response': 'chapter_07_segment_intersection.html#a-point-in-a-room',
+    'how to bounce off a wall': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
+    'the normal of a wall': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
+    'ball in a box': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
+    'collision response': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
     'collision detection': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
     'collision': 'chapter_07_segment_intersection.html#a-',
     'time of impact': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
