@@ -475,8 +475,8 @@ TEST_CASE("Table 13.2 in steps of 1: explicit Euler lags behind, semi-implicit r
     }
 }
 
-//> Own ways
-TEST_CASE("one step of 0.5 s, from three different states", "[1.5]") {
+//> Own states
+TEST_CASE("in one step of 0.5 s, each integrator moves on from its own state", "[1.5]") {
     const Integrators before{{{1, 2}, {3, -4}}, {{-5, 6}, {-7, 8}}, {{9, -1}, {2, 5}}};
     const Integrators want{{{2.5, 0}, {8, -7}},                          // moves at (3, -4)
                            {{-6, 8.5}, {-2, 5}},                         // at (-2, 5)
@@ -547,14 +547,14 @@ TEST_CASE("without acceleration all three agree, and a step of 0 s changes nothi
 TEST_CASE("erratum E1.7: the printed loop is n a/2 px ahead; subtracting a/2 at the start fixes it", "[1.5]") {
     // velocity += acceleration, then x += velocity: that is the semi-implicit Euler with dt = 1 frame.
     Integrators printed = all_at({{50, 0}, {4, 0}});
-    State mended{{50, 0}, {4 - 2.0 / 2, 0}};
+    State fixed{{50, 0}, {4 - 2.0 / 2, 0}};
     for (int n = 1; n <= 5; ++n) {
         printed = step_all(printed, {2, 0}, 1);
         CHECK_THAT(printed.semi_implicit.position.x(),
                    IsNear(table_13_2[std::size_t(n)] + n * 2.0 / 2, rounding).of("x as printed [px]"));
 
-        mended = step_all(all_at(mended), {2, 0}, 1).semi_implicit;
-        CHECK_THAT(mended.position.x(), IsNear(table_13_2[std::size_t(n)], rounding).of("x, mended [px]"));
+        fixed = step_all(all_at(fixed), {2, 0}, 1).semi_implicit;
+        CHECK_THAT(fixed.position.x(), IsNear(table_13_2[std::size_t(n)], rounding).of("x, fixed [px]"));
     }
 }
 
