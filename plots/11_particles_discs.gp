@@ -1,4 +1,4 @@
-#> Figure: three explosions
+#> Figure: three bursts
 # gnuplot -c 11_particles_discs.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 set output ARG2

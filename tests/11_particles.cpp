@@ -172,9 +172,17 @@ TEST_CASE("the worked example: with a life of 3 s each of 16 shades is shown for
     CHECK_THAT(shade_index(1.5, 3, 16), IsNear(std::optional{8}));    // half its life
     CHECK_THAT(shade_index(2.8, 3, 16), IsNear(std::optional{14}));   // 15 · 3/16 = the last shade begins at 2.8125
     CHECK_THAT(shade_index(2.9, 3, 16), IsNear(std::optional{15}));
-    CHECK_THAT(shade_index(3, 3, 16), IsNear(no_shade)); // exactly at the end of its life
+}
+
+//> Dead
+TEST_CASE("a particle older than its life has no shade", "[11.2]") {
     CHECK_THAT(shade_index(3.1, 3, 16), IsNear(no_shade));
     CHECK_THAT(shade_index(1e5, 3, 16), IsNear(no_shade));
+}
+
+TEST_CASE("a particle is dead, and has no shade, at the very moment when its age reaches its life", "[11.2]") {
+    CHECK_THAT(shade_index(3, 3, 16), IsNear(no_shade));
+    CHECK_THAT(shade_index(0.25, 0.25, 1), IsNear(no_shade));
 }
 
 //> Erratum E11.1

@@ -1,35 +1,18 @@
 #include "../program.hpp"
 
-#include "particles.hpp"
+#include "game.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cstdint>
-#include <random>
 
 using namespace particles;
 using course::row, course::text;
-
-//> Random numbers
-/// Random numbers, at least 0 and less than 1, the same on every machine: C++ specifies this generator bit by bit.
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : engine{seed} {}
-    double one() { return std::ldexp(double(engine() >> 11), -53); } // its upper 53 bits, times 2^-53
-    std::vector<double> many(int count) {
-        std::vector<double> numbers;
-        for (int i = 0; i < count; ++i) numbers.push_back(one());
-        return numbers;
-    }
-
-  private:
-    std::mt19937_64 engine;
-};
 
 //> A pool of three
 void print_pool(std::ostream &out) {
     const Particle spark{.position = {3, 7}, .velocity = {-2, 5}, .age = 0, .life = 4};
     Pool pool(3);
-    out << row({{"start", 7}, {"does it fit?", 14}, {"slots", 0}});
+    out << row({{"spawn", 7}, {"does it fit?", 14}, {"slots", 0}});
     for (int i = 1; i <= 4; ++i) {
         const auto after = spawn(pool, spark);
         if (after) pool = *after;
@@ -56,6 +39,37 @@ void print_steps(std::ostream &out) {
     for (int frame = 0; frame <= 5; ++frame) {
         out << row({{text(frame), 7}, {now ? text(now->position) : "dead", 13}, {now ? text(now->velocity) : "", 0}});
         if (now) now = step(*now, screen, 1);
+    }
+}
+
+//> Three sparks fly
+void print_sparks(std::ostream &out) {
+    const World night{.gravity = 9.81, .wind = 0, .width = 10, .height = 6};
+    Pool pool(5);
+    out << row({{"time [s]", 10}, {"slots", 7}, {"position in slot 2", 0}});
+    for (int frame = 0; frame <= 96; ++frame) {
+        next_frame(pool, frame == 0 ? three_sparks({2, 1}) : std::vector<Particle>{}, night, 1.0 / 64);
+        if (frame % 48 != 0) continue;
+        std::string slots;
+        for (const auto &slot : pool) slots += slot ? '*' : '.';
+        out << row({{text(frame / 64.0), 10}, {slots, 7}, {pool[2] ? text(pool[2]->position) : "free", 0}});
+    }
+}
+
+//> How many slots does a show need?
+void print_slots(std::ostream &out) {
+    const World still{.gravity = 0, .wind = 0, .width = 1, .height = 1}; // only age kills
+    const Particle spark{.position = {0, 0}, .velocity = {0, 0}, .age = 0, .life = 2.5};
+    out << row({{"slots", 7}, {"lost, of 400", 0}});
+    for (const std::size_t slots : {100u, 119u, 120u}) {
+        Pool pool(slots);
+        int found = 0;
+        for (int frame = 0; frame < 640; ++frame) { // ten seconds
+            next_frame(pool, std::vector(frame % 64 == 0 ? 40 : 0, spark), still, 1.0 / 64);
+            for (const auto &slot : pool)
+                if (slot && slot->age == 0) ++found;
+        }
+        out << row({{text(double(slots)), 7}, {text(400 - found), 0}});
     }
 }
 
@@ -87,9 +101,26 @@ void print_speeds(std::ostream &out) {
     }
 }
 
+//> One spark per frame
+void print_trail(std::ostream &out) {
+    const World night{.gravity = 9.81, .wind = 0, .width = 48, .height = 30};
+    out << row({{"frames per second", 19}, {"sparks behind the rocket after 1 s", 0}});
+    for (const int frames : {30, 60, 144}) {
+        Random random{6};
+        Particle rocket{.position = {24, 0}, .velocity = {0, 19}, .age = 0, .life = 9};
+        Pool pool(200);
+        for (int frame = 0; frame < frames; ++frame) {
+            rocket = step(rocket, night, 1.0 / frames).value();
+            next_frame(pool, {emit(engine_of(rocket), random.many(5))}, night, 1.0 / frames);
+        }
+        const auto sparks = std::count_if(pool.begin(), pool.end(), [](const auto &slot) { return slot.has_value(); });
+        out << row({{text(frames), 19}, {text(double(sparks)), 0}});
+    }
+}
+
 //> Ten seconds
 void print_emission(std::ostream &out) {
-    out << row({{"frames per second", 17}, {"emitted in 10 s at 45 per second", 0}});
+    out << row({{"frames per second", 19}, {"emitted in 10 s at 45 per second", 0}});
     for (const int frames : {24, 30, 60, 144}) {
         Emission now{};
         int total = 0;
@@ -97,7 +128,7 @@ void print_emission(std::ostream &out) {
             now = emission_count(45, now.remainder, 1.0 / frames);
             total += now.count;
         }
-        out << row({{text(frames), 17}, {text(total), 0}});
+        out << row({{text(frames), 19}, {text(total), 0}});
     }
 }
 
@@ -126,42 +157,56 @@ void print_compacted(std::ostream &out) {
     out << row({{names(pool), 13}, {"1 5", 15}, {names(newborn), 9}, {names(compact_pool(pool, newborn, 6)), 0}});
 }
 
-//> A firework
-void trace_firework(std::ostream &out) {
-    const World night{.gravity = 9.81, .wind = 0.5, .width = 48, .height = 30};
-    const double dt = 1.0 / 60;
-    Random random{2002};
-    std::vector<std::vector<Particle>> paths; // of each spark, a frame a point
-    const auto add = [&](const Particle &spark) {
-        paths.push_back({spark});
-        while (const auto next = step(paths.back().back(), night, dt)) paths.back().push_back(*next);
-    };
+//> How a pool is drawn
+/// The place of each spark at this moment, and which of four shades it shows.
+void trace_pool(std::ostream &out, const Pool &pool) {
+    for (const auto &slot : pool)
+        if (slot)
+            out << slot->age << '\t' << slot->position.x() << '\t' << slot->position.y() << '\t'
+                << shade_index(slot->age, slot->life, 4).value() << '\n';
+}
 
-    Particle rocket{.position = {28, 0.5}, .velocity = {1, 19}, .age = 0, .life = 1.8};
-    Emission now{};
-    while (const auto next = step(rocket, night, dt)) {
-        rocket = *next;
-        now = emission_count(30, now.remainder, dt);
-        for (int i = 0; i < now.count; ++i)
-            add(emit({rocket.position, 0.1 * rocket.velocity, 0.1, 0.5, 0.2, 0.6}, random.many(5)));
-    }
-    for (const Vec2 &velocity : disc_burst(random.many(2 * 40), 9)) // fast ones, slow ones, all of the disc
-        add({.position = rocket.position, .velocity = rocket.velocity + velocity, .age = 0, .life = 1.6});
-    for (const Vec2 &velocity : ring_burst(12, 13, 0.2)) // and a ring around them
-        add({.position = rocket.position, .velocity = rocket.velocity + velocity, .age = 0, .life = 1.2});
+const World night{.gravity = 9.81, .wind = 0.5, .width = 48, .height = 30};
 
+//> The first firework
+void trace_first(std::ostream &out) {
+    Random random{5};
+    const Particle rocket{.position = {24, 19}, .velocity = {0, 3}, .age = 0, .life = 1};
+    Pool pool(300);
     out << "# age[s]\tx[m]\ty[m]\tshade[1]\n";
-    for (const std::vector<Particle> &path : paths) {
-        for (std::size_t i = 0; i < path.size(); i += 4) {
-            const auto &[position, velocity, age, life] = path[i];
-            out << age << '\t' << position.x() << '\t' << position.y() << '\t' << shade_index(age, life, 4).value()
-                << '\n';
-        }
-        out << '\n';
+    for (int frame = 0; frame < 90; ++frame) {
+        const int sparks = frame == 0 ? 300 : 0;
+        next_frame(pool, burst(rocket, box_burst(random, sparks, 9), 1.5), night, 1.0 / 60);
+        if (frame == 20 || frame == 40 || frame == 62 || frame == 85) trace_pool(out, pool);
     }
 }
 
-//> Three explosions
+//> The whole firework
+void trace_firework(std::ostream &out) {
+    const double dt = 1.0 / 60;
+    Random random{2002};
+    std::optional<Particle> rocket = Particle{.position = {28, 0.5}, .velocity = {1, 19}, .age = 0, .life = 1.8};
+    Emission emission;
+    Pool pool(100);
+    out << "# age[s]\tx[m]\ty[m]\tshade[1]\n";
+    for (int frame = 0; frame < 205; ++frame) {
+        std::vector<Particle> newborn;
+        if (rocket) {
+            const auto next = step(*rocket, night, dt);
+            if (next) {
+                newborn = trail(*next, emission, random, dt);
+            } else { // its life is over: a filled disc, and a ring around it
+                newborn = burst(*rocket, disc_burst(random.many(2 * 60), 9), 1.6);
+                for (const Particle &spark : burst(*rocket, ring_burst(24, 13, 0.2), 1.2)) newborn.push_back(spark);
+            }
+            rocket = next;
+        }
+        next_frame(pool, newborn, night, dt);
+        if (frame % 6 == 0) trace_pool(out, pool);
+    }
+}
+
+//> Three bursts
 void trace_discs(std::ostream &out) {
     Random random{5};
     out << "# even x[1]\teven y[1]\trandom x[1]\trandom y[1]\tprinted x[1]\tprinted y[1]\n";
@@ -186,6 +231,62 @@ void trace_density(std::ostream &out) {
             out << '\t' << double(std::count_if(speed.begin(), speed.end(), in_bin)) / (40000 / 20);
         }
         out << '\n';
+    }
+}
+
+//> Slots
+/// Two pools, before and after a particle is spawned: the slot, the row, and what the slot holds (0: nothing, 1: a
+/// particle from before, 2: the new one).
+void trace_slots(std::ostream &out) {
+    const Particle old{.position = {0, 0}, .velocity = {0, 0}, .age = 1, .life = 2};
+    const Particle young{.position = {0, 0}, .velocity = {0, 0}, .age = 0, .life = 2};
+    const Pool before{old, std::nullopt, old, std::nullopt, old};
+    out << "# slot[1]\trow[1]\tholds[1]\n";
+    int line = 0;
+    for (const Pool &pool : {before, spawn(before, young).value()}) {
+        for (std::size_t i = 0; i < pool.size(); ++i)
+            out << i << '\t' << line << '\t' << (!pool[i] ? 0 : pool[i]->age > 0 ? 1 : 2) << '\n';
+        ++line;
+    }
+}
+
+//> A ramp of shades
+void trace_ramp(std::ostream &out) {
+    out << "# age[s]\tshade[1]\n";
+    for (int i = 0; i < 320; ++i) {
+        const double age = i * 0.01;
+        const auto shade = shade_index(age, 3, 16);
+        if (shade) out << age << '\t' << *shade << '\n';
+    }
+}
+
+//> Four frames
+/// Four frames of 1/4 s at 10 particles per second: the remainder from before, what the frame adds, how many are emitted,
+/// and the remainder after it.
+void trace_frames(std::ostream &out) {
+    out << "# frame[1]\tbefore[1]\tcount[1]\tafter[1]\n";
+    Emission now;
+    for (int frame = 1; frame <= 4; ++frame) {
+        const double before = now.remainder;
+        now = emission_count(10, before, 0.25);
+        out << frame << '\t' << before << '\t' << now.count << '\t' << now.remainder << '\n';
+    }
+}
+
+//> A bounce in parts
+/// Arrows: from where, and how far. The velocity before, its part along the wall, its part along the normal; the same
+/// after a bounce with restitution 0.5.
+void trace_bounce(std::ostream &out) {
+    const Vec2 along{0.8, 0.6}, normal{-0.6, 0.8};
+    const std::vector<Wall> wall{{.start = -5 * along, .end = 5 * along}};
+    const Vec2 before{4, -2};
+    const Particle falling{.position = -before, .velocity = before, .age = 0, .life = 9};
+    const Vec2 after = move_and_collide(falling, wall, 0.5, 2).velocity;
+    out << "# x[m]\ty[m]\tvx[m/s]\tvy[m/s]\n";
+    for (const Vec2 &v : {before, after}) {
+        const Vec2 from = v == before ? Vec2{-before} : Vec2{0, 0};
+        for (const Vec2 &part : {v, Vec2{v.dot(along) * along}, Vec2{v.dot(normal) * normal}})
+            out << from.x() << '\t' << from.y() << '\t' << part.x() << '\t' << part.y() << '\n';
     }
 }
 
@@ -215,12 +316,20 @@ int main(int argc, char **argv) {
                        {{"pool", print_pool},
                         {"shades", print_shades},
                         {"steps", print_steps},
+                        {"sparks", print_sparks},
+                        {"slots", print_slots},
                         {"speeds", print_speeds},
+                        {"trail", print_trail},
                         {"rate", print_emission},
                         {"bounces", print_bounces},
                         {"compact", print_compacted},
+                        {"11_particles_slots.tsv", trace_slots},
+                        {"11_particles_ramp.tsv", trace_ramp},
+                        {"11_particles_first.tsv", trace_first},
                         {"11_particles_firework.tsv", trace_firework},
                         {"11_particles_discs.tsv", trace_discs},
                         {"11_particles_density.tsv", trace_density},
+                        {"11_particles_frames.tsv", trace_frames},
+                        {"11_particles_bounce.tsv", trace_bounce},
                         {"11_particles_energy.tsv", trace_energy}});
 }

@@ -11,6 +11,10 @@
 /// Numbers that go in are within ±1e5, which itself is allowed; numbers that come out may be larger. Computed numbers are
 /// right to 1e-12, or to 1e-12 of the largest number that goes into them if that is more than 1. After n terms, bounces
 /// or added angles the limit is n times that.
+///
+/// Input that is not as a function describes it is refused, by every function, with a std::invalid_argument that names
+/// it: a number beyond ±1e5 or not a number, a bad particle (`require_particle`), random number or wall, and whatever
+/// breaks a limit that is given with a parameter.
 namespace particles {
 
 using course::Vec2;
@@ -43,7 +47,6 @@ using Pool = std::vector<std::optional<Particle>>;
 /// The pool with `particle` in one slot that was free (any of them), and with every other slot as it was.
 /// Nothing if no slot is free: the pool does not grow, and no particle is removed to make room.
 /// The particle is stored unchanged; those already in the pool are not checked.
-/// @throws std::invalid_argument as `require_particle` says
 std::optional<Pool> spawn(const Pool &pool, const Particle &particle);
 
 //> Life and colour
@@ -53,7 +56,6 @@ std::optional<Pool> spawn(const Pool &pool, const Particle &particle);
 /// @param age     [s], not negative
 /// @param life    the whole lifetime [s], positive; not the time for one shade
 /// @param shades  how many, at least 1; with two billion of them, a loop over all would take seconds
-/// @throws std::invalid_argument if a parameter is not as described, or if `age` or `life` is not within ±1e5.
 std::optional<int> shade_index(double age, double life, int shades);
 
 //> The world
@@ -72,8 +74,6 @@ struct World {
 /// Nothing if it is dead after the step: outside the picture, or at the end of its life. Where it was before the step
 /// does not matter. Where rounding decides whether it is dead, either is right.
 /// @param dt  [s], not negative
-/// @throws std::invalid_argument as `require_particle` says, if the picture's width or height is not positive, if `dt`
-///         is negative, or if any number is not within ±1e5.
 std::optional<Particle> step(const Particle &particle, const World &world, double dt);
 
 //> A ring
@@ -82,7 +82,6 @@ std::optional<Particle> step(const Particle &particle, const World &world, doubl
 /// @param count  how many, not negative; 0 gives an empty list
 /// @param speed  [m/s], not negative
 /// @param first  [rad]; 0 is to the right
-/// @throws std::invalid_argument if `count` or `speed` is negative, or if `speed` or `first` is not within ±1e5.
 std::vector<Vec2> ring_burst(int count, double speed, double first);
 
 //> Refusing random numbers
@@ -94,12 +93,10 @@ inline void require_random_numbers(const std::vector<double> &random_numbers) {
 
 //> A disc
 /// Velocities [m/s], spread evenly over a disc of radius `max_speed`: equal areas hold equal numbers of them.
-/// @param random_numbers  at least 0 and less than 1: two for each velocity, one pair after the other. The first of a
-///                        pair sets the speed: 0 gives 0, and a larger number a larger speed. The second sets the
+/// @param random_numbers  at least 0 and less than 1, and in pairs, one pair for each velocity. The first of a pair
+///                        sets the speed: 0 gives 0, and a larger number a larger speed. The second sets the
 ///                        angle: 0 is to the right, and in equal steps it goes once round, anticlockwise.
 /// @param max_speed       [m/s], not negative
-/// @throws std::invalid_argument as `require_random_numbers` says, if their number is odd, or if `max_speed` is negative
-///         or not within ±1e5.
 std::vector<Vec2> disc_burst(const std::vector<double> &random_numbers, double max_speed);
 
 //> An emitter
@@ -118,8 +115,6 @@ struct Emitter {
 /// One particle of the trail, of age 0. It inherits the emitter's velocity; the random numbers vary it.
 /// @param random_numbers  five, at least 0 and less than 1: for the position's x and y, the velocity's x and y, and the
 ///                        life. From 0 to 1, each of these runs in equal steps from its smallest value to its largest.
-/// @throws std::invalid_argument as `require_random_numbers` says, if there are not five of them, if a field is not as
-///         described, or if any number is not within ±1e5.
 Particle emit(const Emitter &emitter, const std::vector<double> &random_numbers);
 
 //> How many this frame?
@@ -137,9 +132,7 @@ struct Emission {
 /// right.
 /// @param rate       [1/s], not negative
 /// @param remainder  what the frame before left over [1], at least 0 and less than 1
-/// @param dt         [s], not negative
-/// @throws std::invalid_argument if a parameter is not as described or not within ±1e5, or if `rate` times `dt` is more
-///         than 1e6.
+/// @param dt         [s], not negative, and `rate` times `dt` at most 1e6
 Emission emission_count(double rate, double remainder, double dt);
 
 //> A wall
@@ -147,6 +140,7 @@ Emission emission_count(double rate, double remainder, double dt);
 /// walking from its start to its end; particles that come from its right side pass through.
 using Wall = segment_intersection::Segment;
 
+//> Two limits
 /// A particle is on a wall, or at its end, if it is within this distance of it [m]. It approaches a wall if it moves
 /// towards it faster than this [m/s]; otherwise it moves along it.
 inline constexpr double contact_tolerance = 1e-9;
@@ -172,8 +166,6 @@ inline void require_wall(const Wall &wall) {
 /// `dt`, that it meets within `contact_tolerance` of an end, or that is parallel to its path by section 7's definition.
 /// @param restitution  [1], from 0 to 1
 /// @param dt           [s], not negative
-/// @throws std::invalid_argument as `require_particle` and `require_wall` say, if a parameter is not as described, or if
-///         any number is not within ±1e5.
 Particle move_and_collide(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt);
 
 //> A pool without gaps
@@ -182,9 +174,7 @@ Particle move_and_collide(const Particle &particle, const std::vector<Wall> &wal
 /// a b c d e f let a, d and f be dead: three survive, b and c stay, and e moves, which gives e b c.
 /// Behind them come the newborn, unchanged and in their order, until there are `capacity` particles in all.
 /// @param pool      at most `capacity` particles; those whose age has reached their life are dead
-/// @param capacity  not negative; it may be far more than memory has room for
-/// @throws std::invalid_argument for any particle as `require_particle` says, or if the capacity is negative or less
-///         than the size of the pool.
+/// @param capacity  at least the pool's size; it may be far more than memory has room for
 std::vector<Particle> compact_pool(const std::vector<Particle> &pool, const std::vector<Particle> &newborn,
                                    int capacity);
 
