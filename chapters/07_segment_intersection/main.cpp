@@ -141,6 +141,36 @@ void trace_parts(std::ostream &out) {
         out << from.x() << '\t' << from.y() << '\t' << arrow.x() << '\t' << arrow.y() << '\n';
 }
 
+//> Aimed at a corner
+constexpr int thrown_at_corners = 2000;
+
+/// Throws balls exactly at the corners of a room, and counts those that are outside of it 2.5 s later.
+template <class NextFrame> int count_escaped(const std::vector<Vec2> &corners, NextFrame next) {
+    std::mt19937 generator{7};
+    const auto random = [&](int low, int high) { return low + double(generator() % 1024) / 1024 * (high - low); };
+    int escaped = 0;
+    for (int i = 0; i < thrown_at_corners; ++i) {
+        const Vec2 corner = corners[std::size_t(i) % corners.size()], start{random(3, 7), random(3, 7)};
+        Ball ball{start, random(1, 2) * (corner - start)}; // there after half a second, up to one
+        for (int frame = 0; frame < 150; ++frame) ball = next(ball, 1.0 / 60);
+        const auto beyond = [&](const Segment &edge) {
+            const Vec2 along = (edge.end - edge.start).normalized();
+            return (ball.position - edge.start).dot(Vec2{along.y(), -along.x()}) > 1e-6; // metres to the right of it
+        };
+        if (std::ranges::any_of(walls_of(corners), beyond)) ++escaped;
+    }
+    return escaped;
+}
+
+void print_corners(std::ostream &out) {
+    const std::vector<Vec2> corners{{0, 0}, {20, 0}, {11, 12}, {2, 8}};
+    const auto walls = walls_of(corners);
+    const int first = count_escaped(corners, [&](const Ball &b, double dt) { return next_frame(b, walls, dt); });
+    const int now = count_escaped(corners, [&](const Ball &b, double dt) { return move_and_bounce(b, corners, dt); });
+    out << row({{"balls aimed at a corner", 25}, {"escaped after 7.2", 19}, {"after 7.4", 0}});
+    out << row({{std::to_string(thrown_at_corners), 25}, {std::to_string(first), 19}, {std::to_string(now), 0}});
+}
+
 //> A minute in a room
 void print_bounces(std::ostream &out) {
     print_minutes(out, [](const Ball &ball, double dt) { return move_and_bounce(ball, room, dt); });
@@ -214,6 +244,7 @@ int main(int argc, char **argv) {
                         {"frames", print_frames},
                         {"common", print_common},
                         {"bounces", print_bounces},
+                        {"corners", print_corners},
                         {"impacts", print_impacts},
                         {"07_segment_intersection_shares.tsv", trace_shares},
                         {"07_segment_intersection_print.tsv", trace_print},
