@@ -5,6 +5,20 @@
   const one = (selector) => document.querySelector(selector);
   const all = (selector) => [...document.querySelectorAll(selector)];
 
+  // What the reader has chosen is kept, where the browser keeps anything for files; elsewhere it lasts for the page.
+  function keep(name, value) {
+    try {
+      localStorage.setItem(name, value);
+    } catch { /* then not */ }
+  }
+  function kept(name) {
+    try {
+      return localStorage.getItem(name);
+    } catch {
+      return null;
+    }
+  }
+
   // Light or dark
   const theme = one('#site-theme');
   function colour(name) {
@@ -14,9 +28,7 @@
   colour(root.dataset.theme);
   theme.addEventListener('click', () => {
     colour(root.dataset.theme === 'dark' ? 'light' : 'dark');
-    try {
-      localStorage.setItem('theme', root.dataset.theme);
-    } catch { /* then it lasts for this page */ }
+    keep('theme', root.dataset.theme);
   });
 
   // Contents, where there is no room for them beside the text
@@ -55,19 +67,37 @@
     for (const { heading } of parts) observer.observe(heading);
   }
 
-  // Listings can be copied. Whatever scrolls sideways can be scrolled with the keyboard.
-  for (const listing of all('pre')) {
+  // Listings can be copied, and long lines wrapped. Whatever scrolls sideways can be scrolled with the keyboard.
+  function newButton(name, words, act) {
     const button = document.createElement('button');
     button.type = 'button';
-    button.className = 'copy';
-    button.textContent = 'Copy';
-    button.addEventListener('click', async () => {
+    button.className = name;
+    button.textContent = words;
+    button.addEventListener('click', () => act(button));
+    return button;
+  }
+  const wraps = new Map();
+  for (const listing of all('pre')) {
+    const tools = document.createElement('span');
+    tools.className = 'tools';
+    const wrap = newButton('wrap', 'Wrap', () => {
+      wrap.setAttribute('aria-pressed', String(listing.classList.toggle('wrapped')));
+      reachByKeys();
+    });
+    wrap.setAttribute('aria-pressed', 'false');
+    wraps.set(listing, wrap);
+    tools.append(wrap, newButton('copy', 'Copy', async (button) => {
       button.textContent = (await copy(listing.textContent)) ? 'Copied' : 'Not copied';
       setTimeout(() => (button.textContent = 'Copy'), 2000);
-    });
+    }));
     const caption = listing.parentElement.querySelector(':scope > figcaption');
-    if (caption) caption.append(button);
-    else listing.before(button);
+    if (caption) caption.append(tools);
+    else listing.before(tools);
+    listing.addEventListener('scroll', () => fade(listing), { passive: true });
+  }
+  // Lines that go on beyond the right edge fade there, until one has scrolled to their end.
+  function fade(listing) {
+    listing.classList.toggle('goes-on', listing.scrollLeft + listing.clientWidth < listing.scrollWidth - 1);
   }
   async function copy(text) {
     try {
@@ -84,11 +114,14 @@
   }
   function reachByKeys() {
     for (const box of all('pre, .table, .katex-display')) {
-      const scrolls = box.scrollWidth > box.clientWidth;
+      const scrolls = box.scrollWidth > box.clientWidth + 1; // one pixel is rounding
       for (const [name, value] of [['tabindex', '0'], ['role', 'group'], ['aria-label', 'Scrolls sideways']]) {
         if (scrolls) box.setAttribute(name, value);
         else box.removeAttribute(name);
       }
+      if (!box.matches('pre') || box.clientWidth === 0) continue; // in a closed fold nothing has a width
+      wraps.get(box).hidden = !scrolls && !box.matches('.wrapped');
+      fade(box);
     }
   }
   reachByKeys();
@@ -102,7 +135,25 @@
   }
   document.addEventListener('toggle', reachByKeys, true);
 
-  // A fold opens for a link into it, and on paper.
+  // Two switches unfold all code, and all solutions. What is unfolded is printed, and nothing else.
+  for (const button of all('[data-unfolds]')) {
+    const kind = button.dataset.unfolds;
+    const folds = all('main details').filter((fold) =>
+      fold.matches('.solution') ? kind === 'solutions' : kind === 'code' && !fold.matches('.hint') && fold.querySelector('pre'));
+    const unfold = (open) => {
+      button.setAttribute('aria-pressed', String(open));
+      for (const fold of folds) fold.open = open;
+    };
+    button.hidden = folds.length === 0;
+    if (folds.length > 0) button.parentElement.hidden = false;
+    if (kept(kind) === 'unfolded') unfold(true);
+    button.addEventListener('click', () => {
+      unfold(button.getAttribute('aria-pressed') === 'false');
+      keep(kind, button.getAttribute('aria-pressed') === 'true' ? 'unfolded' : 'folded');
+    });
+  }
+
+  // A fold opens for a link into it.
   function openFor(id) {
     const target = id && document.getElementById(id);
     if (!target) return;
@@ -112,14 +163,6 @@
   const linked = () => openFor(decodeURIComponent(location.hash.slice(1)));
   addEventListener('hashchange', linked);
   if (location.hash) linked();
-  let closed = [];
-  addEventListener('beforeprint', () => {
-    closed = all('details:not([open])');
-    for (const fold of closed) fold.open = true;
-  });
-  addEventListener('afterprint', () => {
-    for (const fold of closed) fold.open = false;
-  });
 
   // Search. Its library and index are read when they are first wanted.
   const dialog = one('#site-search'), words = one('#site-words'), found = one('#site-found'), results = one('#site-results');

@@ -294,18 +294,118 @@ describe('reading', () => {
     }
   });
 
-  test('on paper folds are open, and nothing is there that paper cannot do', async () => {
+  test('an exercise is in a box, the remark on the printed book beside the text', async () => {
+    let boxes = 0, remarks = 0;
+    for (const name of chapters) {
+      const { page, context } = await open(name);
+      assert.equal(await page.locator('blockquote').filter({ hasText: /^\s*(Your turn|In print, and in truth)/ }).count(), 0, name);
+      for (const heading of await page.locator('.turn > :first-child').all()) assert.match(await heading.textContent(), /^\s*Your turn: /);
+      for (const remark of await page.locator('aside').all()) assert.match(await remark.textContent(), /^\s*In print, and in truth\./);
+      boxes += await page.locator('article.turn').count();
+      remarks += await page.locator('aside.remark').count();
+      await context.close();
+    }
+    assert.ok(boxes > 0 && remarks > 0);
+  });
+
+  // Which folds are open: of code, of solutions, of hints.
+  const openFolds = (page) => page.evaluate(() => {
+    const folds = [...document.querySelectorAll('main details')];
+    const summary = (fold) => fold.querySelector('summary').textContent;
+    const kinds = {
+      solutions: folds.filter((fold) => summary(fold).startsWith('Our solution of ')),
+      hints: folds.filter((fold) => /^\d+\.\d+, a hint: /.test(summary(fold))),
+    };
+    kinds.code = folds.filter((fold) => fold.querySelector('pre') && !kinds.solutions.includes(fold) && !kinds.hints.includes(fold));
+    return Object.fromEntries(Object.entries(kinds).map(([kind, all]) => {
+      const open = all.filter((fold) => fold.open).length;
+      return [kind, all.length > 0 && open === all.length ? 'all' : open === 0 ? 'none' : 'some'];
+    }));
+  });
+
+  test('two switches unfold all code and all solutions, by mouse and by keys, and are remembered', async () => {
+    const { page, context } = await open(chapters[0]);
+    const code = page.getByRole('button', { name: 'Unfold all code' }), solutions = page.getByRole('button', { name: 'Unfold all solutions' });
+    assert.deepEqual(await openFolds(page), { code: 'none', solutions: 'none', hints: 'none' });
+    await code.click();
+    assert.equal(await code.getAttribute('aria-pressed'), 'true');
+    assert.deepEqual(await openFolds(page), { code: 'all', solutions: 'none', hints: 'none' });
+    await solutions.focus();
+    await page.keyboard.press('Space');
+    assert.deepEqual(await openFolds(page), { code: 'all', solutions: 'all', hints: 'none' });
+    assert.deepEqual(await inaccessible(page, '#site-contents'), []);
+    await code.click();
+    assert.equal(await code.getAttribute('aria-pressed'), 'false');
+    await page.goto(address(chapters[1]));
+    assert.equal(await solutions.getAttribute('aria-pressed'), 'true');
+    assert.deepEqual(await openFolds(page), { code: 'none', solutions: 'all', hints: 'none' });
+    await solutions.click();
+    await page.reload();
+    assert.deepEqual(await openFolds(page), { code: 'none', solutions: 'none', hints: 'none' });
+    await page.goto(address('index.html'));
+    assert.equal(await page.locator('.switches').isVisible(), false, 'where nothing is folded');
+    await context.close();
+  });
+
+  test('on a phone the switches are in the menu', async () => {
+    const { page, context } = await open(chapters[0], { width: 390 });
+    await page.getByRole('button', { name: 'Contents' }).click();
+    const code = page.getByRole('button', { name: 'Unfold all code' });
+    assert.ok(await page.$eval('#site-contents', (menu) => menu.scrollHeight > menu.clientHeight && menu.getBoundingClientRect().bottom <= innerHeight));
+    assert.ok((await code.boundingBox()).y > 48, 'below the bar, although the menu has been scrolled');
+    await code.click();
+    assert.equal((await openFolds(page)).code, 'all');
+    assert.equal(await page.locator('#site-contents').isVisible(), true);
+    await context.close();
+  });
+
+  test('without scripts a fold opens, and there are no switches', async () => {
+    const { page, context } = await open(chapters[0], { javaScriptEnabled: false });
+    assert.equal(await page.locator('.switches').isVisible(), false);
+    const fold = page.locator('main details').first(), inside = fold.locator(':scope > :not(summary)').first();
+    assert.equal(await inside.isVisible(), false);
+    await fold.locator('summary').click();
+    assert.equal(await inside.isVisible(), true);
+    await context.close();
+  });
+
+  test('a line that is too long fades at the edge until one has scrolled to its end, and can be wrapped', async () => {
+    const { page, context } = await open(chapters[0], { width: 390 });
+    const listing = page.locator('main > figure.listing:has(pre.goes-on)').first();
+    await page.evaluate(() => document.querySelectorAll('figure.listing').forEach((one, number) => (one.dataset.number = number)));
+    const same = page.locator(`[data-number="${await listing.getAttribute('data-number')}"]`), code = same.locator('pre');
+    const scrolls = () => code.evaluate((box) => box.scrollWidth > box.clientWidth);
+    assert.equal(await scrolls(), true);
+    assert.notEqual(await code.evaluate((box) => getComputedStyle(box).maskImage), 'none');
+    await code.evaluate((box) => (box.scrollLeft = box.scrollWidth));
+    await same.locator('pre:not(.goes-on)').waitFor();
+    await code.evaluate((box) => (box.scrollLeft = 0));
+    const wrap = same.getByRole('button', { name: 'Wrap' });
+    await wrap.click();
+    assert.equal(await scrolls(), false);
+    assert.equal(await wrap.getAttribute('aria-pressed'), 'true');
+    assert.equal(await code.evaluate((box) => box.matches('.goes-on')), false);
+    await wrap.click();
+    assert.equal(await scrolls(), true);
+    // Where all lines fit, there is nothing to wrap.
+    for (const short of await page.locator('main > figure.listing:not(:has(pre.goes-on))').all())
+      assert.equal(await short.locator('.wrap').isVisible(), false);
+    await context.close();
+  });
+
+  test('on paper there is what is unfolded, and nothing that paper cannot do', async () => {
     const { page, context } = await open(chapters[0], { colours: 'dark' });
+    const pages = async () => (await page.pdf({ preferCSSPageSize: true })).toString('latin1').match(/\/Type\s*\/Page\b/g).length;
+    const folded = await pages();
+    await page.getByRole('button', { name: 'Unfold all code' }).click();
+    const unfolded = await pages();
+    assert.ok(folded > 5 && unfolded > folded, `${folded} pages, ${unfolded} with all code`);
     await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
-    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-    assert.equal(await page.locator('details:not([open])').count(), 0);
-    for (const gone of ['.bar', '#site-contents', '.turning', '.copy'])
+    for (const fold of await page.locator('main details.solution').all()) assert.equal(await fold.isVisible(), false, 'no solutions');
+    assert.equal(await page.locator('main details[open]').first().isVisible(), true);
+    for (const gone of ['.bar', '#site-contents', '.turning', '.tools'])
       assert.equal(await page.locator(gone).first().isVisible(), false, gone);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(255, 255, 255)');
-    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
-    assert.ok((await page.locator('details:not([open])').count()) > 0);
-    const pdf = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
-    assert.ok(pdf.match(/\/Type\s*\/Page\b/g).length > 5);
     await context.close();
   });
 });

@@ -155,6 +155,36 @@ TEST_CASE("a fold keeps its paragraphs, lists and folds within it") {
                ContainsSubstring("<details><summary>Open</summary>\n<p>One.</p>\n</details>\n</li>"));
 }
 
+TEST_CASE("a fold says whether it holds a hint or our solution") {
+    const SmallBook book;
+    CHECK_THAT(book.page("<details>\n<summary>7.1, a hint: it is red</summary>\n\nz\n</details>\n"),
+               ContainsSubstring("<details class=\"hint\">\n<summary>7.1, a hint: it is red</summary>"));
+    CHECK_THAT(book.page("<details><summary>Our solution of 7.1</summary>\n\nz\n</details>\n"),
+               ContainsSubstring("<details class=\"solution\"><summary>Our solution of 7.1</summary>"));
+    CHECK_THAT(book.page("<details><summary>How 7.1 is tested</summary>\n\nz\n</details>\n"),
+               ContainsSubstring("<details><summary>How"));
+}
+
+TEST_CASE("the box of an exercise and the remark on the printed book are no quotations; others are") {
+    const SmallBook book;
+    CHECK_THAT(book.page("> ### Your turn: 7.1 `f` (5 minutes)\n>\n> Write $x$.\n"),
+               ContainsSubstring("<article class=\"turn\">\n<h3 id=\"your-turn-71-f-5-minutes\">"));
+    CHECK_THAT(book.page("> ### Your turn\n>\n> Write $x$.\n"),
+               ContainsSubstring("<p>Write " + formula("x", 5) + ".</p>\n</article>"));
+    CHECK_THAT(book.page("> **In print, and in truth.** $x$\n"),
+               ContainsSubstring("<aside class=\"remark\" role=\"note\">\n<p><strong>In print, and in truth.</strong> "
+                                 + formula("x", 3) + "</p>\n</aside>"));
+    CHECK_THAT(book.page("> ### My turn\n"), ContainsSubstring("<blockquote>\n<h3"));
+    CHECK_THAT(book.page("> In print.\n"), ContainsSubstring("<blockquote>\n<p>In print.</p>"));
+}
+
+TEST_CASE("only long code may break within a line") {
+    const SmallBook book;
+    CHECK_THAT(book.page("`const Vec2 abcd = b < c;`\n"), ContainsSubstring("<code>const Vec2 abcd = b &lt; c;</code>"));
+    CHECK_THAT(book.page("`const Vec2 a = motion.end < motion.start;`\n"),
+               ContainsSubstring("<code class=\"long\">const Vec2 a = motion.end &lt; motion.start;</code>"));
+}
+
 TEST_CASE("a listing leaves the HTML, so that Doxygen colours it, and comes back") {
     const SmallBook book;
     const std::string in_quote = book.page("> Before.\n>\n> ```cpp\n> int x; // $5 @see \\dot\n>\n> ```\n> After.\n");

@@ -126,6 +126,7 @@ class PageWriter {
         case CMARK_NODE_PARAGRAPH: paragraph(node); break;
         case CMARK_NODE_CODE_BLOCK: listing(node); break;
         case CMARK_NODE_HTML_BLOCK: html(node); break;
+        case CMARK_NODE_BLOCK_QUOTE: quote(node); break;
         default: is_table(node) ? table(node) : blocks(node);
         }
     }
@@ -144,6 +145,20 @@ class PageWriter {
         move_children(node, block);
         replace(node, block);
         lead_may_follow = title;
+    }
+
+    /// A quotation, or what a chapter writes as one: the box of an exercise, and a remark on the printed book.
+    void quote(cmark_node *node) {
+        cmark_node *first = cmark_node_first_child(node);
+        const bool heading = first && cmark_node_get_type(first) == CMARK_NODE_HEADING;
+        const bool turn = heading && words_of(first).starts_with("Your turn");
+        const bool remark = first && !heading && words_of(first).starts_with("In print, and in truth.");
+        blocks(node);
+        if (!turn && !remark) return;
+        cmark_node *box = turn ? raw(CMARK_NODE_CUSTOM_BLOCK, "<article class=\"turn\">", "</article>")
+                               : raw(CMARK_NODE_CUSTOM_BLOCK, "<aside class=\"remark\" role=\"note\">", "</aside>");
+        move_children(node, box);
+        replace(node, box);
     }
 
     static std::string without_line_end(std::string text) {
@@ -205,9 +220,18 @@ class PageWriter {
                 replace(node, picture);
                 break;
             }
+            case CMARK_NODE_CODE: code(node); break;
             default: inlines(node, line);
             }
         }
+    }
+
+    /// Only long code may break within a line.
+    static void code(cmark_node *node) {
+        constexpr std::size_t longest = 24;
+        const std::string text = literal(node);
+        if (text.size() > longest)
+            replace(node, raw(CMARK_NODE_CUSTOM_INLINE, "<code class=\"long\">" + escaped(text) + "</code>"));
     }
 
     /// Puts the formulas back, in the order in which they were taken out.
@@ -341,6 +365,10 @@ class PageWriter {
             from = text.begin() + found->position(1) + found->length(1);
         }
         out.append(from, text.end());
+        static const std::regex solution{R"(<details>(\s*<summary>Our solution of ))"},
+            hint{R"(<details>(\s*<summary>\d+\.\d+, a hint: ))"};
+        out = std::regex_replace(out, solution, "<details class=\"solution\">$1");
+        out = std::regex_replace(out, hint, "<details class=\"hint\">$1");
         static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
         out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());
