@@ -6,7 +6,7 @@ set size ratio -1
 unset border; unset tics; unset grid
 set key at graph 0.98,0.26
 set xrange [-5.4:6.4]; set yrange [-4.2:3.8]
-set arrow from -3.2,-2.4 to 4.8,3.6 nohead lc rgb INK lw 3
+set arrow from -2.4,-1.8 to 4.8,3.6 nohead lc rgb INK lw 3
 set label 'wall' at 4.3,2.7 textcolor rgb INK
 set label 'before' at -4.2,2.1 right textcolor rgb DIM
 set label 'after' at 0.5,3.0 left textcolor rgb DIM

@@ -177,7 +177,7 @@ void trace_first(std::ostream &out) {
     for (int frame = 0; frame < 90; ++frame) {
         const int sparks = frame == 0 ? 300 : 0;
         next_frame(pool, burst(rocket, box_burst(random, sparks, 9), 1.5), night, 1.0 / 60);
-        if (frame == 20 || frame == 40 || frame == 62 || frame == 85) trace_pool(out, pool);
+        if (frame == 18 || frame == 42 || frame == 60 || frame == 84) trace_pool(out, pool);
     }
 }
 
