@@ -1,4 +1,4 @@
-// 7.4: a wall turns from both sides: who flies in from outside is kept out
+// 7.4: a wall reflects from both sides, so a ball from outside cannot fly in
 #include "segment_intersection.hpp"
 
 #include <algorithm>

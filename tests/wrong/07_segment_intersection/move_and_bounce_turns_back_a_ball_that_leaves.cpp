@@ -1,4 +1,4 @@
-// 7.4: no question whether it approaches: who starts on a wall and leaves it is turned back, as in the source
+// 7.4: it does not ask whether the ball approaches, so one that leaves a wall is turned back, as in the source
 #include "segment_intersection.hpp"
 
 namespace segment_intersection {

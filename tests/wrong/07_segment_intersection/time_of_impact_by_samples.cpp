@@ -1,4 +1,4 @@
-// 7.5: a thousand discs along the way, and the first that overlaps: late, and a fast one jumps over
+// 7.5: a thousand discs along the motion, and the first that overlaps: too late, and a fast one jumps over the wall
 #include "segment_intersection.hpp"
 
 #include <algorithm>
