@@ -151,7 +151,7 @@ TEST_CASE("a section's program prints one part alone, and lists its parts for a 
     CHECK(unknown.out.empty());
     CHECK(unknown.err
           == "this program has no part `intersectoins`; its parts are intersections, meetings, frames, common, "
-             "bounces, impacts\n");
+             "bounces, corners, impacts\n");
     CHECK(course::run({program, "intersections", "meetings"}).code == 2);
 }
 
