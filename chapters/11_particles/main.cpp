@@ -143,6 +143,24 @@ void print_bounces(std::ostream &out) {
     }
 }
 
+//> A spark on a roof
+void print_roof(std::ostream &out) {
+    const std::vector<Wall> roof{{.start = {0, 1}, .end = {10, 1}}};
+    const World calm{.gravity = 9.81, .wind = 0, .width = 10, .height = 10};
+    Particle spark{.position = {5, 4.2}, .velocity = {0, 0}, .age = 0, .life = 60};
+    double highest = 3.2; // above the roof
+    out << row({{"bounces", 9}, {"rises above the roof [m]", 0}});
+    for (int bounces = 0; bounces < 4;) {
+        const Particle next = step(spark, calm, roof, 1e-4).value();
+        highest = std::max(highest, next.position.y() - 1);
+        if (spark.velocity.y() < 0 && next.velocity.y() > 0) { // it has bounced
+            out << row({{text(bounces++), 9}, {text(std::round(100 * highest) / 100), 0}});
+            highest = 0;
+        }
+        spark = next;
+    }
+}
+
 //> No gaps
 void print_compacted(std::ostream &out) {
     std::vector<Particle> pool;
@@ -155,6 +173,23 @@ void print_compacted(std::ostream &out) {
     out << row({{"pool", 13}, {"of which dead", 15}, {"newborn", 9}, {"room for 6", 0}});
     const std::vector<Particle> newborn{{{7, 0}, {0, 0}, 0, 2}, {{8, 0}, {0, 0}, 0, 2}};
     out << row({{names(pool), 13}, {"1 5", 15}, {names(newborn), 9}, {names(compact_pool(pool, newborn, 6)), 0}});
+}
+
+//> Two pools, one show
+void print_two(std::ostream &out) {
+    const World still{.gravity = 0, .wind = 0, .width = 1, .height = 1}; // only age kills
+    const Particle spark{.position = {0, 0}, .velocity = {0, 0}, .age = 0, .life = 2.5};
+    Pool pool(120);
+    std::vector<Particle> gapless;
+    out << row({{"time [s]", 10}, {"sparks in slots", 17}, {"sparks without gaps", 0}});
+    for (int frame = 0; frame <= 192; ++frame) {
+        const std::vector newborn(frame % 64 == 0 ? 40 : 0, spark);
+        next_frame(pool, newborn, still, 1.0 / 64);
+        next_frame(gapless, newborn, 120, still, 1.0 / 64);
+        if (frame % 48 != 0) continue;
+        const auto alive = std::count_if(pool.begin(), pool.end(), [](const auto &slot) { return slot.has_value(); });
+        out << row({{text(frame / 64.0), 10}, {text(double(alive)), 17}, {text(double(gapless.size())), 0}});
+    }
 }
 
 //> How a pool is drawn
@@ -322,7 +357,9 @@ int main(int argc, char **argv) {
                         {"trail", print_trail},
                         {"rate", print_emission},
                         {"bounces", print_bounces},
+                        {"roof", print_roof},
                         {"compact", print_compacted},
+                        {"two", print_two},
                         {"11_particles_slots.tsv", trace_slots},
                         {"11_particles_ramp.tsv", trace_ramp},
                         {"11_particles_first.tsv", trace_first},

@@ -1,4 +1,4 @@
-// 11.9: from the last to the first: whoever fills a gap has been looked at already
+// 11.9: from the last to the first: a particle that fills a gap has already been looked at
 #include "particles.hpp"
 
 #include <algorithm>

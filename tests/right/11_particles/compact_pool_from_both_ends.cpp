@@ -1,4 +1,4 @@
-// 11.9: one hand looks for gaps from the front, the other for the living from the back
+// 11.9: one index looks for gaps from the front, the other for the living from the back
 #include "particles.hpp"
 
 namespace particles {

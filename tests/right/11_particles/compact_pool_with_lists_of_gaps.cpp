@@ -1,4 +1,4 @@
-// 11.9: the gaps first, then those who move into them
+// 11.9: the gaps first, then the particles that move into them
 #include "particles.hpp"
 
 namespace particles {

@@ -1,4 +1,4 @@
-// 11.5: the speed below which the chance's share of the area lies, found by halving
+// 11.5: the speed below which that fraction of the area lies, found by bisection
 #include "particles.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// 11.5: the root of r² = chance · fastest²
+// 11.5: the root of r² = number · max_speed²
 #include "particles.hpp"
 
 #include <cmath>

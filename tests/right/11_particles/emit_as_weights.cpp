@@ -1,4 +1,4 @@
-// 11.6: weights for the two ends: (1 - chance) and chance
+// 11.6: weights for the two ends: (1 - number) and number
 #include "particles.hpp"
 
 namespace particles {
