@@ -235,7 +235,8 @@ macro(section_figures)
   endforeach()
   add_custom_target(${section}_figures ALL DEPENDS ${drawings})
   add_dependencies(figures ${section}_figures)
-  set_property(GLOBAL APPEND PROPERTY course_book ${chapter}/README.md ${chapter}/${slug}.hpp ${chapter}/main.cpp ${traced} ${scripts}
+  file(GLOB beside CONFIGURE_DEPENDS ${chapter}/*) # chapter, contract and program; game.hpp and renamed.txt, if there are any
+  set_property(GLOBAL APPEND PROPERTY course_book ${beside} ${traced} ${scripts}
     ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${PROJECT_SOURCE_DIR}/tests/${section}.cpp)
 endmacro()
 

@@ -29,10 +29,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char *a_book = "# The book\n\n## Contents\n\n| | chapter | minutes |\n|--:|:--|--:|\n"
-                               "| 6 | [Reflection](chapters/06_reflection/README.md) | 60 |\n"
-                               "| 7 | [Walls that meet](chapters/07_wall_meeting/README.md) | 90 |\n"
-                               "| 8 | Collisions | to come |\n| 12 | Time | to come |\n\n| 8 | a table of its own |\n";
+constexpr const char *a_book =
+    "# The book\n\n## Contents\n\n| | chapter | minutes |\n|--:|:--|--:|\n"
+    "| 6 | [Reflection](chapters/06_reflection/README.md) | 60 |\n"
+    "| 7 | [Walls that meet](chapters/07_wall_meeting/README.md) | 90 |\n"
+    "| 8 | Collisions | to come |\n| 12 | Time | to come |\n\n| 8 | a table of its own |\n\n## Glossary\n";
 
 /// What a new section consists of.
 const std::set<std::string> files_of_springs{
@@ -77,6 +78,9 @@ TEST_CASE("new writes every file of a section, its line and its entry, and chang
         if (old == before.end()) written.insert(file);
         else if (old->second != text) changed.insert(file);
     }
+    CHECK_THAT(after.at("book.md"),
+               ContainsSubstring(
+                   "| stiffness | spring constant | [13](chapters/13_springs/README.md#how-hard-a-spring-pulls) |\n"));
     CHECK(written == files_of_springs);
     CHECK(changed == std::set<std::string>{"CMakeLists.txt", "book.md"});
     CHECK(after.size() == before.size() + written.size());

@@ -549,8 +549,14 @@ TEST_CASE("a program that is missing, old, or fails is told with the way out, an
     SECTION("old") {
         fs::last_write_time(book.tree.solution(book.section),
                             fs::file_time_type::clock::now() + std::chrono::seconds{5});
+        CHECK(book.check().text == "the program of 07_wall is older than solutions/07_wall.cpp; ./course rebuilds it.");
+    }
+    SECTION("older than its game") {
+        book.put("chapters/07_wall/game.hpp", "//>\n");
+        fs::last_write_time(book.tree.root / "chapters/07_wall/game.hpp",
+                            fs::file_time_type::clock::now() + std::chrono::seconds{5});
         CHECK(book.check().text
-              == "the program of 07_wall is older than solutions/07_wall.cpp; ./course builds it anew.");
+              == "the program of 07_wall is older than chapters/07_wall/game.hpp; ./course rebuilds it.");
     }
     SECTION("fails") {
         book.program("exit 3");
@@ -631,7 +637,8 @@ TEST_CASE("the glossary has a row for each bold term, with what else it is calle
     book.edit_chapter("# 7 Wall\n",
                       "# 7 Wall\n\nA **wall** is high.\n\n## Which side?\n\nThe **normal**\n(also called the "
                       "*unit normal*, or *$\\hat n$*) is *not* a **`Vec2`, of length $1$**, for *it* is **long.**\n\n"
-                      "> ### A box: **x**\n>\n> **Write** it.\n\nA **box | wall** (see *there*). **Pencil first:** 2 **and so on…**\n\n"
+                      "> ### A box: **x**\n>\n> **Write** it.\n\nA **box | wall** (see *there*). **Pencil first:** 2 "
+                      "**and so on…**\n\n"
                       "```text\n**code**\n```\n\n## Which side?\n\n"
                       "The **Determinant** (*not* this).\n\n");
     const std::string rest = "\n## Errata\n\n| | |\n|:--|:--|\n| **E1** | x |\n";

@@ -2,6 +2,7 @@
 
 #include "book/links.hpp"
 #include "book/markdown.hpp"
+#include "ground/files.hpp"
 #include "ground/lines.hpp"
 #include "ground/text.hpp"
 
@@ -84,6 +85,16 @@ std::vector<Term> terms_of(std::string_view chapter, int section, const std::str
             static_cast<void>(markdown_of(node, taken.formulas, formula));
         }
     });
+    return terms;
+}
+
+std::vector<Term> terms_of(const Tree &tree) {
+    std::vector<Term> terms;
+    for (const Section &section : tree.sections()) {
+        const std::filesystem::path file = tree.chapter(section);
+        for (Term &term : terms_of(read_file(file), section.number(), tree.shown(file), file))
+            terms.push_back(std::move(term));
+    }
     return terms;
 }
 

@@ -2,6 +2,7 @@
 // The glossary of book.md: a row for each term that a chapter has in bold.
 
 #include "book/finding.hpp"
+#include "ground/tree.hpp"
 
 #include <filesystem>
 #include <string>
@@ -25,6 +26,10 @@ struct Term {
 /// @param link  of the chapter, as book.md writes it
 std::vector<Term> terms_of(std::string_view chapter, int section, const std::string &link,
                            const std::filesystem::path &file);
+
+/// The terms of all chapters, in their order.
+/// @throws Complaint if a chapter cannot be read.
+std::vector<Term> terms_of(const Tree &tree);
 
 /// A text with a glossary, and in what it differs from the terms.
 struct Glossary {

@@ -1,6 +1,7 @@
-// `course new`: a section's files from tools/skeleton/, its line in CMakeLists.txt, and its place in book.md.
+// `course new`: a section's files from tools/skeleton/, its line in CMakeLists.txt, its row and its terms in book.md.
 
 #include "book/contents.hpp"
+#include "book/glossary.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
@@ -144,6 +145,7 @@ void move_in(const Tree &tree, const Section &section) {
     if (contents.find("](chapters/" + section.name + "/README.md)") == contents.npos)
         write_file(book, with_entry(contents, section, title));
     write_file(list, with_section(read_file(list), section));
+    write_file(book, weave_glossary(read_file(book), book, terms_of(tree)).book);
     fs::remove_all(from);
 }
 
@@ -198,7 +200,7 @@ void make(const Tree &tree, const std::string &name, std::string title) {
     for (const auto &[file, text] : files) std::cout << "  " << tree.shown(file) << '\n';
     const std::string number = section.short_number();
     std::cout << "These files make a section that builds and is tested; write yours over them, test by test.\n"
-              << "It has its line in CMakeLists.txt and its place in book.md.\n\n"
+              << "It has its line in CMakeLists.txt, and its row and its terms in book.md.\n\n"
               << "Next:\n"
               << "  ./course                 builds it\n"
               << "  ./course check " << number << "        says \"not started\"\n"

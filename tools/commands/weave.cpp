@@ -33,9 +33,10 @@ std::string output_of(const Tree &tree, const Section &section, const std::strin
     const std::string name = "the program of " + section.name;
     if (!fs::exists(program))
         throw Complaint{name + " is not built, so its output cannot be woven; ./course builds it."};
-    for (const fs::path &code : {tree.header(section), tree.program(section), tree.solution(section)})
-        if (fs::last_write_time(code) > fs::last_write_time(program))
-            throw Complaint{name + " is older than " + tree.shown(code) + "; ./course builds it anew."};
+    const fs::path game = tree.program(section).parent_path() / "game.hpp"; // which the program may include
+    for (const fs::path &code : {tree.header(section), tree.program(section), game, tree.solution(section)})
+        if (fs::exists(code) && fs::last_write_time(code) > fs::last_write_time(program))
+            throw Complaint{name + " is older than " + tree.shown(code) + "; ./course rebuilds it."};
 
     const fs::path traces = tree.build / "weave" / section.name;
     fs::create_directories(traces);
@@ -77,12 +78,7 @@ class Command {
             page(page_of_book(tree), read_file(file));
             return;
         }
-        std::vector<Term> terms;
-        for (const Section &section : tree.sections())
-            for (Term &term : terms_of(read_file(tree.chapter(section)), section.number(),
-                                       tree.shown(tree.chapter(section)), tree.chapter(section)))
-                terms.push_back(std::move(term));
-        const Glossary glossary = weave_glossary(read_file(file), file, terms);
+        const Glossary glossary = weave_glossary(read_file(file), file, terms_of(tree));
         add(glossary.findings);
         page(page_of_book(tree), glossary.book, glossary.differences);
     }
