@@ -21,7 +21,8 @@ TEST_CASE("4 px per frame at 30 frames per second are 120 px/s", "[1.1]") {
 }
 
 //> More pixels
-TEST_CASE("more frames per second or more pixels per frame are faster, and to the left is negative", "[1.1]") {
+TEST_CASE("more frames per second or more pixels per frame give a higher speed, and to the left it is negative",
+          "[1.1]") {
     CHECK_THAT(px_per_second(4, 60), IsNear(240.0, rounding));
     CHECK_THAT(px_per_second(8, 60), IsNear(480.0, rounding));
     CHECK_THAT(px_per_second(8, 30), IsNear(240.0, rounding));
@@ -72,7 +73,7 @@ TEST_CASE("a speed from a number beyond ±1e5, infinite or not a number is refus
 // -------------------------------------------------------------------------------------------------- 1.2 uniform_motion
 
 //> Worked example: uniform motion
-TEST_CASE("30 frames at 4 px/frame are 120 px, from wherever it starts", "[1.2]") {
+TEST_CASE("30 frames at 4 px/frame are a displacement of 120 px, from any start", "[1.2]") {
     CHECK_THAT(uniform_motion({200, 80}, {4, 0}, 30), IsNear(Vec2{320, 80}, rounding)); // 200 + 4 · 30
     CHECK_THAT(uniform_motion({0, 0}, {4, 0}, 30), IsNear(Vec2{120, 0}, rounding));
     CHECK_THAT(uniform_motion({200, 80}, {0, -4}, 30), IsNear(Vec2{200, -40}, rounding)); // 80 - 4 · 30
@@ -88,7 +89,7 @@ TEST_CASE("x and y move independently of each other, for negative t too", "[1.2]
 }
 
 //>
-TEST_CASE("moving for t, and then for some more time, is moving for both times at once", "[1.2]") {
+TEST_CASE("moving for t and then for some more time leads to the same place as moving for both at once", "[1.2]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const Vec2 start = dice.point(-100, 100), velocity = dice.point(-20, 20);
@@ -149,7 +150,7 @@ TEST_CASE("a uniform motion with a number beyond ±1e5, infinite or not a number
 //> Table 13.2
 const std::array<double, 6> table_13_2{50, 55, 62, 71, 82, 95}; // 50 + 4 t + t²
 
-TEST_CASE("Table 13.2: from 50 m at 4 m/s with 2 m/s², it is at 50, 55, 62, 71, 82, 95 m", "[1.3]") {
+TEST_CASE("Table 13.2: from 50 m at 4 m/s with 2 m/s², the positions are 50, 55, 62, 71, 82, 95 m", "[1.3]") {
     for (int t = 0; t <= 5; ++t) {
         const double x = table_13_2[std::size_t(t)], v = 4 + 2.0 * t;
         CHECK_THAT(accelerated_motion({{50, 0}, {4, 0}}, {2, 0}, t), IsNear(State{{x, 0}, {v, 0}}, rounding));
@@ -171,7 +172,7 @@ TEST_CASE("Table 13.1: from rest with 2 m/s², the velocity is 0, 2, 4, 6, 8, 10
 TEST_CASE("a stone thrown up at 7 m/s under 10 m/s² is 2.4 m up after 0.6 s, still rising at 1 m/s", "[1.3]") {
     // on average (7 + 1)/2 = 4 m/s, for 0.6 s; and 3 m/s sideways, 1.8 m, which nothing changes
     CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, 0.6), IsNear(State{{2.8, 2.4}, {3, 1}}, rounding));
-    // it falls through the same height at the same speed, 0.2 s later
+    // it falls past the same height at the same speed, 0.2 s later
     CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, 0.8), IsNear(State{{3.4, 2.4}, {3, -1}}, rounding));
     // and was 2 m below, and faster, before
     CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, -0.2), IsNear(State{{0.4, -1.6}, {3, 9}}, rounding));
@@ -224,7 +225,7 @@ TEST_CASE("two flights, one after the other, are the same as one long flight", "
     }
 }
 
-TEST_CASE("with its velocity reversed it flies back to where it started", "[1.3]") {
+TEST_CASE("after its velocity is reversed, a body flies back to where it started", "[1.3]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const State start{dice.point(-50, 50), dice.point(-20, 20)};
@@ -346,7 +347,7 @@ TEST_CASE("bodies at the same position all count, and a body without mass change
 }
 
 //> It balances
-TEST_CASE("masses times distances from the centre of mass cancel out, in x and in y", "[1.4]") {
+TEST_CASE("masses times displacements from the centre of mass add up to zero, in x and in y", "[1.4]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const auto bodies = random_bodies(dice, dice.whole(1, 9));
@@ -453,7 +454,7 @@ TEST_CASE("bodies with a number beyond ±1e5, infinite or not a number are refus
     }
 }
 
-// ------------------------------------------------------------------------------------------------------------ 1.5 step
+// ------------------------------------------------------------------------------------------------------------ 1.5 step_all
 
 namespace {
 
@@ -534,7 +535,7 @@ TEST_CASE("two exact steps are the same as one of double length; two Euler steps
     CHECK_THAT(of_semi_implicit, IsNear(Vec2{-2.5, 1.5}, 1e-9).of("semi-implicit Euler: two steps minus one [m]"));
 }
 
-TEST_CASE("without acceleration all three agree, and a step of 0 s changes nothing", "[1.5]") {
+TEST_CASE("without acceleration all three integrators agree, and a step of 0 s changes nothing", "[1.5]") {
     const State start{{1, 2}, {3, -4}}, later{{2.5, 0}, {3, -4}};
     CHECK_THAT(step_all(all_at(start), {0, 0}, 0.5), IsNear(all_at(later), rounding));
 
@@ -726,7 +727,7 @@ TEST_CASE("a thousand corners, corners up to ±1e5, repeated corners and tiny pl
     }
 }
 
-TEST_CASE("a plate of 1e-11 of its length² has a centroid; below 1e-13 its corners are on one line", "[1.6]") {
+TEST_CASE("a plate with an area of 1e-11 of its length² has a centroid; below 1e-13 it counts as a line", "[1.6]") {
     // the thinner the plate, the more a rounding of 1e-16 m counts
     CHECK_THAT(centroid({{0, 0}, {4, 0}, {4, 1e-6}, {0, 1e-6}}), IsNear(Vec2{2, 5e-7}, 1e-8));
     CHECK_THAT(centroid({{0, 0}, {4, 0}, {4, 1e-9}, {0, 1e-9}}), IsNear(Vec2{2, 5e-10}, 1e-5));

@@ -65,7 +65,7 @@ struct Integrators {
 };
 
 //> One step of each
-/// All three one step later, each from its own state before. A step of 0 s changes nothing.
+/// All three one step later, each continued from its own state. A step of 0 s changes nothing.
 /// @param acceleration  [m/s²]
 /// @param dt            length of the step [s], not negative
 /// @throws std::invalid_argument if `dt` is negative, or a number is not within ±1e5.
@@ -101,7 +101,7 @@ struct Motion {
 //> A motion through three samples
 /// The motion that passes through these three samples, which may be in any order.
 /// Each of its numbers is right to 1e-8, or to 1e-8 of itself if it is larger than 1, for positions within ±1000 m and
-/// times within ±10 s that are at least half a second apart. With shorter or later times, fewer digits are right.
+/// times within ±10 s that are at least half a second apart. With times closer together or further from 0, fewer digits are right.
 /// @throws std::invalid_argument if two of the times are equal, or a number is not within ±1e5.
 Motion fit_motion(const Sample &first, const Sample &second, const Sample &third);
 
