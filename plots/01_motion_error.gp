@@ -9,7 +9,7 @@ set xrange [1e-5:5]; set yrange [1e-15:1e3]
 set xtics 1e-5,10,1; set ytics 1e-15,1e3,1e3
 set xlabel 'length of a step, dt [s]'; set ylabel 'error after 5 s [m]' offset 0.5,0
 set label 'slope 1' at 1e-4,2e-1 textcolor rgb DIM
-set label 'rounding' at 1.3e-5,8e-12 textcolor rgb DIM
+set label 'rounding' at 1.3e-5,6e-14 textcolor rgb DIM
 yours = with_yours("for [column = 2:4] ARG3 using 1:column with points lt 2 pt 4 ps 0.9 title (column == 2 ? 'yours' : '')")
 plot 24.5 * x with lines lc rgb DIM lw 1 dt (5,4) title 'by hand: 24.5 m/s · dt', \
      ARG1 using 1:2 with points lt 6 pt 6 ps 1 title 'explicit Euler', \

@@ -3,7 +3,7 @@
 load 'style.gp'
 set output ARG2
 unset border; unset ytics; unset grid
-set key outside bottom center horizontal
+set key outside top center horizontal
 set xrange [33:112]; set yrange [3.85:-0.8]
 set xtics 50,10,80 textcolor rgb DIM; set xlabel 'x [m]' offset -7,0.6
 do for [frame = 0:3] {

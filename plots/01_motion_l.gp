@@ -3,14 +3,14 @@
 load 'style.gp'
 set output ARG2
 set size ratio -1
-set key outside top center horizontal maxcols 2
-set xrange [*<-0.5:3.7<*]; set yrange [*<-0.3:3.3<*]
+set key top right
+set xrange [*<-0.5:4.7<*] noextend; set yrange [*<-0.3:3.3<*] noextend
 set xtics 1; set ytics 1
 set xlabel 'x [m]'; set ylabel 'y [m]'
 set object 1 polygon from 0,0 to 0,3 to 1,3 to 1,1 to 3,1 to 3,0 to 0,0 behind fillcolor rgb DIM fillstyle transparent solid 0.2 border lc rgb DIM lw 2
 yours = with_yours("ARG3 using 3:4 every ::0::0 with points lt 2 pt 6 ps 2 lw 2 title 'yours'")
 plot ARG1 using 1:2 with points pt 7 ps 0.5 lc rgb DIM notitle, \
-     ARG1 using 3:4 every ::0::0 with points lt 1 pt 7 ps 1.2 title 'centroid', \
-     '+' using (4/3.0):(4/3.0) every ::0::0 with points lt 6 pt 2 ps 1.2 lw 3 title 'mean of the corners', \
-     '+' using (1.5):(1.5) every ::0::0 with points lt 4 pt 13 ps 1.2 title 'middle of the box', \
+     ARG1 using 3:4 every ::0::0 with points lt 1 pt 7 ps 1 title 'centroid', \
+     '+' using (4/3.0):(4/3.0) every ::0::0 with points lt 6 pt 2 ps 1 lw 3 title 'mean of the corners', \
+     '+' using (1.5):(1.5) every ::0::0 with points lt 4 pt 13 ps 1 title 'middle of the box', \
      @yours

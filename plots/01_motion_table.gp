@@ -1,4 +1,4 @@
-#> Figure: Table 13.2, and what it gains from row to row
+#> Figure: Table 13.2 as a curve, with its gaps
 # gnuplot -c 01_motion_table.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 set output ARG2
@@ -10,6 +10,6 @@ before = NaN
 gain(x) = (change = x - before, before = x, change) # from one row of the table to the next
 plot ARG1 using 1:2 with lines lt 1 notitle, \
      ARG1 using 1:2 every 10 with points lt 1 pt 7 ps 0.7 title 'x = 50 + 4 t + t²', \
-     ARG1 using 1:2 every 10 with steps lc rgb DIM lw 1 dt (5,4) title 'one second later, and what it gains', \
+     ARG1 using 1:2 every 10 with steps lc rgb DIM lw 1 dt (5,4) title 'from one second to the next', \
      ARG1 using ($1 + 0.08):($2 - gain($2) / 2):(sprintf('%+g', change)) every 10 with labels left textcolor lt 3 notitle, \
      @yours
