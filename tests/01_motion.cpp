@@ -21,8 +21,7 @@ TEST_CASE("4 px per frame at 30 frames per second are 120 px/s", "[1.1]") {
 }
 
 //> More pixels
-TEST_CASE("more frames per second or more pixels per frame give a higher speed, and to the left it is negative",
-          "[1.1]") {
+TEST_CASE("more frames per second or more pixels per frame mean a higher speed; to the left it is negative", "[1.1]") {
     CHECK_THAT(px_per_second(4, 60), IsNear(240.0, rounding));
     CHECK_THAT(px_per_second(8, 60), IsNear(480.0, rounding));
     CHECK_THAT(px_per_second(8, 30), IsNear(240.0, rounding));
