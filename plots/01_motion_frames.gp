@@ -15,5 +15,5 @@ yours = with_yours("ARG3 using 2:1 with points lt 2 pt 6 ps 2 lw 2 title 'yours'
 plot ARG1 using 2:1:3:(0) with vectors lt 3 lw 2 filled size screen 0.015,25 title 'velocity', \
      ARG1 using 2:1 with points lt 1 pt 7 ps 1.3 title 'missile', \
      ARG1 using (99):1:(sprintf('%g m, %g m/s', $2, $3)) with labels center textcolor rgb INK notitle, \
-     ARG1 using (99):($1 + 0.26):(0):(0.46) with vectors lc rgb DIM lw 1 filled size screen 0.012,25 notitle, \
+     ARG1 using (99):($1 + 0.26):(0):(0.42) with vectors lc rgb DIM lw 1 filled size screen 0.012,25 notitle, \
      @yours

@@ -201,7 +201,7 @@ TEST_CASE("the square of the speed grows by twice the acceleration times the dis
         const Vec2 average = (start.velocity + after.velocity) / 2;
         CHECK_THAT(after.velocity, IsNear(Vec2{start.velocity + t * acceleration}, 1e-9).of("velocity [m/s]"));
         CHECK_THAT(displacement, IsNear(Vec2{average * t}, 1e-9).of("displacement [m]")); // twelve digits of 700 m
-        // Multiplied by m/2, this says: the kinetic energy grows by force times distance.
+        // Multiplied by m/2, this says: the kinetic energy grows by the work, force times displacement.
         const double gained = after.velocity.squaredNorm() - start.velocity.squaredNorm();
         CHECK_THAT(2 * acceleration.dot(displacement),
                    IsNear(gained, 1e-7)
