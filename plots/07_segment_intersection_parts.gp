@@ -8,7 +8,7 @@ set xrange [12:24.2]; set yrange [-3.4:5.2]
 set xtics 2; set ytics 2
 set xlabel 'x [m]; arrows in m/s'; set ylabel 'y [m]'
 set style arrow 1 head filled size 0.25,20 lt 1 lw 2.5
-set style arrow 2 head filled size 0.25,20 lt 3 lw 2
+set style arrow 2 head filled size 0.25,20 lt 3 lw 3.5
 set style arrow 3 head filled size 0.25,20 lt 4 lw 2
 set style arrow 4 head filled size 0.25,20 lt 4 lw 2 dt (5,4)
 set style arrow 5 head filled size 0.25,20 lt 2 lw 2.5

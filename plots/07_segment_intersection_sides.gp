@@ -1,21 +1,23 @@
 #> Figure: two pairs and their sides
 # gnuplot -c 07_segment_intersection_sides.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
+set terminal svg size 640,260 enhanced font "Inter,Segoe UI,Helvetica,Arial,sans-serif,16" linewidth 1.3 rounded
 set output ARG2
 set multiplot layout 1,2
 set size ratio -1
 unset key
+set tmargin 2; set bmargin 2; set lmargin 4; set rmargin 2
 set xtics 4; set ytics 4
 set title 'they meet' offset 0,-0.6
 set xrange [0:18]; set yrange [0:12]
-set label 1 'left' at 4,8.2 center textcolor lt 1; set label 2 'right' at 16,1.6 center textcolor lt 1
+set label 1 'left' at 4,8.4 center textcolor lt 1; set label 2 'right' at 16,1.6 center textcolor lt 1
 plot ARG1 using 3:4 every ::0::1 with linespoints lc rgb DIM lw 3 pt 7 ps 0.5, \
      ARG1 using 1:2 every ::0::1 with linespoints lt 1 ps 0.8
 unset label
 set xtics 1; set ytics 1
 set title 'they do not'
-set xrange [-0.5:4]; set yrange [-0.3:3.3]
-set label 1 'left' at 0.2,-0.05 left textcolor lt 1; set label 2 'left' at 1.15,0.95 left textcolor lt 1
+set xrange [-0.7:4.7]; set yrange [-0.3:3.3]
+set label 1 'left' at 0.2,-0.05 left textcolor lt 1; set label 2 'left' at 0.9,1.3 right textcolor lt 1
 plot ARG1 using 3:4 every ::2::3 with linespoints lc rgb DIM lw 3 pt 7 ps 0.5, \
      ARG1 using 1:2 every ::2::3 with linespoints lt 1 ps 0.8
 unset multiplot

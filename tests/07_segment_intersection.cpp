@@ -930,7 +930,7 @@ TEST_CASE("a ball aimed exactly at a corner does not leave the room", "[7.4]") {
 }
 
 TEST_CASE("after max_bounces bounces in one call the ball stays where it is, with its velocity", "[7.4]") {
-    // 5 m to the right wall, then 999 times 8 m to and fro: 79.97 ms, in which it rises by 0.7997 m
+    // 5 m to the right wall, then 999 times 8 m back and forth: 79.97 ms, in which it rises by 0.7997 m
     const std::vector<Vec2> shaft{{0, 0}, {8, 1}, {8, 6}, {0, 4}};
     const double dt = GENERATE(0.08, 0.1, 1.0, 1e5);
     CHECK_THAT(max_bounces, IsNear(1000).of("max_bounces"));
@@ -1216,7 +1216,7 @@ TEST_CASE("left is 1, right is -1, parallel is 0", "[7.6]") {
     CHECK_THAT(orientation({{2, 5}, {5, 6}}, {{8, 4}, {7, 1}}), IsNear(-1));   // (3, 1), (-1, -3)
     CHECK_THAT(orientation({{2, 5}, {5, 6}}, {{0, 0}, {6, 2}}), IsNear(0));    // (3, 1), (6, 2)
     CHECK_THAT(orientation({{2, 5}, {5, 6}}, {{6, 2}, {0, 0}}), IsNear(0));    // (3, 1), (-6, -2)
-    CHECK_THAT(orientation({{2, 5}, {5, 6}}, {{4, 4}, {4, 4}}), IsNear(0));    // a point turns nowhere
+    CHECK_THAT(orientation({{2, 5}, {5, 6}}, {{4, 4}, {4, 4}}), IsNear(0));    // a point has no direction
     CHECK_THAT(orientation({{0, 0}, {7, 0}}, {{0, 0}, {0, 1e-9}}), IsNear(1)); // small is not parallel
     CHECK_THAT(orientation({{0, 0}, {7, 0}}, {{3, 0}, {-9, -1e-9}}), IsNear(-1));
 }

@@ -37,12 +37,12 @@ struct LineIntersection {
 std::optional<LineIntersection> intersect_lines(const Segment &motion, const Segment &wall);
 
 //> Parallel, within rounding
-/// Two lines count as parallel if |det(a, b)| is at most this times |a| |b|: the sine of the angle between them.
+/// Two lines count as parallel if the sine of the angle between them, |det(a, b)| / (|a| |b|), is at most this.
 inline constexpr double parallel_tolerance = 1e-12;
 
 //> Do they meet?
 /// Whether two segments have a point in common. Their ends belong to them, so touching counts.
-/// Exact for whole-number coordinates up to ±1000. For others, contact by no more than a rounding may go either way.
+/// Exact for whole-number coordinates up to ±1000. For others, a touch or a gap within rounding may go either way.
 /// @throws std::invalid_argument if a coordinate is not within ±1e5.
 bool segments_intersect(const Segment &first, const Segment &second);
 
@@ -64,7 +64,7 @@ struct Ball {
 //> A ball in a room
 /// The ball `dt` seconds later, in a room with smooth, elastic walls. Each wall that it reaches reverses the normal part
 /// of its velocity, and the ball moves on for the rest of the time.
-/// A wall acts only on a ball that approaches it from inside, or from on it; a ball from outside flies in through it.
+/// A wall acts only on a ball that is on it or inside, and approaches it; a ball from outside flies in through it.
 /// In a corner both walls act, one after the other in either order, until the ball approaches neither.
 /// A wall that is reached in the very last instant may or may not have acted yet.
 /// @param room  its corners in order, either way round; a wall joins each to the next, and the last to the first.
