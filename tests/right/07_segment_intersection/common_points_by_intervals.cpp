@@ -1,4 +1,4 @@
-// 7.3: t from 0 to 1 is cut down to where the second is; side by side is asked with exact zeros
+// 7.3: the range of t, from 0 to 1, is cut down to where the second is; zeros decide whether they lie side by side
 #include "segment_intersection.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// 7.3: the crossing by an inverse matrix; on one line, the two middle ones of four ends
+// 7.3: the crossing by an inverse matrix; on one line, the middle two of the four ends
 #include "segment_intersection.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ std::vector<Vec2> common_points(const Segment &first, const Segment &second) {
     const Vec2 gap = second.start - first.start;
     if (std::abs(m.determinant()) > parallel_tolerance * m.col(0).norm() * m.col(1).norm()) {
         const Vec2 ts = m.inverse() * gap;
-        const double hair = 1e-12; // an end that is a rounding away is an end
+        const double hair = 1e-12; // an end a rounding away counts as the end itself
         if (ts.minCoeff() < -hair || ts.maxCoeff() > 1 + hair) return {};
         return {first.start + std::clamp(ts.x(), 0.0, 1.0) * m.col(0)};
     }
@@ -26,7 +26,7 @@ std::vector<Vec2> common_points(const Segment &first, const Segment &second) {
     const Vec2 low = before(low_1, low_2) ? low_2 : low_1, high = before(high_1, high_2) ? high_1 : high_2;
     if (before(high, low)) return {};
     if (low == high) return {low};
-    return {low, high}; // "along" is the first's own way, unless it is a point
+    return {low, high}; // `along` is the first's direction, unless it is a point
 }
 
 } // namespace segment_intersection

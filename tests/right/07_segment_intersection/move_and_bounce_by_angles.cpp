@@ -1,4 +1,4 @@
-// 7.4: angles are mirrored, and turning angles added up
+// 7.4: directions as angles, which a wall mirrors; the angles by which the walls turn give the winding
 #include "segment_intersection.hpp"
 
 #include <cmath>

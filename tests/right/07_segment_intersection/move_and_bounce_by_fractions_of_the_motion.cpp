@@ -1,4 +1,4 @@
-// 7.4: t and s by determinants, t counted in ways and not in seconds; calls itself for the rest
+// 7.4: t and s by determinants, t as a fraction of the motion, not in seconds; calls itself for the rest
 #include "segment_intersection.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt)
         course::require(room[i] != room[next], "the length of a wall [m] must be positive", 0);
         area += det(room[i] - room[0], room[next] - room[0]);
     }
-    if (dt == 0) return ball; // an instant: whether a wall has turned it already is left open
+    if (dt == 0) return ball; // no time: whether a wall has already acted is left open
     return fly(ball, area > 0 ? room : std::vector<Vec2>{room.rbegin(), room.rend()}, dt, max_bounces);
 }
 

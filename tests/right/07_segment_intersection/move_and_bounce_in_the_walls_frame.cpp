@@ -1,4 +1,4 @@
-// 7.4: each wall is laid along the x axis as a complex number; there a bounce is a conjugate
+// 7.4: complex numbers: each wall is turned onto the x axis, where a bounce is a conjugate
 #include "segment_intersection.hpp"
 
 #include <algorithm>

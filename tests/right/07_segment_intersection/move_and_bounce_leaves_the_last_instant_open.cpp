@@ -1,4 +1,4 @@
-// 7.4: a wall reached in the very last instant turns it in the next frame, not in this one
+// 7.4: a wall reached in the very last instant reflects the ball in the next frame, not in this one
 #include "segment_intersection.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// 7.4: of two walls that are reached at once, the one that comes later in the list turns it first
+// 7.4: of two walls that are reached at once, the one that comes later in the list acts first
 #include "segment_intersection.hpp"
 
 #include <algorithm>

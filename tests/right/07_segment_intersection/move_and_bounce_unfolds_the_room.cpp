@@ -1,4 +1,4 @@
-// 7.4: the way stays straight; at each wall the room is mirrored, and at the end all of it is folded back
+// 7.4: the path stays straight; at each wall the room is mirrored, and at the end all of it is folded back
 #include "segment_intersection.hpp"
 
 #include <algorithm>

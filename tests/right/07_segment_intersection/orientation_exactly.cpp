@@ -1,4 +1,4 @@
-// 7.6: the exact sign: a sum whose parts lose nothing, added until only the largest is left
+// 7.6: the exact sign: a sum of parts that lose nothing to rounding, added until only the largest is left
 #include "segment_intersection.hpp"
 
 namespace segment_intersection {
@@ -15,7 +15,7 @@ int orientation(const Segment &first, const Segment &second) {
     add(q.x(), v.y()), add(-q.x(), u.y()), add(-p.x(), v.y()), add(p.x(), u.y());
     add(-q.y(), v.x()), add(q.y(), u.x()), add(p.y(), v.x()), add(-p.y(), u.x());
 
-    for (int round = 0; round < 60; ++round) // each pair becomes its sum and what the sum has lost; the lost sinks down
+    for (int round = 0; round < 60; ++round) // each pair becomes its sum and what the sum has lost, which sinks down
         for (std::size_t i = 1; i < parts.size(); ++i) {
             const double x = parts[i - 1], y = parts[i], sum = x + y, part = sum - x;
             parts[i - 1] = (x - (sum - part)) + (y - part);

@@ -1,4 +1,4 @@
-// 7.6: differences and products with more digits; what doubt is left is smaller
+// 7.6: differences and products with more digits, so that less doubt remains
 #include "segment_intersection.hpp"
 
 #include <limits>

@@ -1,4 +1,4 @@
-// 7.2: the first is cut down, as t from 0 to 1, to where the second's box and its line let it be
+// 7.2: the range of t on the first is cut down by the second's box and line
 #include "segment_intersection.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool segments_intersect(const Segment &first, const Segment &second) {
         return b.x() * (p.y() - second.start.y()) - b.y() * (p.x() - second.start.x());
     };
 
-    if (b.isZero(0)) { // a point: both coordinates must be its own
+    if (b.isZero(0)) { // a point: both coordinates must equal its own
         const Vec2 a = first.end - first.start, gap = second.start - first.start;
         return a.x() * gap.y() == a.y() * gap.x()
                && (a.isZero(0) ? gap.isZero(0) : a.dot(gap) >= 0 && a.dot(gap) <= a.dot(a));
@@ -41,7 +41,7 @@ bool segments_intersect(const Segment &first, const Segment &second) {
         t.cut(along(first.start), along(first.end), 0, b.dot(b));
         return t.low <= t.high;
     }
-    // where it crosses the second's line, weighed by the heights of both ends, and not divided
+    // where it crosses the second's line, weighted by the heights of both ends, without dividing
     const double there = (along(first.start) * to - along(first.end) * from) * (to > from ? 1 : -1);
     return there >= 0 && there <= b.dot(b) * std::abs(to - from);
 }

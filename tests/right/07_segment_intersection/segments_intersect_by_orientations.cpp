@@ -1,4 +1,4 @@
-// 7.2: the textbook's four orientations and four special cases; an orientation that could be a rounding is none
+// 7.2: the textbook's four orientations and four special cases; one that may be due to rounding counts as 0
 #include "segment_intersection.hpp"
 
 #include <algorithm>

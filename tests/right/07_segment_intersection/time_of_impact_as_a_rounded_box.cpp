@@ -1,4 +1,4 @@
-// 7.5: a point against a stadium: the box round the side is clipped, the caps are circles; the earliest wins
+// 7.5: a point against a stadium: the motion is clipped to the box and to both circles, and the earliest wins
 #include "segment_intersection.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// 7.5: the distance falls and then grows: halves find where it is least, and halves where it is one radius
+// 7.5: the distance falls, then grows: bisection finds where it is least, and then where it is one radius
 #include "segment_intersection.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::optional<Impact> time_of_impact(const Segment &motion, double radius, const
     double from = 0, least = 1;
     for (int i = 0; i < 1100 && from < least; ++i) {
         const double middle = (from + least) / 2;
-        if (way.dot(away(least)) <= 0) break; // still coming nearer at the end of the motion
+        if (way.dot(away(least)) <= 0) break; // still getting closer at the end of the motion
         (way.dot(away(middle)) < 0 ? from : least) = middle;
         if (middle == (from + least) / 2) break; // no number between them
     }

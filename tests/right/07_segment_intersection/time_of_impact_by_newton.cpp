@@ -1,4 +1,4 @@
-// 7.5: step by step to where the distance, if it went on falling as now, would be one radius
+// 7.5: step by step to where the distance would be one radius if it kept falling at its present rate
 #include "segment_intersection.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::optional<Impact> time_of_impact(const Segment &motion, double radius, const
     course::require(radius >= 0, "radius [m] must not be negative", radius);
     const Vec2 way = motion.end - motion.start;
     double t = 0;
-    for (int i = 0; i < 200; ++i) { // the distance is curved upwards, so no step is too long
+    for (int i = 0; i < 200; ++i) { // the distance is convex, so no step is too long
         const Vec2 centre = motion.start + t * way, point = nearest(wall, centre), away = centre - point;
         const double distance = away.norm(), speed = -way.dot(away) / (distance > 0 ? distance : 1);
         if (t > 1 || (speed <= 0 && distance > radius * (1 + 1e-15))) return {};
