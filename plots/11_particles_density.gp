@@ -5,7 +5,7 @@ set output ARG2
 set key outside top center horizontal
 set xrange [0:1]; set yrange [0:5.4]
 set xtics 0.2; set ytics 1
-set xlabel 'fraction of the disc that is slower: (speed / maximum)²'; set ylabel 'particles, relative to an even spread' offset 1,0
+set xlabel 'fraction of the area inside: (speed / maximum)²'; set ylabel 'density / average density' offset 1,0
 yours = with_yours("ARG3 using 1:2 with points lt 2 pt 4 ps 1 title 'yours'")
 plot 1 with lines lc rgb DIM lw 1 dt (5,4) notitle, \
      1 / (2 * sqrt(x)) with lines lc rgb DIM lw 1 dt (5,4) notitle, \

@@ -1,7 +1,9 @@
 #> Figure: three bursts
 # gnuplot -c 11_particles_discs.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
+set terminal svg size 640,250 enhanced font "Inter,Segoe UI,Helvetica,Arial,sans-serif,16" linewidth 1.3 rounded
 set output ARG2
+set margins 0,0,0,0
 set size ratio -1
 set xrange [-1.15:6.35]; set yrange [-1.15:1.6]
 unset border; unset tics; unset grid; unset key

@@ -170,7 +170,7 @@ TEST_CASE("the worked example: with a life of 3 s each of 16 shades is shown for
     CHECK_THAT(shade_index(0.18, 3, 16), IsNear(std::optional{0}));
     CHECK_THAT(shade_index(0.1875, 3, 16), IsNear(std::optional{1})); // 3/16
     CHECK_THAT(shade_index(1.5, 3, 16), IsNear(std::optional{8}));    // half its life
-    CHECK_THAT(shade_index(2.8, 3, 16), IsNear(std::optional{14}));   // 15 · 3/16 = the last shade begins at 2.8125
+    CHECK_THAT(shade_index(2.8, 3, 16), IsNear(std::optional{14}));   // the last shade begins at 15 · 3/16 = 2.8125
     CHECK_THAT(shade_index(2.9, 3, 16), IsNear(std::optional{15}));
 }
 
@@ -282,7 +282,7 @@ TEST_CASE("gravity pulls down and wind blows to the right; negative values do th
     CHECK_THAT(after(0, 0), IsNear(std::optional{Particle{{5, 5}, {0, 0}, 0.5, 9}}, rounding));
 }
 
-//> A thousand steps
+//> A hundred steps
 TEST_CASE("after 100 steps the position is the start plus dt times the sum of all new velocities", "[11.3]") {
     const double dt = GENERATE(1.0 / 30, 1.0 / 60, 0.001);
     const World wide{.gravity = 9.81, .wind = -0.7, .width = 1000, .height = 1000};
@@ -664,7 +664,7 @@ TEST_CASE("erratum E11.9: 100 random numbers give 100 velocities; in print there
 }
 
 //>
-TEST_CASE("with offset and jitter 0 and one life, random numbers change nothing", "[11.6]") {
+TEST_CASE("with offset and jitter 0 and equal lives, random numbers change nothing", "[11.6]") {
     const Emitter calm{.position = {-3, 2}, .velocity = {1, 7}, .offset = 0, .jitter = 0, .min_life = 2, .max_life = 2};
     CHECK_THAT(emit(calm, {0.1, 0.9, 0.3, 0.99, 0.7}), IsNear(Particle{{-3, 2}, {1, 7}, 0, 2}, rounding));
 }
@@ -1340,7 +1340,7 @@ TEST_CASE("a particle is dead if its age equals its life or is greater", "[11.9]
 }
 
 //> Every pattern of eight
-TEST_CASE("for every choice of dead among 8, all others survive, and only those past the end move", "[11.9]") {
+TEST_CASE("for every choice of dead among 8, all others survive, and only those past the new end move", "[11.9]") {
     for (int pattern = 0; pattern < 256; ++pattern) {
         std::vector<Particle> pool = row_of("abcdefgh");
         for (std::size_t i = 0; i < 8; ++i)

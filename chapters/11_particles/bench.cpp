@@ -61,8 +61,8 @@ template <class AnyPool> double rate(std::size_t count) {
     return 1e-6 * double(count) / time;
 }
 
-/// Bytes per second [GB/s] for numbers that are read, changed and written back in place, as particles are. It is the most
-/// of twenty: what memory can remainder when nobody else wants it.
+/// Bytes per second [GB/s] for numbers that are read, changed and written back in place, as particles are. It is the best
+/// of twenty: what memory can deliver when no other program uses it.
 double bandwidth() {
     std::vector<double> numbers(32u << 20, 1.0); // 256 MB: far more than any cache holds
     double least = 1;
@@ -106,9 +106,9 @@ void print_pools(std::ostream &out) {
         shown << std::setprecision(x < 100 ? 2 : 3) << x;
         return shown.str();
     };
-    out << "Millions of particles per second, and which share that is of what memory can remainder (" << digits(memory)
+    out << "Millions of particles per second, and what fraction that is of what memory can deliver (" << digits(memory)
         << " GB/s):\n"
-        << row({{"particles", 11}, {"linear search", 17}, {"free list", 17}, {"swap and pop", 0}});
+        << row({{"particles", 11}, {"linear search", 17}, {"free list", 17}, {"swap-and-pop", 0}});
     for (const auto &[count, rates] : rows) {
         std::array<std::string, 3> cells;
         for (std::size_t i = 0; i < 3; ++i)

@@ -88,7 +88,7 @@ inline std::vector<Particle> trail(const Particle &rocket, Emission &emission, R
 inline std::optional<Particle> step(Particle particle, const World &world, const std::vector<Wall> &walls, double dt) {
     particle.velocity += dt * Vec2{world.wind, -world.gravity}; // as before
     const Particle moved = move_and_collide(particle, walls, 0.5, dt);
-    return step(moved, world, 0); // in no time it moves nowhere, but if it is dead, this says so
+    return step(moved, world, 0); // with dt = 0 it does not move, but if it is dead, this says so
 }
 
 //> The frame loop without gaps

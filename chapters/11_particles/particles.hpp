@@ -59,7 +59,7 @@ std::optional<Pool> spawn(const Pool &pool, const Particle &particle);
 std::optional<int> shade_index(double age, double life, int shades);
 
 //> The world
-/// What acts on all particles, and the picture: a particle outside of it is dead.
+/// What acts on all particles, and the picture: a particle outside it is dead.
 struct World {
     double gravity{}; ///< downwards [m/s²]; negative: upwards
     double wind{};    ///< to the right, an acceleration too [m/s²]; negative: to the left
@@ -95,7 +95,7 @@ inline void require_random_numbers(const std::vector<double> &random_numbers) {
 /// Velocities [m/s], spread evenly over a disc of radius `max_speed`: equal areas hold equal numbers of them.
 /// @param random_numbers  at least 0 and less than 1, and in pairs, one pair for each velocity. The first of a pair
 ///                        sets the speed: 0 gives 0, and a larger number a larger speed. The second sets the
-///                        angle: 0 is to the right, and in equal steps it goes once round, anticlockwise.
+///                        angle: 0 is to the right, and up to 1 it goes evenly once round, anticlockwise.
 /// @param max_speed       [m/s], not negative
 std::vector<Vec2> disc_burst(const std::vector<double> &random_numbers, double max_speed);
 
@@ -114,7 +114,7 @@ struct Emitter {
 //> Emit
 /// One particle of the trail, of age 0. It inherits the emitter's velocity; the random numbers vary it.
 /// @param random_numbers  five, at least 0 and less than 1: for the position's x and y, the velocity's x and y, and the
-///                        life. From 0 to 1, each of these runs in equal steps from its smallest value to its largest.
+///                        life. As a number goes from 0 to 1, its quantity goes evenly from its smallest value to its largest.
 Particle emit(const Emitter &emitter, const std::vector<double> &random_numbers);
 
 //> How many this frame?
@@ -161,8 +161,8 @@ inline void require_wall(const Wall &wall) {
 /// The particle `dt` later, and `dt` older. It moves straight on until it hits a wall; there the part of its velocity
 /// along the wall's normal is reversed and multiplied by `restitution`, and it moves on for the time that is left.
 /// It never skips a wall, however long `dt` is. If it is within `contact_tolerance` of a wall, on either side, and
-/// approaches it towards the right side, it bounces at once. Where it hits two walls at once, both act, in either
-/// order, until it approaches neither. Left open is whether a wall has reflected it that it reaches at the very end of
+/// moves towards its right side, it bounces at once. Where it hits two walls at once, both act, in either order, until
+/// it approaches neither. Whether it has bounced or not, either is right for a wall that it reaches at the very end of
 /// `dt`, that it meets within `contact_tolerance` of an end, or that is parallel to its path by section 7's definition.
 /// @param restitution  [1], from 0 to 1
 /// @param dt           [s], not negative

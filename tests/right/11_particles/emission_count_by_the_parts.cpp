@@ -1,4 +1,4 @@
-// 11.7: what the frame adds, whole and broken; then the two broken ones
+// 11.7: the whole part and the fraction of what the frame adds; then the fraction and the old remainder together
 #include "particles.hpp"
 
 #include <cmath>
@@ -10,12 +10,12 @@ Emission emission_count(double rate, double remainder, double dt) {
     if (rate < 0 || dt < 0 || remainder < 0 || remainder >= 1 || rate * dt > 1e6)
         throw std::invalid_argument{"no such rate"};
     double whole = 0;
-    double broken = std::modf(rate * dt, &whole) + remainder;
-    if (broken >= 1) {
-        broken -= 1;
+    double fraction = std::modf(rate * dt, &whole) + remainder;
+    if (fraction >= 1) {
+        fraction -= 1;
         whole += 1;
     }
-    return {.count = int(whole), .remainder = broken};
+    return {.count = int(whole), .remainder = fraction};
 }
 
 } // namespace particles

@@ -1,4 +1,4 @@
-// 11.7: int cuts off what follows the point
+// 11.7: int cuts off the digits after the decimal point
 #include "particles.hpp"
 
 namespace particles {

@@ -1,4 +1,4 @@
-// 11.7: it takes one away as long as there is one
+// 11.7: it takes one particle away as long as a whole one is left
 #include "particles.hpp"
 
 namespace particles {

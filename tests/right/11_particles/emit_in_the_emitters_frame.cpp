@@ -1,4 +1,4 @@
-// 11.6: made at rest at the origin, then taken along
+// 11.6: made for an emitter at rest at the origin, then moved
 #include "particles.hpp"
 
 namespace particles {

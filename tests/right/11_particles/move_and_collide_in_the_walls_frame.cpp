@@ -1,4 +1,4 @@
-// 11.8: each wall is laid along the x axis; there only y is turned
+// 11.8: each wall is turned onto the x axis; there only y is reversed
 #include "particles.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// 11.4: each is the one before, turned by the angle between two
+// 11.4: each velocity is the one before, turned by the angle between neighbours
 #include "particles.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// 11.2: the last border that is behind it, found by halving
+// 11.2: the last change of shade before this age, found by bisection
 #include "particles.hpp"
 
 namespace particles {

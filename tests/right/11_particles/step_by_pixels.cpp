@@ -1,4 +1,4 @@
-// 11.3: it is seen if it falls into a cell of the picture as large as all of it
+// 11.3: it is inside if x / width and y / height are both 0 when rounded down
 #include "particles.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// 11.8: a wall met in the very last instant turns it in the next call, and of two at once the later in the list is first
+// 11.8: a wall reached at the very end of dt reflects it in the next call; of two hit at once, the later in the list acts first
 #include "particles.hpp"
 
 #include <algorithm>

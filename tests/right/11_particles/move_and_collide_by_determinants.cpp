@@ -1,4 +1,4 @@
-// 11.8: t and s by determinants, and it calls itself for the rest
+// 11.8: t and s by determinants, and it calls itself for the time that is left
 #include "particles.hpp"
 
 namespace particles {
