@@ -31,7 +31,7 @@ inline std::string row(const std::vector<std::pair<std::string, std::size_t>> &c
     std::string line;
     for (const auto &[words, width] : columns) {
         line += words;
-        if (words.size() < width) line.append(width - words.size(), ' ');
+        line.append(words.size() < width ? width - words.size() : 1, ' '); // too long a text keeps its distance
     }
     return line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
 }

@@ -44,14 +44,19 @@ Integrators step_all(const Integrators &before, const Vec2 &acceleration, double
     throw course::NotYet{"all three gain the same velocity in a step; at which velocity does each of them move?"};
 }
 
-// 1.6 stretch
+// 1.6 challenge
 Vec2 centroid(const std::vector<Vec2> &corners) {
     course::require(corners.size() >= 3, "the number of corners must be three or more", double(corners.size()));
     course::require_range(corners);
+    double size = 0; // the square of the longest distance between two corners [m²]
+    for (const Vec2 &p : corners)
+        for (const Vec2 &q : corners) size = std::max(size, (p - q).squaredNorm());
     throw course::NotYet{"cut the plate into triangles that share its first corner; you know the centroid of each"};
+    // This line refuses corners on one line. Remove its // once you have an area, before you divide.
+    // course::require(std::abs(area) > 1e-12 * size, "the area [m²] must not be zero", area);
 }
 
-// 1.7 challenge
+// 1.7 stretch
 Motion fit_motion(const Sample &first, const Sample &second, const Sample &third) {
     course::require_range(first.t, first.x, second.t, second.x, third.t, third.x);
     const char *claim = "the times [s] must differ from each other";

@@ -82,18 +82,20 @@ void burst(std::vector<Missile> &pieces) {
 }
 
 void print_burst(std::ostream &out) {
-    out << row({{"t [s]", 7}, {"nose [m]", 13}, {"hull [m]", 13}, {"their centre", 14}, {"unbroken [m]", 0}});
+    out << row({{"t [s]", 7}, {"centre [m]", 14}, {"unbroken [m]", 14}, {"the camera's screen, 8 m wide", 0}});
     Missile unbroken{.state = thrown, .acceleration = gravity};
     std::vector<Missile> pieces = nose_and_hull();
     for (int frame = 0; frame <= 14; ++frame) { // of 0.1 s
         if (frame == 6) burst(pieces);
-        const auto centre = camera_target(pieces);
-        if (frame >= 6 && frame % 2 == 0)
+        if (frame >= 6 && frame % 2 == 0) {
+            const Vec2 centre = camera_target(pieces).value();
+            const auto seen = [&](const Vec2 &p) { return 320 + 80 * (p - centre).x(); }; // 80 px per metre
+            const double n = seen(pieces[0].state.position), h = seen(pieces[1].state.position);
             out << row({{text(frame / 10.0), 7},
-                        {text(pieces[0].state.position), 13},
-                        {text(pieces[1].state.position), 13},
-                        {centre ? text(*centre) : "nothing", 14},
-                        {text(unbroken.state.position), 0}});
+                        {text(centre), 14},
+                        {text(unbroken.state.position), 14},
+                        {screen({{'n', n}, {'h', h}, {'+', seen(centre)}}), 0}});
+        }
         for (Missile &piece : pieces) next_frame(piece, 0.1);
         next_frame(unbroken, 0.1);
     }
@@ -138,7 +140,7 @@ void print_fit(std::ostream &out) {
 
 //> Table 13.2 as a curve
 void trace_table(std::ostream &out) {
-    out << "# t[s]\tx[m]\tv[m/s]\n";
+    out << "# t[frame]\tx[px]\tv[px/frame]\n";
     for (int tenth = 0; tenth <= 50; ++tenth) {
         const double t = tenth / 10.0;
         const State now = accelerated_motion(moving, acceleration, t);

@@ -51,7 +51,7 @@ struct PointMass {
 };
 
 /// The point on which all of these bodies together balance [m].
-/// Nothing if there is no mass: the list is empty, or every mass is 0. A total below 1e-100 kg may count as 0.
+/// Nothing if there is no mass: the list is empty, or every mass is 0.
 /// @throws std::invalid_argument if a mass is negative, or a number is not within ±1e5.
 std::optional<Vec2> centre_of_mass(const std::vector<PointMass> &bodies);
 
@@ -73,13 +73,10 @@ Integrators step_all(const Integrators &before, const Vec2 &acceleration, double
 
 //> The centroid of a plate
 /// The centroid of a polygon [m]: the centre of mass of a plate that is equally thick everywhere.
-/// For a square with sides between 1 cm and 10 m it is right to 1e-9 m, even far from the origin.
-/// The thinner a plate, the fewer digits are right.
+/// For a square with sides between 1 cm and 10 m it is right to 1e-9 m, even far from the origin; for a thin plate, to less.
 /// @param corners  in order, either way round [m]; they may repeat; that no sides cross is not checked
-/// @throws std::invalid_argument if there are fewer than three corners, if they lie on one line, or if a number is not
-///         within ±1e5. Corners lie on one line if the area is at most 1e-13 of the square of the longest distance
-///         between two of them, and do not if it is 1e-11 of that or more. In between, and for a plate shorter than
-///         1e-100 m, either is right.
+/// @throws std::invalid_argument if there are fewer than three corners, if a number is not within ±1e5, or if the corners
+///         lie on one line: if the area is some 1e-12 of the square of the longest distance between two of them, or less.
 Vec2 centroid(const std::vector<Vec2> &corners);
 
 //> A sample and a motion
@@ -112,8 +109,8 @@ COURSE_EXERCISE("1.2", core, motion, uniform_motion, "start [m], velocity [m/s],
 COURSE_EXERCISE("1.3", core, motion, accelerated_motion, "start, acceleration [m/s²], t [s]", "")
 COURSE_EXERCISE("1.4", core, motion, centre_of_mass, "bodies", "m")
 COURSE_EXERCISE("1.5", stretch, motion, step_all, "before, acceleration [m/s²], dt [s]", "")
-COURSE_EXERCISE("1.6", stretch, motion, centroid, "corners [m]", "m")
-COURSE_EXERCISE("1.7", challenge, motion, fit_motion, "first, second, third", "")
+COURSE_EXERCISE("1.6", challenge, motion, centroid, "corners [m]", "m")
+COURSE_EXERCISE("1.7", stretch, motion, fit_motion, "first, second, third", "")
 } // namespace subject
 //>
 } // namespace motion
