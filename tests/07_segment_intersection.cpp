@@ -188,7 +188,7 @@ TEST_CASE("each call stands alone: nothing is remembered from the call before", 
 
 //> Erratum E7.1
 TEST_CASE("erratum E7.1: the printed t and s belong to a wall that ends at (18, 11), not (17, 10)", "[7.1]") {
-    // As printed, (17, 10) stands where (16, 9) must: the wall's end in place of the vector along it.
+    // As printed, (17, 10) is where (16, 9) must be: the wall's end in place of its displacement.
     const double printed_s = (4.0 * (4 - 1) + 12 * (7 - 1)) / (17 * 4 + 12 * 10);  // 84/188, printed as .44
     const double printed_t = (17.0 * (7 - 1) - 10 * (4 - 1)) / (17 * 4 + 12 * 10); // 72/188, printed as .383
     CHECK_THAT(printed_t, IsNear(0.383, 0.0005));
@@ -621,7 +621,7 @@ double outside(const Vec2 &p, const std::vector<Vec2> &corners) {
     return in ? 0 : nearest;
 }
 
-// Seven corners, no two walls alike; at (6.5, 3.5) one stands into the room.
+// Seven corners, no two walls alike; at (6.5, 3.5) one points into the room.
 const std::vector<Vec2> cave{{0.5, 1}, {6, 0}, {11.5, 1.5}, {10, 6.5}, {6.5, 3.5}, {4, 7}, {1, 5.5}};
 
 } // namespace
@@ -634,7 +634,7 @@ TEST_CASE("the worked examples: the ball bounces off a wall, and moves on for th
     // 3 m above the floor, falling 1.5 m/s: there after 2 s, at x = 4 + 2 · 2; then 1 s up
     CHECK_THAT(move_and_bounce({{4, 3}, {2, -1.5}}, room, 3), IsNear(Ball{{10, 1.5}, {2, 1.5}}, rounding));
 
-    // at y = 2 the leaning wall stands at 20 - 9/12 · 2 = 18.5: there after 9.5/5 = 1.9 s. Its normal is (-0.8, -0.6),
+    // at y = 2 the leaning wall is at 20 - 9/12 · 2 = 18.5: there after 9.5/5 = 1.9 s. Its normal is (-0.8, -0.6),
     // the part of (5, 0) along it is -4: (5, 0) + 8 (-0.8, -0.6) = (-1.4, -4.8), for 0.2 s
     CHECK_THAT(move_and_bounce({{9, 2}, {5, 0}}, room, 2.1), IsNear(Ball{{18.22, 1.04}, {-1.4, -4.8}}, rounding));
 }
@@ -764,7 +764,7 @@ TEST_CASE("a ball bounces off several walls in one call, one after the other", "
 }
 
 TEST_CASE("a wall ends at its corners: the ball passes through the line beyond them", "[7.4]") {
-    // (6, 3) is a corner that stands into the room: its walls' lines go on through the free space on either side
+    // (6, 3) is a corner that points into the room: its walls' lines go on through the free space on either side
     const std::vector<Vec2> bay{{0, 0}, {12, 0}, {12, 9}, {6, 3}, {1, 9}};
     CHECK_THAT(move_and_bounce({{1, 2}, {4, 0}}, bay, 2), IsNear(Ball{{9, 2}, {4, 0}}, rounding)); // below the corner
     CHECK_THAT(move_and_bounce({{2, 4}, {4, 0}}, bay, 1.0 / 3), IsNear(Ball{{10.0 / 3, 4}, {4, 0}}, rounding));
@@ -807,7 +807,7 @@ TEST_CASE("a ball that is farther outside than contact_tolerance is not held bac
     CHECK_THAT(move_and_bounce({{10, -off}, {4, -2}}, room, 0.5),
                IsNear(Ball{{12, -off - 1}, {4, -2}}, rounding));                                                 // away
     CHECK_THAT(move_and_bounce({{10, -off}, {4, 2}}, room, 0.5), IsNear(Ball{{12, 1 - off}, {4, 2}}, rounding)); // in
-    // past the tip of the corner that stands into the room
+    // past the tip of the corner that points into the room
     CHECK_THAT(move_and_bounce({{5, 3.5 - off}, {2, 0}}, cave, 1.5), IsNear(Ball{{8, 3.5 - off}, {2, 0}}, rounding));
     // of a room a thousand times smaller too
     std::vector<Vec2> small_room = room;
@@ -817,7 +817,7 @@ TEST_CASE("a ball that is farther outside than contact_tolerance is not held bac
 }
 
 TEST_CASE("contact_tolerance is in metres: a ball passes 5 micrometres beside a wall of 10 km", "[7.4]") {
-    // 5e-6 m beside the corner that stands into the room: thousands of times touching, and 5e-10 of the wall
+    // 5e-6 m beside the corner that points into the room: thousands of times the tolerance, and 5e-10 of the wall
     const std::vector<Vec2> l{{0, 0}, {2e4, 0}, {2e4, 1e4}, {1e4, 1e4}, {1e4, 2e4}, {0, 2e4}};
     const double beside = 1e4 - 5e-6;
     CHECK_THAT(move_and_bounce({{9990, beside}, {2, 0}}, l, 10), IsNear(Ball{{10010, beside}, {2, 0}}, rounding));
@@ -1272,15 +1272,21 @@ TEST_CASE("the sign is that of the exact determinant, from 1e-60 m to 1e5 m", "[
     }
 }
 
-TEST_CASE("two of the worst cases: 0 is allowed up to 1e-15 of the exact D, not of the computed one", "[7.6]") {
+TEST_CASE("three of the worst cases: 0 is allowed up to 1e-15 of the exact D, not of the computed one", "[7.6]") {
     // Computed, D is 2.2e-16 of its two products together; these eight numbers, as they are stored, have -2.3e-17 of them.
     const Segment first{{0.0066887441641682033, 0.035824353454739041}, {1.0085581351620307, 1.0543505924393419}};
     const Segment second{{-0.047818887578320146, -0.040134572186612497}, {0.93427171066482462, 0.9582840364250792}};
     CHECK_THAT(orientation(first, second), IsAtMost(0));
     CHECK_THAT(orientation(second, first), IsAtLeast(0));
 
-    // Computed, it is 7.4e-16 of them, but truly 1.004e-15: no longer too close to tell. Whoever takes all of the
-    // header's 1e-15 for the doubt says 0 here; of the 1e-15, a good third is what the roundings can have taken away.
+    // Computed, it is 2.5e-16 of them, truly -5.7e-19: all six roundings go the same way, so two each are not enough.
+    const Segment up{{1.0880185641326534e-16, -1.0880185641326534e-16}, {1.1510662627496386, 1.1510662627497668}};
+    const Segment down{{-1.0880185641326534e-16, 1.0880185641326534e-16}, {1.141200003253026, 1.1412000032531535}};
+    CHECK_THAT(orientation(up, down), IsAtMost(0));
+    CHECK_THAT(orientation(down, up), IsAtLeast(0));
+
+    // Computed, it is 7.4e-16 of them, but truly 1.004e-15: no longer too close to tell. A doubt of all of the header's
+    // 1e-15 gives 0 here; of the 1e-15, a good third is what the roundings can have taken away.
     const Segment third{{0.016757470922215703, 0.026790244964310109}, {1.0390542163852641, 1.0430544560098016}};
     const Segment fourth{{-0.010648782619675397, 0.032056641416541437}, {1.0278831682168375, 1.064460254502831}};
     CHECK_THAT(orientation(third, fourth), IsNear(1));
