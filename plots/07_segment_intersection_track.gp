@@ -11,7 +11,7 @@ set arrow 2 from 7,-3 to 7,1.5 nohead lc rgb DIM lw 4
 set label 'wall' at 7.25,-1.8 textcolor rgb DIM
 set label 'motion' at 0,3.6 textcolor lt 1
 yours = with_yours("ARG3 using 3:4 every ::0::0 with points lt 2 pt 6 ps 1.8 lw 2 title 'yours'")
-plot ARG1 using 1:2 with lines lt 4 lw 1 dt (5,3) title 'one radius from the wall', \
+plot ARG1 using 1:2 with lines lt 4 lw 2 dt (5,3) title 'one radius from the wall', \
      '+' using (5 + 2.5 * cos($1)):(3 + 2.5 * sin($1)) with lines lt 1 lw 1 notitle, \
      ARG1 using 3:4 every ::0::0 with points lt 3 pt 7 ps 1.2 title 'centre at the impact', \
      @yours
