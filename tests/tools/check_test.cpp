@@ -179,7 +179,7 @@ TEST_CASE("an answer may have any name; what is no file with text is named, and 
           != std::string::npos);
     fs::resize_file(folder / "large.cpp", 1'000'000);
     CHECK(said(folder / "large.cpp").ends_with("code 0"));
-    CHECK(said(folder / "none.cpp").ends_with("is it there, and yours to read?\ncode 2"));
+    CHECK(said(folder / "none.cpp").ends_with("does it exist, and may you read it?\ncode 2"));
     fs::remove_all(folder);
 }
 

@@ -512,7 +512,7 @@ TEST_CASE("a student's trace that cannot be drawn has a sentence for its student
                ContainsSubstring("1 07_lines_rise is not drawn: your functions gave nan where x[m]"));
     CHECK_THAT(plotted(writes("0\\t99\\n2\\t99\\n")), ContainsSubstring("your values lie outside the axes"));
     CHECK_THAT(plotted(writes("0\\n2\\n")), ContainsSubstring("your trace 07_lines_rise.tsv, line 2 has 1 numbers"));
-    CHECK_THAT(plotted("exit 0"), ContainsSubstring("does one of your functions leave the program?"));
+    CHECK_THAT(plotted("exit 0"), ContainsSubstring("does one of your functions end the program?"));
     CHECK_THAT(plotted("kill -SEGV $$"), ContainsSubstring("did not get as far") && ContainsSubstring("crashed"));
     CHECK_THAT(plotted("echo 'not started: 07_lines_rise.tsv: from the slope' >&2; exit 1"),
                ContainsSubstring("not started yet: from the slope"));

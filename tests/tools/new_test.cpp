@@ -216,7 +216,7 @@ TEST_CASE("a section that a kill has left half moved in is moved in by the next 
     course.write(".course/new/15_half.draft/solutions/15_half.cpp", "is not whole\n");
     const Finished done = course({"new", "14_ropes"});
     REQUIRE(done.code == 0);
-    CHECK_THAT(done.out, ContainsSubstring("`./course new 13_springs` had been stopped half-way"));
+    CHECK_THAT(done.out, ContainsSubstring("`./course new 13_springs` was stopped halfway"));
     CHECK(course.read("solutions/13_springs.cpp") == "# 13 Springs and so on\nmoves in\n");
     CHECK_THAT(course.read("book.md"), ContainsSubstring("| 13 | [Springs and so on](chapters/13_springs/README.md)"));
     CHECK_THAT(course.read("CMakeLists.txt"), ContainsSubstring("section(13_springs)\nsection(14_ropes)\n"));

@@ -715,6 +715,7 @@ TEST_CASE("code below a throw that should have gone is never reached, and told")
                          "07.cpp")
               .empty());
     CHECK(find_unreached("int f() {\n\n    throw course::NotYet{\"begin\"};\n\n    return 3;\n}\n", "07.cpp")
-          == std::vector<std::string>{"07.cpp:3: this `throw` still stands above your code, which is never reached: "
-                                      "delete the line"});
+          == std::vector<std::string>{
+              "07.cpp:3: this `throw` is still above your code, which is therefore never reached: "
+              "delete this line"});
 }

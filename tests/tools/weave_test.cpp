@@ -344,9 +344,9 @@ TEST_CASE("a mark without a title, a title given twice, and a chunk without code
     }
     SECTION("twice in the code") {
         book.edit("chapters/07_wall/main.cpp", "//> Main\n", "//> A wall\n");
-        CHECK_THAT(
-            book.check().text,
-            ContainsSubstring("main.cpp:3: a chunk called \"A wall\" stands in chapters/07_wall/wall.hpp:8 already;"));
+        CHECK_THAT(book.check().text,
+                   ContainsSubstring(
+                       "main.cpp:3: there is a chunk called \"A wall\" in chapters/07_wall/wall.hpp:8 already;"));
     }
     SECTION("no code") {
         book.edit("chapters/07_wall/main.cpp", "//> Main\n", "//> Nothing\n\n//> Main\n");
@@ -366,14 +366,13 @@ TEST_CASE("code above the first mark is found, where includes, namespaces and co
         book.edit("chapters/07_wall/main.cpp", "//> Main\n",
                   "/* two\nlines */\n// one\nusing namespace wall;\nint hidden;\n//> Main\n");
         CHECK(book.check().text
-              == "chapters/07_wall/main.cpp:7: this code stands before the first mark, so no chapter can show it; put "
+              == "chapters/07_wall/main.cpp:7: this code is above the first mark, so no chapter can show it; put "
                  "a line "
                  "`//> Title` above it, or the same without a title if it is to stay out.\n");
     }
     SECTION("a file without any mark") {
         book.put("plots/07_wall_more.gp", "# comment\n\nplot ARG1\n");
-        CHECK_THAT(book.check().text,
-                   ContainsSubstring("plots/07_wall_more.gp:3: this code stands before the first mark"));
+        CHECK_THAT(book.check().text, ContainsSubstring("plots/07_wall_more.gp:3: this code is above the first mark"));
     }
     SECTION("behind a bare mark it may be") {
         book.edit("chapters/07_wall/main.cpp", "//> Main\n", "//>\nint hidden;\n//> Main\n");
@@ -706,7 +705,7 @@ TEST_CASE(
     REQUIRE(twice.findings.size() == 1);
     CHECK(twice.findings[0].line == 5);
     CHECK(twice.findings[0].message
-          == "\"wall\" is bold in line 3 already; let it be bold once, where it is explained.");
+          == "\"wall\" is bold in line 3 already; make it bold only once, where it is explained.");
 }
 
 TEST_CASE("a chapter with a fence without an end takes no row out of the glossary") {

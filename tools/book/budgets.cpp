@@ -19,7 +19,7 @@ std::string_view unquoted(std::string_view line) {
     return line.substr(std::min(line.find_first_not_of("> "), line.size()));
 }
 
-/// The words of a line as somebody reads them; a formula is one word.
+/// The words of a line as they are read; a formula is one word.
 int words_in(const std::string &line) {
     std::istringstream words{take_out_formulas(line).text};
     int count = 0;

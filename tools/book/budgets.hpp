@@ -1,6 +1,6 @@
 #pragma once
 // What keeps a chapter readable, as numbers that can be checked: how soon the reader does something, how much is read
-// between two things to do, how much code stands in the way. What is folded away counts for none of them.
+// between two things to do, how much code is in the way. What is folded away counts for none of them.
 
 #include "book/finding.hpp"
 

@@ -48,7 +48,7 @@ std::optional<Finding> unmarked_code(const fs::path &file) {
         in_comment = in_comment || opens;
         if (!in_comment && !std::regex_match(line.text.begin(), line.text.end(), harmless))
             return Finding{file, number,
-                           "this code stands before the first mark, so no chapter can show it; put a line `"
+                           "this code is above the first mark, so no chapter can show it; put a line `"
                                + std::string{file.extension() == ".gp" ? "#>" : "//>"}
                                + " Title` above it, or the same without a title if it is to stay out."};
         if (without_blanks_behind(line.text).ends_with("*/")) in_comment = false;

@@ -5,7 +5,7 @@
 
 namespace course {
 
-/// Something at a place of the book or its code that wants mending, and how: one sentence.
+/// What has to be fixed at a place of the book or its code, and how: one sentence.
 struct Finding {
     std::filesystem::path file;
     int line = 0; ///< from 1

@@ -172,7 +172,7 @@ Glossary weave_glossary(const std::string &book, const std::filesystem::path &fi
         else
             result.findings.push_back({term.file, term.line,
                                        "\"" + term.name + "\" is bold in line " + std::to_string(first->second)
-                                           + " already; let it be bold once, where it is explained."});
+                                           + " already; make it bold only once, where it is explained."});
     }
 
     const std::size_t mark = byte_order_mark(book).size();

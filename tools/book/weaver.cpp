@@ -112,7 +112,7 @@ class Weaver {
                 const auto [first, is_new] = chunks.try_emplace(chunk.title, chunk);
                 if (!is_new)
                     find(file, chunk.line,
-                         fmt::format("a chunk called \"{}\" stands in {} already; give one of them another title.",
+                         fmt::format("there is a chunk called \"{}\" in {} already; give one of them another title.",
                                      chunk.title, place(first->second.file, first->second.line)));
             }
         for (const fs::path &file : page.whole)
@@ -141,7 +141,7 @@ class Weaver {
     std::optional<Wanted> chunk_in(const Fence &fence, const std::string &title) {
         const int line = fence.line + 1;
         if (title.empty())
-            return find(page.file, line, "this mark has no title; name the chunk that is to stand here."), std::nullopt;
+            return find(page.file, line, "this mark has no title; name the chunk that belongs here."), std::nullopt;
         const auto chunk = chunks.find(title);
         if (chunk == chunks.end()) {
             std::vector<std::string> titles;

@@ -41,7 +41,7 @@ struct Outcome {
     bool has(Kind kind) const {
         return std::any_of(verdicts.begin(), verdicts.end(), [kind](const Verdict &v) { return v.kind == kind; });
     }
-    /// Not started as long as any call says so: a stub that refuses bad input passes some tests by itself.
+    /// Not started as long as any call says so: a stub that refuses bad input passes some tests as it is.
     Kind state() const {
         const Verdict *failure = first_failure();
         return failure == nullptr ? Kind::passed : has(Kind::not_started) ? Kind::not_started : failure->kind;
@@ -67,7 +67,7 @@ void print_failure(const Verdict &verdict) {
     std::cout << '\n' << explain(verdict, 6);
 }
 
-/// An exercise in one line; what is wrong below it: the first failure whole, for one is mended at a time.
+/// An exercise in one line; what is wrong below it: the first failure in full, since one is fixed at a time.
 void print(const Outcome &outcome, bool verbose) {
     const auto &[exercise, verdicts] = outcome;
     const Verdict *failure = outcome.first_failure();
@@ -150,7 +150,7 @@ Verdict nameless(Verdict verdict, const std::string &heading) {
     return verdict;
 }
 
-/// Before anything is judged: an earlier report goes, so that nobody takes it for this one, and a place that cannot be
+/// Before anything is judged: an earlier report goes, so that it is not taken for this one, and a place that cannot be
 /// written is found out now.
 void make_room(const fs::path &report) {
     if (fs::exists(report) && !fs::is_regular_file(report))
@@ -308,7 +308,7 @@ void add_check(CLI::App &app, const Tree &tree) {
         ->check(given);
     command->add_option("--seed", options->seed, "for generated values; the same seed, the same values")
         ->capture_default_str();
-    command->footer("Example: ./course check 7 --watch\nLeaves with 0 if all tests pass, 1 if not, 4 if the machine "
+    command->footer("Example: ./course check 7 --watch\nExits with 0 if all tests pass, 1 if not, 4 if the machine "
                     "let none be judged.");
     command->callback([&tree, options] {
         if (!options->file.empty() && options->what.empty())

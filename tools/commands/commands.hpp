@@ -1,6 +1,6 @@
 #pragma once
 // The commands of `course`, one file each. Every one adds itself: name, help with an example, options, what it does.
-// A command leaves with its exit code by throwing `Leave`; returning means that all is well.
+// A command ends with an exit code by throwing `Leave`; if it returns, all is well.
 
 #include "ground/complaint.hpp"
 #include "ground/tree.hpp"

@@ -21,7 +21,7 @@ void tell_protection() {
 } // namespace
 
 void add_doctor(CLI::App &app, const Tree &) {
-    app.add_subcommand("doctor", "Say which tools are here, and how to get the others")
+    app.add_subcommand("doctor", "Say which tools are installed, and how to get the others")
         ->callback(tell_protection)
         ->footer("Example: ./course doctor");
 }

@@ -1,4 +1,4 @@
-// `course hint`: an exercise's hints, one rung at a time, as they stand in its chapter.
+// `course hint`: an exercise's hints, one rung at a time, as its chapter has them.
 
 #include "book/chapter.hpp"
 #include "commands/commands.hpp"
@@ -39,7 +39,7 @@ FoundExercise next_exercise(const Tree &tree) {
     if (!section) throw Complaint{"all exercises pass; name one to see its hints, as in: ./course hint 1.2"};
     for (const Standing &standing : progress(tree, *section).standings)
         if (standing.state != "passed") return {*section, standing.exercise};
-    throw Complaint{"all of section " + section->short_number() + " passed when it was checked last; check it anew"};
+    throw Complaint{"all of section " + section->short_number() + " passed when it was last checked; check it again"};
 }
 
 void show_hint(const Tree &tree, const HintOptions &options) {
@@ -48,7 +48,7 @@ void show_hint(const Tree &tree, const HintOptions &options) {
     const std::vector<Hint> rungs = rungs_of(tree, found);
     const int last = static_cast<int>(rungs.size());
     if (last == 0) {
-        std::cout << number << " has no hints: what it needs stands in its chapter. " << solution << '\n';
+        std::cout << number << " has no hints: all it needs is in its chapter. " << solution << '\n';
         return;
     }
     if (options.again) remember_rungs(tree, number, 0);

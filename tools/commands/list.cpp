@@ -79,7 +79,7 @@ void list(const Tree &tree) {
 } // namespace
 
 void add_list(CLI::App &app, const Tree &tree) {
-    app.add_subcommand("list", "Show all sections and exercises, how they stand, and the next step")
+    app.add_subcommand("list", "Show all sections and exercises, how far you are, and the next step")
         ->footer("Nothing is run: the states are those of the last check.\n\nExample: ./course list")
         ->callback([&tree] { list(tree); });
 }

@@ -90,7 +90,7 @@ std::string renamed(const std::string &text, const Section &section, const std::
     return result.append(rest, text.end());
 }
 
-/// Every file of the new section, and what is to stand in it.
+/// Every file of the new section, and its contents.
 std::map<fs::path, std::string> files_of(const Tree &tree, const Section &section, const std::string &title) {
     const fs::path skeleton = tree.root / "tools" / "skeleton";
     std::map<fs::path, std::string> files;
@@ -113,7 +113,7 @@ std::string default_title(const Section &section) {
     return title;
 }
 
-/// Where a new section is written, aside: complete as soon as it stands there under its own name.
+/// Where a new section is written, aside: it is complete as soon as it is there under its own name.
 fs::path aside(const Tree &tree) { return tree.memory() / "new"; }
 
 /// "# 13 Springs and so on" is a chapter's first line, and this its title.
@@ -159,8 +159,7 @@ void finish_earlier(const Tree &tree) {
         if (entry.path().extension() == ".draft" || done) fs::remove_all(entry.path());
         else {
             move_in(tree, {name});
-            std::cout << "An earlier `./course new " << name
-                      << "` had been stopped half-way; its section is whole now.\n";
+            std::cout << "An earlier `./course new " << name << "` was stopped halfway; its section is complete now.\n";
         }
     }
 }

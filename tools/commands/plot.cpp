@@ -36,7 +36,7 @@ std::string in_student_words(const TraceFault &fault, const Ran &ran, const Figu
                + fault.column + " should stand";
     if (!ran.trouble.empty()) return "your program did not get as far as this figure";
     if (fault.kind == TraceFault::malformed) return fault.what();
-    return "your program ended before this figure was written; does one of your functions leave the program?";
+    return "your program ended before this figure was written; does one of your functions end the program?";
 }
 
 /// Draws one figure with the student's curve; returns why not, or "".
@@ -49,7 +49,7 @@ std::string draw_mine(const Tree &tree, const Figure &figure, const fs::path &sv
     } catch (const TraceFault &fault) {
         return in_student_words(fault, ran, figure);
     } catch (const FigureFault &) {
-        return "your values lie outside the axes, or cannot be drawn; they stand in " + tree.shown(figure.student);
+        return "your values lie outside the axes, or cannot be drawn; they are in " + tree.shown(figure.student);
     }
 }
 

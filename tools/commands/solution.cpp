@@ -28,7 +28,7 @@ void add_solution(CLI::App &app, const Tree &tree) {
     CLI::App *command = app.add_subcommand("solution", "Show our solution of an exercise");
     command->add_option("exercise", *exercise, "its number or its function")->required();
     command->footer(
-        "Yours may look different and be as right: ./course check judges.\n\nExample: ./course solution 7.2");
+        "Yours may look different and be just as right: ./course check judges.\n\nExample: ./course solution 7.2");
     command->callback([&tree, exercise] { show_solution(tree, *exercise); });
 }
 

@@ -142,7 +142,7 @@ void gnuplot(const Figure &figure, const std::string &before, const fs::path &sv
     if (done.err.find_first_not_of(" \n") != done.err.npos) throw FigureFault{in_one_line(figure.script, done.err)};
     if (done.code != 0)
         throw FigureFault{shown(figure.script) + ": gnuplot left with exit code " + std::to_string(done.code)
-                          + " and without a word; run it by hand"};
+                          + " and printed no error; run it by hand"};
 }
 
 struct Curve {

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 std::string read_file(const fs::path &path) {
     std::ifstream file{path, std::ios::binary};
     if (!file || fs::is_directory(path))
-        throw Complaint{"cannot read " + path.string() + ": is it there, and yours to read?"};
+        throw Complaint{"cannot read " + path.string() + ": does it exist, and may you read it?"};
     return {std::istreambuf_iterator<char>{file}, {}};
 }
 

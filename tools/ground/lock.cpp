@@ -52,7 +52,7 @@ Lock::Lock(const Tree &tree) {
         while (::flock(file, LOCK_EX) != 0)
             if (errno != EINTR)
                 throw Complaint{"cannot lock " + path.string() + " (" + std::strerror(errno)
-                                + "); is its disk one that knows locks?"};
+                                + "); does its disk support locks?"};
     }
     const std::string name = "./course (process " + std::to_string(::getpid()) + ")\n";
     ::setenv(variable, "yes", 1);

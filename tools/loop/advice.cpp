@@ -67,7 +67,7 @@ constexpr std::array slips{
     Slip{"no matching member function for call", "not marked const", copy_it},
 };
 
-/// All that stands in plain quotes.
+/// Everything in plain quotes.
 std::vector<std::string> in_quotes(std::string_view words) {
     std::vector<std::string> found;
     while (const auto next = between(words, "'", "'")) {
@@ -84,7 +84,7 @@ bool is_number(std::string_view type) {
     return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int";
 }
 
-/// "expected ';' before 'double'": GCC names what comes after the gap, Clang stands in it.
+/// "expected ';' before 'double'": GCC names what comes after the gap, Clang points into it.
 std::string about_semicolon(const Said &said) {
     if (!said.words.starts_with("expected") || !contains(said.words, "';'") || said.code.empty()) return {};
     const auto names = in_quotes(said.words);

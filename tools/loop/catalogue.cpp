@@ -24,7 +24,7 @@ std::vector<Element> read_list(const Tree &tree, const Section &section, const c
     try {
         for (const auto &element : found.at(name)) result.push_back(read(element));
     } catch (const nlohmann::json::exception &) {
-        throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes it anew"};
+        throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes a new one"};
     }
     return result;
 }

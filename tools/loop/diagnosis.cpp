@@ -135,7 +135,8 @@ std::optional<Verdict> diagnose_text(std::string_view text, const std::string &n
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         return broken(Kind::does_not_compile, name + " is saved as UTF-16: save it as UTF-8 in your editor.");
     if (text.find('\0') != text.npos)
-        return broken(Kind::does_not_compile, name + " is no text: has a compiled file been saved over it?" + back);
+        return broken(Kind::does_not_compile,
+                      name + " is not a text file: has a compiled file been saved over it?" + back);
     return {};
 }
 
@@ -223,8 +224,9 @@ std::vector<std::string> find_unreached(std::string_view text, const std::string
         if (code.starts_with("throw course::NotYet") || code.starts_with("throw NotYet")) thrown = line;
         else if (code.starts_with('}')) thrown = 0;
         else if (thrown != 0 && !code.empty() && !code.starts_with("//") && !code.starts_with('"')) {
-            found.push_back(name + ':' + std::to_string(thrown)
-                            + ": this `throw` still stands above your code, which is never reached: delete the line");
+            found.push_back(
+                name + ':' + std::to_string(thrown)
+                + ": this `throw` is still above your code, which is therefore never reached: delete this line");
             thrown = 0;
         }
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What a compiler and a linker print, as one thing to mend.
+// What a compiler and a linker print, as one thing to fix.
 
 #include "loop/renamed.hpp"
 #include "verdict/shared/verdict.hpp"
@@ -11,8 +11,8 @@
 
 namespace course {
 
-/// Says what is wrong with a file before any compiler sees it: nothing in it, or no text.
-/// @param number  of the section, for the way back
+/// Says what is wrong with a file before any compiler sees it: it is empty, or not text.
+/// @param number  of the section, for the command that brings the stub back
 std::optional<Verdict> diagnose_text(std::string_view text, const std::string &shown_name, const std::string &number);
 
 /// The first error, with its line of code; how many more there are. If it is about an old name, the new names of all the
@@ -33,14 +33,14 @@ std::vector<std::string> find_warnings(std::string_view printed, const std::file
 std::vector<std::string> warnings_about(const std::vector<std::string> &warnings, std::string_view text,
                                         const std::string &shown_name, const std::vector<std::string> &others);
 
-/// Where something stands below a `throw course::NotYet` in the same braces, which is never reached: a line each, as
+/// Where code follows a `throw course::NotYet` in the same braces, and is never reached: one line each, as
 /// warnings are.
 std::vector<std::string> find_unreached(std::string_view text, const std::string &shown_name);
 
 /// An own `main`, a helper that is declared and never defined, something defined twice.
 Verdict diagnose_linker(std::string_view errors, const std::string &shown_name, const std::string &number);
 
-/// What helps somebody whose file lacks a function, to be put behind that sentence: how the header declares it, and what
+/// What helps if a file lacks a function, to be added to that sentence: how the header declares it, and what
 /// the file has instead: a function of that name with other parameters or in another namespace, one by its old name, or
 /// one misspelt.
 /// @param symbols  what `nm -C --defined-only` printed of the student's object

@@ -69,7 +69,7 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
             }
         return w;
     } catch (const nlohmann::json::exception &) {
-        throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes it anew."};
+        throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes a new one."};
     }
 }
 
@@ -147,10 +147,10 @@ Verdict stopped(Kind kind, std::string sentence) {
     return verdict;
 }
 
-/// For a function that is missing: how the header declares it, and what stands there instead.
+/// For a function that is missing: how the header declares it, and what is there instead.
 void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section, const Toolbox &w,
                       const fs::path &object) {
-    std::string defined, header; // read once, and only for somebody who lacks a function
+    std::string defined, header; // read once, and only if a function is missing
     for (auto &verdict : verdicts) {
         if (verdict.kind != Kind::missing || !verdict.call) continue;
         if (defined.empty()) {
@@ -168,7 +168,7 @@ std::string run_tests(const Tree &tree, const Section &section, const std::strin
         run({(tree.build / "tests" / section.name).string(), subject, "--json", "--seed", std::to_string(seed)},
             {.deadline = longest_test});
     if (tested.timed_out)
-        throw MachineTrouble{"the tests of section " + section.short_number() + " did not come to their end within "
+        throw MachineTrouble{"the tests of section " + section.short_number() + " did not finish within "
                              + std::to_string(static_cast<int>(longest_test))
                              + " s, and were stopped: is the machine very busy? Nothing was judged"};
     if (tested.code == machine_trouble || tested.code == 128 + SIGKILL || tested.code == 128 + SIGTERM)

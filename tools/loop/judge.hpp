@@ -28,7 +28,7 @@ struct Judgement {
 Judgement judge(const Tree &tree, const Section &section, const std::filesystem::path &file, unsigned seed);
 
 /// What the tests said, as one verdict for each test that there is: a test without one, or with two, has none, and so has
-/// one that nobody knows.
+/// one that is not known.
 /// @param said  a line of JSON for each verdict
 std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std::string &said);
 

@@ -51,7 +51,7 @@ Verdict verdict_on(const KnownTest &test, const Report &report) {
         if (verdict.test == test.claim) return verdict;
     Verdict none;
     none.kind = Kind::no_verdict;
-    none.sentence = "This test has no verdict: a mistake of ours, not of yours.";
+    none.sentence = "This test has no verdict: our mistake, not yours.";
     return none;
 }
 

@@ -88,9 +88,9 @@ std::string student_trouble(const Section &section, const Finished &finished, do
     if (finished.code == 1 && says("not started: "))
         return "some parts of the program need functions that are not started; " + check + " shows which";
     const std::string said = last_line(finished.err);
-    return "your program left with exit code " + std::to_string(finished.code)
-           + (said.empty() ? " and without a word" : ", and its last words were \"" + said + "\"") + "; " + check
-           + " shows what is wrong";
+    return "your program stopped with exit code " + std::to_string(finished.code)
+           + (said.empty() ? " and printed no error" : ", and the last line it printed was \"" + said + "\"") + "; "
+           + check + " shows what is wrong";
 }
 
 /// An empty folder, so that no trace of an earlier run is taken for one of this run.

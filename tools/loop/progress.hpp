@@ -14,7 +14,7 @@ struct Standing {
     std::string state; ///< the last verdict; "not started" in an untouched file; "not checked" if there was no verdict
 };
 
-/// How a student stands in a section. Nothing is run for it.
+/// How far a student is in a section. Nothing is run for it.
 struct Progress {
     std::vector<Standing> standings;
     bool there = true;    ///< whether the student's file is there

@@ -11,7 +11,7 @@ namespace course {
 constexpr Limits compiler_limits{
     .memory = std::size_t{2} << 30, .file_size = std::size_t{256} << 20, .processor_time = 10};
 
-/// For a compiler that waits for something which never comes, as an included pipe that nobody writes to.
+/// For a compiler that waits for something that never comes, such as an included pipe without a writer.
 constexpr double longest_wait = 120; // [s]
 
 /// Whether a limit stopped it: then one sentence to the student, with what may be the cause; else an empty one.

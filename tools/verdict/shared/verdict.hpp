@@ -63,7 +63,7 @@ void from_json(const nlohmann::json &json, Verdict &verdict);
 /// What a student reads of a case that is not passed: some lines, each indented by `indent` blanks.
 std::string explain(const Verdict &verdict, int indent);
 
-/// The first `lines` lines of what somebody printed, each at most 160 characters, without control characters
+/// The first `lines` lines of what a program printed, each at most 160 characters, without control characters
 /// or broken UTF-8; and how many lines there were beyond.
 std::pair<std::vector<std::string>, std::size_t> tidy(std::string_view printed, std::size_t lines = 20);
 

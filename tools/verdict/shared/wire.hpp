@@ -1,5 +1,5 @@
 #pragma once
-// Values as bytes, both ways. Whoever reads trusts nothing: every length is checked against the bytes that are there.
+// Values as bytes, both ways. The reader trusts nothing: every length is checked against the bytes that are there.
 
 #include <Eigen/Core>
 
@@ -145,9 +145,10 @@ struct Header {
     std::uint32_t size = 0; ///< bytes that follow
 };
 
-constexpr std::uint32_t largest_frame = 16u << 20; ///< [bytes] a longer answer is none: an exercise returns far less
-constexpr int request_fd = 3;                      ///< where the server reads calls
-constexpr int reply_fd = 4;                        ///< where it answers
-constexpr int pipe_is_gone = 97;                   ///< what it leaves with, if it cannot answer any more
+constexpr std::uint32_t largest_frame = 16u
+                                        << 20; ///< [bytes] a longer one is not an answer: an exercise returns far less
+constexpr int request_fd = 3;                  ///< where the server reads calls
+constexpr int reply_fd = 4;                    ///< where it answers
+constexpr int pipe_is_gone = 97;               ///< its exit code, if it cannot answer any more
 
 } // namespace course::wire

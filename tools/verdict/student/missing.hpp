@@ -3,7 +3,7 @@
 
 namespace course {
 
-/// Thrown in place of NotYet by the stub that stands behind a student's file: the function asked for is not in it.
+/// Thrown in place of NotYet by the stub linked behind a student's file: the function asked for is not in it.
 struct Missing {
     explicit Missing(const char *) {}
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Gives COURSE_EXERCISE its meaning for whoever answers: read the arguments, call the student's function, write its result.
+// Gives COURSE_EXERCISE its meaning for the side that answers: read the arguments, call the student's function, write its result.
 // Includes the header of the section, which COURSE_SECTION names. Only for server.cpp and direct.cpp: all of it is local.
 
 #include "verdict/shared/wire.hpp"

@@ -32,7 +32,7 @@ long system_read(int file, void *data, std::size_t size) { return ::read(file, d
 [[noreturn]] void system_exit(int code) { ::_exit(code); }
 #endif
 
-/// Whoever calls us has gone, or a student has closed the pipe: there is nobody to tell.
+/// Our caller is gone, or a student has closed the pipe: nothing can be said any more.
 void write_all(const char *data, std::size_t size) {
     while (size > 0) {
         const long written = system_write(reply_fd, data, size);

@@ -118,7 +118,7 @@ void add_missing_verdicts(const Part &part) {
         verdict.exercise = exercise_of(*test);
         verdict.test = test->name;
         verdict.kind = Kind::no_verdict;
-        verdict.sentence = "This test did not run: a mistake of ours, not of yours.";
+        verdict.sentence = "This test did not run: our mistake, not yours.";
         verdicts.push_back(verdict);
         tell(verdicts.back());
     }
@@ -132,7 +132,7 @@ void run_tests(Session &here, unsigned seed, const Part &part) {
     config.rngSeed = seed;
     config.shardIndex = part.index;
     config.shardCount = part.of;
-    config.defaultOutputFilename = "/dev/null"; // what Catch2 says is for nobody
+    config.defaultOutputFilename = "/dev/null"; // nobody reads what Catch2 says
     config.allowZeroTests = true;
     if (!part.exercise.empty()) config.testsOrTags = {"[" + part.exercise + "]"};
     if (part.until_red) config.abortAfter = 1;
@@ -186,7 +186,7 @@ int run_side_by_side(const std::string &subject, unsigned seed) {
 
 bool untouched(const Verdict &verdict) { return verdict.kind == Kind::not_started; }
 
-/// Each exercise has a test that says "not started". Others may pass: refusals of bad input may stand in a stub.
+/// Each exercise has a test that says "not started". Others may pass: a stub may refuse bad input.
 bool nothing_started() {
     std::map<std::string, bool> waits;
     for (const Verdict &verdict : verdicts) {
@@ -228,7 +228,7 @@ int main(int argc, char **argv) {
     app.add_option("--seed", seed, "for generated values")->capture_default_str();
     app.add_option("--answer", answer, "which one, of a program that holds many answers");
     app.add_option("--exercise", exercise, "only the tests of this one, as 7.2");
-    app.add_option("--expect", expect, "leave with 0 if the verdicts are so: all (passed), none (started), or red")
+    app.add_option("--expect", expect, "exit with 0 if the verdicts are: all (passed), none (started), or red")
         ->check(CLI::IsMember{{"all", "none", "red"}});
     app.add_flag("--all-cases", all_cases, "every generated case, instead of a hundredth");
     app.add_flag("--catalogue", list, "list the exercises as JSON, and leave");

@@ -1,6 +1,6 @@
 #pragma once
 // Gives COURSE_EXERCISE its meaning for tests: a function of the same name in `subject`, which calls the student's.
-// Include it before the section's header. It takes types only, so the tests link without anybody's implementation.
+// Include it before the section's header. It takes types only, so the tests link without any implementation.
 
 #include "verdict/tests/channel.hpp"
 #include "verdict/tests/describe.hpp"

@@ -20,8 +20,7 @@ std::string seconds(double time) { return describe_number(time, 2) + " s"; }
 std::string leave_sentence(int code, bool before_main) {
     return "Your code ended the program"
            + std::string{before_main ? " before the first test, in the constructor of a global variable" : ""}
-           + " (exit code " + std::to_string(code)
-           + "). An exercise gives its answer back with `return`; it never calls exit().";
+           + " (exit code " + std::to_string(code) + "). An exercise returns its answer; it must not call exit().";
 }
 
 std::string fault_sentence(std::uint64_t address, bool stack_ran_out) {
@@ -106,7 +105,7 @@ void Session::over(Kind kind, std::string sentence) {
     throw CaseOver{};
 }
 
-/// The process has ended by itself: what does the way it ended say?
+/// The process has ended without being stopped: what does its exit code or signal say?
 void Session::judge_end(int status, bool before_main) {
     const std::string where = before_main ? "Before the first test, in the constructor of a global variable: " : "";
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ)
@@ -122,7 +121,7 @@ void Session::judge_end(int status, bool before_main) {
     else note_verdict(Kind::left, leave_sentence(WEXITSTATUS(status), before_main));
 }
 
-/// No answer: because of time, because the process is gone, or because it said something that is none.
+/// No answer: because of time, because the process is gone, or because what it said is not an answer.
 void Session::over_in_silence() {
     const bool before_main = !greeted;
     if (subject->silence == Subject::Silence::late && before_main)
@@ -146,7 +145,7 @@ void Session::over_in_silence() {
 void Session::answered_nonsense() {
     last_result.clear();
     over(Kind::out_of_turn,
-         "Something else than your function's result came back. Does your code start another process, or write to a "
+         "Something other than your function's result came back. Does your code start another process, or write to a "
          "file descriptor that it has not opened?");
 }
 
@@ -154,9 +153,10 @@ void Session::answered_nonsense() {
 void Session::start() {
     greeted = false;
     if (starting > patience.all)
-        over(Kind::too_long, "Starting your code has taken " + seconds(starting)
-                                 + " by now, as it starts anew for each test: what does the constructor of a global "
-                                   "variable do?");
+        over(Kind::too_long,
+             "Starting your code has taken " + seconds(starting)
+                 + " by now, as it is started again for each test: what does the constructor of a global "
+                   "variable do?");
     const auto begin = Clock::now();
     subject = std::make_unique<Subject>(program, answer);
     const auto hello = subject->receive(begin + as_duration(patience.start), patience.start);
@@ -286,19 +286,18 @@ std::optional<std::string> Session::ask_alone() const {
 void Session::look_for_memory() {
     const auto alone = ask_alone();
     if (!alone || *alone == last_result || ask_alone() != alone) return;
-    verdict.sentence += (verdict.sentence.empty() ? "" : " ") + std::string{"Asked alone, your function gives "}
+    verdict.sentence += (verdict.sentence.empty() ? "" : " ") + std::string{"Called on its own, your function gives "}
                         + last_exercise->describe_result(*last_exercise, *alone)
                         + ": something is remembered from an earlier call. Look for `static`, or a global variable.";
 }
 
 Verdict Session::end(bool asserted_something) {
     if (verdict.passed() && !asserted_something)
-        note_verdict(Kind::no_verdict, "This test asserts nothing: a mistake of ours, not of yours.");
+        note_verdict(Kind::no_verdict, "This test asserts nothing: our mistake, not yours.");
     if (subject && verdict.passed()) {
         const auto status = subject->finish(std::max(deadline, Clock::now() + std::chrono::milliseconds{100}), allowed);
         if (!status)
-            note_verdict(Kind::too_long,
-                         "Your code answered, but its process did not come to an end: has it started a thread?");
+            note_verdict(Kind::too_long, "Your code answered, but its process did not end: has it started a thread?");
         else if (!WIFEXITED(*status)) judge_end(*status, false);
         else if (subject->said_more()) try {
                 answered_nonsense();

@@ -270,7 +270,7 @@ bool Subject::said_more() {
 bool Subject::left_processes() {
     if (group < 0) return false;
     bool any = false;
-    if (process < 0) reap(); // what has ended by itself was not left behind
+    if (process < 0) reap(); // what has ended was not left running
     const auto give_up_at = Clock::now() + std::chrono::seconds{2};
     do {
         any = ::kill(-group, SIGKILL) == 0 || any;

@@ -43,11 +43,11 @@ class Subject {
     std::optional<Received> receive(Clock::time_point deadline, double processor_time = 0);
     Silence silence = Silence::ended;
 
-    /// Lets it end by itself until the deadline, or until it has had this much of the processor [s], as above.
+    /// Waits for its end until the deadline, or until it has had this much of the processor [s], as above.
     /// @return its wait status, or nothing if it had to be killed
     std::optional<int> finish(Clock::time_point deadline, double processor_time = 0);
 
-    bool said_more();            ///< after finish: it had answered what nobody asked
+    bool said_more();            ///< after finish: it had sent an answer without a question
     bool left_processes();       ///< after finish: something that it started still runs; it is ended
     std::string printed() const; ///< what it wrote to stdout and stderr
 
@@ -61,12 +61,12 @@ class Subject {
     NamelessFile output;
 };
 
-/// Once, in the process of the tests: a subject cannot look into it, its orphans come to it, a pipe that nobody reads
+/// Once, in the process of the tests: a subject cannot look into it, its orphans come to it, a pipe without a reader
 /// does not kill it, and calls are quick because both sides share a core.
 /// @param core  one of `cores()`; -1: any of them
 void prepare_for_subjects(int core);
 
-/// The cores that we may run on, beginning with the one that we are on; a single -1 where nobody can tell.
+/// The cores that we may run on, beginning with the one that we are on; a single -1 where that cannot be known.
 std::vector<int> cores();
 
 } // namespace course
