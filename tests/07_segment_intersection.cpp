@@ -277,8 +277,11 @@ TEST_CASE("erratum E7.6: parallel segments intersect if they overlap or touch, a
     CHECK_THAT(segments_intersect({{0, 0}, {4, 2}}, {{6, 3}, {2, 1}}), IsNear(true));   // one line, and an overlap
     CHECK_THAT(segments_intersect({{0, 0}, {4, 2}}, {{-2, -1}, {6, 3}}), IsNear(true)); // one within the other
     CHECK_THAT(segments_intersect({{-2, -1}, {6, 3}}, {{0, 0}, {4, 2}}), IsNear(true));
-    CHECK_THAT(segments_intersect({{0, 5}, {0, 2}}, {{0, 3}, {0, 9}}), IsNear(true)); // one above the other
-    CHECK_THAT(segments_intersect({{0, 5}, {0, 4}}, {{0, 3}, {0, -9}}), IsNear(false));
+    CHECK_THAT(segments_intersect({{0, 5}, {0, 2}}, {{0, 3}, {0, 9}}), IsNear(true));   // one above the other
+    CHECK_THAT(segments_intersect({{0, 5}, {0, 4}}, {{0, 3}, {0, -9}}), IsNear(false)); // a gap in y only
+    CHECK_THAT(segments_intersect({{0, 3}, {0, -9}}, {{0, 5}, {0, 4}}), IsNear(false));
+    CHECK_THAT(segments_intersect({{0, 1}, {4, 1}}, {{6, 1}, {8, 1}}), IsNear(false)); // a gap in x only
+    CHECK_THAT(segments_intersect({{6, 1}, {8, 1}}, {{0, 1}, {4, 1}}), IsNear(false));
 }
 
 //>
@@ -639,6 +642,34 @@ TEST_CASE("the worked examples: the ball bounces off a wall, and moves on for th
     CHECK_THAT(move_and_bounce({{9, 2}, {5, 0}}, room, 2.1), IsNear(Ball{{18.22, 1.04}, {-1.4, -4.8}}, rounding));
 }
 
+//>
+TEST_CASE("a wall ends at its corners: the ball passes through the line beyond them", "[7.4]") {
+    // (6, 3) is a corner that points into the room: its walls' lines go on through the free space on either side
+    const std::vector<Vec2> bay{{0, 0}, {12, 0}, {12, 9}, {6, 3}, {1, 9}};
+    CHECK_THAT(move_and_bounce({{1, 2}, {4, 0}}, bay, 2), IsNear(Ball{{9, 2}, {4, 0}}, rounding)); // below the corner
+    CHECK_THAT(move_and_bounce({{2, 4}, {4, 0}}, bay, 1.0 / 3), IsNear(Ball{{10.0 / 3, 4}, {4, 0}}, rounding));
+    CHECK_THAT(move_and_bounce({{11, 6}, {-4, 0}}, bay, 1),
+               IsNear(Ball{{9, 4}, {0, -4}}, rounding)); // (9, 6), then down
+    CHECK_THAT(move_and_bounce({{11, 6}, {-4, 0}}, bay, 2.25),
+               IsNear(Ball{{9, 1}, {0, 4}}, rounding)); // the floor, and up 1 m
+}
+
+TEST_CASE("a ball bounces off several walls in one call, one after the other", "[7.4]") {
+    // Into the corner (20, 0). It meets the floor after 2 s, at (19, 0), and goes on with (3, 1). The leaning wall is
+    // x + 0.75 y = 20: 19 + 3 t + 0.75 t = 20 after 4/15 s more, at (19.8, 4/15). Its normal is (-0.8, -0.6), the part
+    // of (3, 1) along it is -3: (3, 1) + 6 (-0.8, -0.6) = (-1.8, -2.6). That meets the floor again, after 4/39 s.
+    const double to_wall = 34.0 / 15, to_floor = 4.0 / 39;
+    const Vec2 on_wall{19.8, 4.0 / 15};
+    const double left = 3 - to_wall - to_floor;
+    const Ball want{{on_wall.x() - 1.8 * (3 - to_wall), 2.6 * left}, {-1.8, 2.6}};
+
+    CHECK_THAT(move_and_bounce({{13, 2}, {3, -1}}, room, 3), IsNear(want, rounding));
+
+    // Two walls are on the way to the left, and the nearer one counts: after 2 m the ball turns down, to the floor.
+    const std::vector<Vec2> bay{{0, 0}, {12, 0}, {12, 9}, {6, 3}, {1, 9}};
+    CHECK_THAT(move_and_bounce({{11, 6}, {-4, 0}}, bay, 3), IsNear(Ball{{9, 4}, {0, 4}}, rounding));
+}
+
 //> Erratum E7.8
 TEST_CASE("erratum E7.8: a ball that leaves a wall is not turned back into it", "[7.4]") {
     // At t = 0 it is on the floor, halfway along: s and t are "in the range", and the printed test makes it (4, -2).
@@ -751,29 +782,6 @@ TEST_CASE("far from any wall the ball moves straight on; at rest, or in no time,
                IsNear(Ball{{10, 0}, {0, 0}}, rounding)); // on the floor, too
 }
 
-TEST_CASE("a ball bounces off several walls in one call, one after the other", "[7.4]") {
-    // Into the corner (20, 0). It meets the floor after 2 s, at (19, 0), and goes on with (3, 1). The leaning wall is
-    // x + 0.75 y = 20: 19 + 3 t + 0.75 t = 20 after 4/15 s more, at (19.8, 4/15). Its normal is (-0.8, -0.6), the part
-    // of (3, 1) along it is -3: (3, 1) + 6 (-0.8, -0.6) = (-1.8, -2.6). That meets the floor again, after 4/39 s.
-    const double to_wall = 34.0 / 15, to_floor = 4.0 / 39;
-    const Vec2 on_wall{19.8, 4.0 / 15};
-    const double left = 3 - to_wall - to_floor;
-    const Ball want{{on_wall.x() - 1.8 * (3 - to_wall), 2.6 * left}, {-1.8, 2.6}};
-
-    CHECK_THAT(move_and_bounce({{13, 2}, {3, -1}}, room, 3), IsNear(want, rounding));
-}
-
-TEST_CASE("a wall ends at its corners: the ball passes through the line beyond them", "[7.4]") {
-    // (6, 3) is a corner that points into the room: its walls' lines go on through the free space on either side
-    const std::vector<Vec2> bay{{0, 0}, {12, 0}, {12, 9}, {6, 3}, {1, 9}};
-    CHECK_THAT(move_and_bounce({{1, 2}, {4, 0}}, bay, 2), IsNear(Ball{{9, 2}, {4, 0}}, rounding)); // below the corner
-    CHECK_THAT(move_and_bounce({{2, 4}, {4, 0}}, bay, 1.0 / 3), IsNear(Ball{{10.0 / 3, 4}, {4, 0}}, rounding));
-    CHECK_THAT(move_and_bounce({{11, 6}, {-4, 0}}, bay, 1),
-               IsNear(Ball{{9, 4}, {0, -4}}, rounding)); // (9, 6), then down
-    CHECK_THAT(move_and_bounce({{11, 6}, {-4, 0}}, bay, 2.25),
-               IsNear(Ball{{9, 1}, {0, 4}}, rounding)); // the floor, and up 1 m
-}
-
 TEST_CASE("in a corner both walls act, so a ball comes straight back out of a right angle", "[7.4]") {
     const std::vector<Vec2> hall{{0, 0}, {20, 0}, {20, 9}, {7, 13}, {0, 11}};
     CHECK_THAT(move_and_bounce({{12, 4}, {4, -2}}, hall, 3), IsNear(Ball{{16, 2}, {-4, 2}}, 1e-8)); // touching is 1e-9
@@ -800,6 +808,8 @@ TEST_CASE("a ball from outside flies in through the wall, and bounces where it w
 TEST_CASE("a ball that is outside by less than contact_tolerance counts as being on the wall", "[7.4]") {
     CHECK_THAT(move_and_bounce({{10, -8e-10}, {4, 2}}, room, 0.5), IsNear(Ball{{12, 1}, {4, 2}}, 2e-9));
     CHECK_THAT(move_and_bounce({{10, -8e-10}, {4, -2}}, room, 0.5), IsNear(Ball{{12, 1}, {4, 2}}, 2e-9));
+    // Almost along the floor: 0.2 s earlier its height was 0, but it was still to the left of the floor's end.
+    CHECK_THAT(move_and_bounce({{0.5, -8e-10}, {4, -4e-9}}, room, 2), IsNear(Ball{{8.5, 8e-9}, {4, 4e-9}}, 2e-10));
 }
 
 TEST_CASE("a ball that is farther outside than contact_tolerance is not held back by the wall", "[7.4]") {
