@@ -17,7 +17,7 @@ std::optional<LineIntersection> intersect_lines(const Segment &motion, const Seg
 // 7.2 core
 bool segments_intersect(const Segment &first, const Segment &second) {
     course::require_range(first.start, first.end, second.start, second.end);
-    throw course::NotYet{"where do their lines intersect, and do both t and s lie from 0 to 1?"};
+    throw course::NotYet{"where do their lines intersect, and are t and s both between 0 and 1, ends included?"};
 }
 
 // 7.3 stretch

@@ -8,7 +8,7 @@ set xrange [12:24.2]; set yrange [-3.4:5.2]
 set xtics 2; set ytics 2
 set xlabel 'x [m]; arrows in m/s'; set ylabel 'y [m]'
 set style arrow 1 head filled size 0.25,20 lt 1 lw 2.5
-set style arrow 2 head filled size 0.25,20 lt 3 lw 3.5
+set style arrow 2 head filled size 0.35,20 lt 3 lw 4
 set style arrow 3 head filled size 0.25,20 lt 4 lw 2
 set style arrow 4 head filled size 0.25,20 lt 4 lw 2 dt (5,4)
 set style arrow 5 head filled size 0.25,20 lt 2 lw 2.5
@@ -17,7 +17,10 @@ set label 'tangential part' at 19.8,0.9 textcolor lt 3
 set label 'normal part' at 20.6,3.1 left textcolor lt 4
 set label 'reversed' at 14.9,0.3 right textcolor lt 4
 set label 'after: (−1.4, −4.8)' at 16.6,-2.9 right textcolor lt 2
-set arrow from 22.55,-3.4 to 16.1,5.2 back nohead lc rgb DIM lw 4
+set arrow from 22.55,-3.4 to 16.1,5.2 back nohead lc rgb DIM lw 1.5
+set arrow from 18.5,2 to 17.7,1.4 head filled size 0.2,20 lc rgb INK lw 2
+set label 'n' at 17.9,0.95 center textcolor rgb INK
+set label 'wall' at 16.9,4.7 left textcolor rgb DIM
 plot ARG1 using 1:2:3:4 every ::0::0 with vectors arrowstyle 1, \
      ARG1 using 1:2:3:4 every ::1::1 with vectors arrowstyle 3, \
      ARG1 using 1:2:3:4 every ::2::2 with vectors arrowstyle 2, \

@@ -143,7 +143,7 @@ std::optional<Impact> time_of_impact(const Segment &motion, double radius, const
 
     const Vec2 path = motion.end - motion.start;
     const Vec2 away = motion.start - nearest(wall, motion.start);
-    if (path.dot(away) >= 0) return {}; // walls have no hollows: what is not getting closer now never will
+    if (path.dot(away) >= 0) return {}; // a wall is convex: what is not getting closer now never will
 
     double t = away.norm() <= radius ? 0 : 2; // 2: not within this motion
     if (t > 0) {

@@ -367,7 +367,7 @@ TEST_CASE("an end anywhere along the other segment touches it, in whole-number c
     }
 }
 
-TEST_CASE("random segments with any coordinates intersect if and only if t and s both lie from 0 to 1", "[7.2]") {
+TEST_CASE("random segments with any coordinates intersect if and only if t and s are both between 0 and 1", "[7.2]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const Vec2 point = dice.point(-50, 50), along = dice.direction(), across = dice.direction();
