@@ -180,7 +180,8 @@ TEST_CASE("the box of an exercise and the remark on the printed book are no quot
 
 TEST_CASE("only long code may break within a line") {
     const SmallBook book;
-    CHECK_THAT(book.page("`const Vec2 abcd = b < c;`\n"), ContainsSubstring("<code>const Vec2 abcd = b &lt; c;</code>"));
+    CHECK_THAT(book.page("`const Vec2 abcd = b < c;`\n"),
+               ContainsSubstring("<code>const Vec2 abcd = b &lt; c;</code>"));
     CHECK_THAT(book.page("`const Vec2 a = motion.end < motion.start;`\n"),
                ContainsSubstring("<code class=\"long\">const Vec2 a = motion.end &lt; motion.start;</code>"));
 }

@@ -76,7 +76,8 @@ double operands(Vec2 a, Vec2 b, double t) {
     t = t ^ 2;                                 // ^ is not a power: write t * t.
     a = a ^ 2;                                 // ^ is not a power: write t * t.
     a = a + 1;                                 // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
-    if (a < b) return 1;                       // nothing
+    if (a < b) return 1;                       // No vector is larger than another: compare their components, or their lengths.
+    a = a / b;                                 // nothing
     if (1 < a) return 1;                       // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
     t = a;                                     // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
     Vec2 c = t;                                // A Vec2 has two components: write Vec2{x, y}.
@@ -87,6 +88,16 @@ double operands(Vec2 a, Vec2 b, double t) {
 double product(Vec2 a, Vec2 b) {
     return a * b;                              // For the dot product of two vectors write a.dot(b).
 }
+double half_a_product(Vec2 a, Vec2 b) {
+    return (a * b) / 2.0;                      // For the dot product of two vectors write a.dot(b).
+}
+double largest(Vec2 a, Vec2 b) {
+    return std::max(a, b).x();                 // No vector is larger than another: compare their components, or their lengths.
+}
+double early(Vec2 a, Vec2 b) {
+    return area(a, b);                         // If area is a function of yours, put it above the one that calls it.
+}
+double area(Vec2 a, Vec2 b) { return a.x() * b.y() - a.y() * b.x(); }
 std::optional<Spark> nothing(bool none, Vec2 a) {
     if (none) return false;                    // To answer nothing, write return {};
     if (none) return 0;                        // To answer nothing, write return {};

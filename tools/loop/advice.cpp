@@ -131,10 +131,23 @@ std::string about_operands(const Said &said) {
     if (operator_first && assigns && left.starts_with("const ")) return copy_it;
     if (is_optional(left) || is_optional(right))
         return "An optional may be nothing: ask first, if (found), and then compare *found, or its field found->t.";
+    const std::string asked = gcc ? names[0] : said.code + said.notes; // Clang shows only the code
+    const bool asks_order = contains(asked, gcc ? "operator<" : " < ") || contains(asked, gcc ? "operator>" : " > ");
+    if (is_vector(left) && is_vector(right) && asks_order)
+        return "No vector is larger than another: compare their components, or their lengths.";
     if ((is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right)))
         return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
                "a.norm().";
     return {};
+}
+
+/// A call of a function that is defined further below, or not at all.
+std::string about_unknown_function(const Said &said) {
+    const bool unknown = contains(said.words, "was not declared in this scope")
+                         || said.words.starts_with("use of undeclared identifier");
+    const auto names = in_quotes(said.words);
+    if (!unknown || names.empty() || contains(said.words, "std::") || !contains(said.code, names[0] + '(')) return {};
+    return "If " + names[0] + " is a function of yours, put it above the one that calls it.";
 }
 
 /// A value of one type where another is wanted.
@@ -210,8 +223,8 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
 } // namespace
 
 std::string advice(const Said &said) {
-    for (const auto about :
-         {about_semicolon, about_braces, about_member, about_operands, about_conversion, about_two_types, about_header})
+    for (const auto about : {about_semicolon, about_braces, about_member, about_operands, about_conversion,
+                             about_two_types, about_header, about_unknown_function})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;
@@ -227,10 +240,14 @@ std::string with_short_names(std::string text) {
         replace_all(text, spelling, "Vec2");
     for (const char *type : {"Product<", "CwiseBinaryOp<", "CwiseUnaryOp<"})
         replace_all(text, std::string{"Eigen::"} + type, type); // Clang leaves it out here and there
-    for (const auto &[type, name] : {std::pair{"Product<", "product of Vec2s"},
-                                     {"CwiseBinaryOp<", "sum of Vec2s"},
-                                     {"CwiseUnaryOp<", "sum of Vec2s"}}) {
-        for (std::size_t at; (at = text.find(type)) != text.npos;) text.replace(at, end_of_type(text, at) - at, name);
+    constexpr const char *product = "product of Vec2s";
+    for (const auto &[type, name] :
+         {std::pair{"Product<", product}, {"CwiseBinaryOp<", "sum of Vec2s"}, {"CwiseUnaryOp<", "sum of Vec2s"}}) {
+        for (std::size_t at; (at = text.find(type)) != text.npos;) {
+            const std::size_t length = end_of_type(text, at) - at;
+            const bool has_product = contains(std::string_view{text}.substr(at, length), product);
+            text.replace(at, length, has_product ? product : name); // a product that is halved is the slip of a product
+        }
         replace_all(text, std::string{"const "} + name, name);
     }
     replace_all(text, "<Vec2 >", "<Vec2>");
