@@ -25,33 +25,29 @@ std::size_t count(const std::string &text, const std::string &what) {
     return found;
 }
 
+/// The answer that is judged; a file for each process, since tests run side by side.
+fs::path checked() { return fs::path{COURSE_BUILD} / ("checked_" + std::to_string(::getpid()) + ".cpp"); }
+
 std::vector<std::string> check_command(const std::string &what, const std::string &file, const fs::path &build) {
-    const fs::path root = COURSE_ROOT, whole = fs::path{COURSE_BUILD} / "checked.cpp";
-    course::write_file(whole, whole_answer(root / file, root / "tests/verdicts/rest.hpp"));
-    return {"env",
-            "NO_COLOR=1",
-            "COURSE_ROOT=" COURSE_ROOT,
-            "COURSE_BUILD=" + build.string(),
-            COURSE_TOOL,
-            "check",
-            what,
-            "--file",
-            whole.string()};
+    const fs::path root = COURSE_ROOT;
+    course::write_file(checked(), whole_answer(root / file, root / "tests/verdicts/rest.hpp"));
+    return {"env", "NO_COLOR=1", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" + build.string(), COURSE_TOOL, "check",
+            what,  "--file",     checked().string()};
 }
 
 course::Finished check(const std::string &what, const std::string &file) {
-    return course::run(check_command(what, file, COURSE_BUILD));
+    auto done = course::run(check_command(what, file, COURSE_BUILD));
+    fs::remove(checked());
+    return done;
 }
 
 /// A build folder that is this one, but for its compiler and an empty folder to work in.
 struct OtherBuild {
     explicit OtherBuild(const std::string &compiler_script) {
         const fs::path built = COURSE_BUILD;
-        fs::remove_all(folder);
         fs::create_directories(work);
         for (const auto &entry : fs::directory_iterator{built})
-            if (const fs::path name = entry.path().filename();
-                name != "loop" && name != "course.json" && entry != folder)
+            if (const fs::path name = entry.path().filename(); name != "loop" && name != "course.json")
                 fs::create_symlink(entry.path(), folder / name);
         auto json = nlohmann::json::parse(course::read_file(built / "course.json"));
         if (!compiler_script.empty()) {
@@ -63,11 +59,15 @@ struct OtherBuild {
         course::write_file(folder / "course.json", json.dump());
         course::write_file(work / "07_segment_intersection.checked", ""); // all is up to date
     }
-    ~OtherBuild() { fs::remove_all(folder); }
+    ~OtherBuild() {
+        fs::remove_all(folder);
+        fs::remove(checked());
+    }
     OtherBuild(const OtherBuild &) = delete;
     OtherBuild &operator=(const OtherBuild &) = delete;
 
-    const fs::path folder = fs::path{COURSE_BUILD} / "other build", work = folder / "loop";
+    const fs::path folder = fs::temp_directory_path() / ("other build " + std::to_string(::getpid())),
+                   work = folder / "loop";
 };
 
 constexpr const char *solution = "solutions/07_segment_intersection.cpp";

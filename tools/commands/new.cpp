@@ -140,12 +140,16 @@ void move_in(const Tree &tree, const Section &section) {
         fs::remove_all(from);
         throw;
     }
-    const fs::path list = tree.root / "CMakeLists.txt", book = tree.root / "book.md";
-    const std::string contents = read_file(book), title = title_of(tree, section);
+    const fs::path list = tree.root / "CMakeLists.txt", book = tree.root / "book.md", chapter = tree.chapter(section);
+    std::string contents = read_file(book);
     if (contents.find("](chapters/" + section.name + "/README.md)") == contents.npos)
-        write_file(book, with_entry(contents, section, title));
+        contents = with_entry(contents, section, title_of(tree, section));
+    std::vector<Term> terms = terms_of(tree);
+    for (Term &term : terms_of(read_file(chapter), section.number(), tree.shown(chapter), chapter))
+        terms.push_back(std::move(term));
+    std::stable_sort(terms.begin(), terms.end(), [](const Term &a, const Term &b) { return a.section < b.section; });
+    write_file(book, weave_glossary(contents, book, terms).book);
     write_file(list, with_section(read_file(list), section));
-    write_file(book, weave_glossary(read_file(book), book, terms_of(tree)).book);
     fs::remove_all(from);
 }
 
