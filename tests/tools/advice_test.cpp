@@ -46,6 +46,17 @@ bool ends_with_advice(const std::string &said, const std::string &slips) {
 
 } // namespace
 
+TEST_CASE("a compiler's guess at a name of one or two letters is left out: any other short name is as near") {
+    const auto said = [](const std::string &words) {
+        return diagnose_compiler("/x/01.cpp:3:5: error: " + words + "\n    3 |  y\n      |  ^\n", "/x/01.cpp", "01.cpp")
+            .sentence;
+    };
+    CHECK(said("‘x0’ was not declared in this scope; did you mean ‘y0’?") == "'x0' was not declared in this scope");
+    CHECK(said("use of undeclared identifier 'v'; did you mean 'a'?") == "use of undeclared identifier 'v'");
+    const std::string useful = "'velocty' was not declared in this scope; did you mean 'velocity'?";
+    CHECK(said(useful) == useful);
+}
+
 TEST_CASE("the slips that are made most are explained, whatever the compiler calls them") {
     const std::string compiler = GENERATE("g++", "clang++");
     CAPTURE(compiler);

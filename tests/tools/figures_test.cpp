@@ -22,6 +22,7 @@ using namespace course;
 namespace fs = std::filesystem;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::Equals;
+using Catch::Matchers::StartsWith;
 
 namespace {
 
@@ -468,12 +469,15 @@ TEST_CASE("an exercise that is not there is missed, with the way back") {
 namespace {
 
 /// What `course plot 7 --mine` prints, and its exit code, when the student's program does this.
-std::string plotted(const std::string &program) {
+/// @param second  the name of another figure, if there is one
+std::string plotted(const std::string &program, const std::string &second = "") {
     const Place place;
-    place.write("plots/07_lines_rise.gp",
-                "#> Figure: x\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange [0:5]\n"
-                "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n"
-                "plot ARG1 using 1:2 with lines title 'reference', @yours\n");
+    for (const std::string &name : {std::string{"07_lines_rise"}, second})
+        if (!name.empty())
+            place.write("plots/" + name + ".gp",
+                        "#> Figure: x\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange [0:5]\n"
+                        "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n"
+                        "plot ARG1 using 1:2 with lines title 'reference', @yours\n");
     place.write("exercises/07_lines.cpp", "");
     place.write("build/plots/mine/07_lines_rise.svg", "of yesterday");
     place.write("bin/cmake", "#!/bin/sh\n");
@@ -514,8 +518,23 @@ TEST_CASE("a student's trace that cannot be drawn has a sentence for its student
     CHECK_THAT(plotted(writes("0\\n2\\n")), ContainsSubstring("your trace 07_lines_rise.tsv, line 2 has 1 numbers"));
     CHECK_THAT(plotted("exit 0"), ContainsSubstring("does one of your functions end the program?"));
     CHECK_THAT(plotted("kill -SEGV $$"), ContainsSubstring("did not get as far") && ContainsSubstring("crashed"));
-    CHECK_THAT(plotted("echo 'not started: 07_lines_rise.tsv: from the slope' >&2; exit 1"),
-               ContainsSubstring("not started yet: from the slope"));
     CHECK_THAT(plotted("echo 'error: 07_lines_rise.tsv: t is -1' >&2; exit 1"),
                ContainsSubstring("one of your functions threw: t is -1"));
+}
+
+TEST_CASE("figures that need functions which are not started are left out, in one line; only if all are, plot fails") {
+    const std::string needs = " (it needs functions that are not started)\n";
+    const std::string second = "; echo 'not started: 07_lines_second.tsv: the slope' >&2; ";
+    const std::string drawn = "build/plots/mine/07_lines_rise.svg  x\n";
+    const std::string good = writes("0\\t1\\n2\\t3\\n") + second;
+    CHECK(plotted(good + "exit 1", "07_lines_second") == "0 " + drawn + "left out: 07_lines_second" + needs);
+
+    const std::string crashed = plotted(good + "kill -SEGV $$", "07_lines_second"); // afterwards: that is still told
+    CHECK_THAT(crashed, StartsWith("0 " + drawn + "left out: ") && ContainsSubstring("crashed"));
+    const std::string threw = plotted(good + "echo 'error: words: t is -1' >&2; exit 1", "07_lines_second");
+    CHECK_THAT(threw, ContainsSubstring("one of your functions threw"));
+
+    CHECK_THAT(plotted("echo 'not started: 07_lines_rise.tsv: the slope' >&2; exit 1"),
+               StartsWith("1 left out: 07_lines_rise" + needs)
+                   && ContainsSubstring("functions that are not started; `./course check 7`"));
 }

@@ -110,6 +110,24 @@ void automatic(Vec2 a, Vec2 b) {
     auto c = a + b;
     c += b;                                    // Write Vec2 in the place of auto.
 }
+Spark two_returned(Vec2 a, double b) {
+    return a, b;                               // Two values need braces: return {a, b};
+}
+Vec2 two_components_returned(double x, double y) {
+    if (x > 0) return std::max(x, y);          // A Vec2 has two components: write Vec2{x, y}.
+    return x, y;                               // Two values need braces: return {a, b};
+}
+std::optional<Vec2> none_returned() {
+    return none;                               // To answer nothing, write return {};
+}
+void struct_as_a_vector(const Spark &spark, Vec2 v, double t) {
+    v = spark + t * v;                         // A Spark is a struct: use its fields, one at a time.
+    v = 2 * spark;                             // A Spark is a struct: use its fields, one at a time.
+    Vec2 w = spark;                            // A Spark is a struct: use its fields, one at a time.
+    if (spark == v) return;                    // nothing
+    v = w + spark.position();                  // A field has no parentheses: write a.position, not a.position().
+    v = spark.position;
+}
 bool warnings(double t, const std::vector<Spark> &pool) {
     for (int i = 0; i < pool.size(); ++i) t += 1;  // The size of a list is a std::size_t: for (std::size_t i = 0; …).
     if (t = 1) return true;                    // = gives a value; to compare, write ==.

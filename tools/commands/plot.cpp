@@ -6,6 +6,7 @@
 #include "figures/trace.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
+#include "ground/text.hpp"
 #include "loop/programs.hpp"
 
 #include <iostream>
@@ -17,8 +18,8 @@ namespace {
 
 constexpr const char *about_plot = R"(
 The figures lie in the build folder as SVG; any browser shows them. With --mine your program is
-built and run, for at most 10 s, and its curves are drawn over ours. Without a section all figures
-are drawn.
+built and run, for at most 10 s, and its curves are drawn over ours; a figure that needs functions
+which you have not started is left out. Without a section all figures are drawn.
 
 Example: ./course plot 7 --mine)";
 
@@ -29,7 +30,6 @@ void say_drawn(const Tree &tree, const fs::path &svg, const Figure &figure) {
 /// Why a student's trace cannot be drawn, for the student.
 std::string in_student_words(const TraceFault &fault, const Ran &ran, const Figure &figure) {
     const std::string said = said_of(ran.finished, figure.trace.filename().string());
-    if (said.starts_with("not started: ")) return "not started yet: " + said.substr(13);
     if (said.starts_with("error: ")) return "one of your functions threw: " + said.substr(7);
     if (fault.kind == TraceFault::not_finite)
         return "your functions gave " + fault.value.substr(fault.value.find_first_not_of('-')) + " where "
@@ -53,22 +53,34 @@ std::string draw_mine(const Tree &tree, const Figure &figure, const fs::path &sv
     }
 }
 
-/// @return whether each figure could be drawn
+/// @return whether each figure could be drawn, or one at least and the others need functions that are not started
 bool plot_mine(const Tree &tree, const Section &section) {
     const fs::path traces = student_traces(tree, section);
     const Ran ran = run_program(tree, section, Whose::student, traces);
-    bool all = ran.started;
+    bool all = ran.started, any = false;
+    std::string left_out; // the names of figures that need functions which are not started
     if (ran.started)
         for (Figure figure : figures_of(tree, section)) {
             if (figure.is_measured()) continue; // of ours; there is none of the student's
             const fs::path svg = tree.build / "plots" / "mine" / (figure.name() + ".svg");
             figure.student = traces / figure.trace.filename();
             fs::remove(svg); // an older one would be taken for today's
+            if (said_of(ran.finished, figure.trace.filename().string()).starts_with("not started: ")) {
+                left_out += (left_out.empty() ? "" : ", ") + figure.name();
+                continue;
+            }
             const std::string why_not = draw_mine(tree, figure, svg, ran);
+            any = any || why_not.empty();
             if (why_not.empty()) say_drawn(tree, svg, figure);
             else std::cout << figure.name() << " is not drawn: " << why_not << '\n';
             all = all && why_not.empty();
         }
+    if (!left_out.empty()) {
+        const char *why = contains(left_out, ",") ? "they need" : "it needs";
+        std::cout << "left out: " << left_out << " (" << why << " functions that are not started)\n";
+        all = all && any;
+    }
+    if (any && is_only_unfinished(ran.finished)) return all; // that is no trouble: the line above has said it
     if (!ran.trouble.empty()) std::cout << "course: " << ran.trouble << '\n';
     else if (!all) std::cout << "course: `./course check " << section.short_number() << "` shows what is wrong\n";
     return all;

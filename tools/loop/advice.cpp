@@ -16,6 +16,8 @@ constexpr const char *no_way_back = "Some path through this function has no `ret
 constexpr const char *copy_it = "It is const, so it cannot be changed: copy it, and change the copy.";
 constexpr const char *two_components = "A Vec2 has two components: write Vec2{x, y}.";
 constexpr const char *same_result = "The header gives this function another result: copy its line from there.";
+constexpr const char *no_call = "A field has no parentheses: write a.position, not a.position().";
+constexpr const char *answer_nothing = "To answer nothing, write return {};";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
 /// A slip that the compiler's words alone give away, or together with a word of its notes.
@@ -30,6 +32,10 @@ constexpr std::array slips{
     Slip{"no return statement", "", no_way_back},
     Slip{"unresolved overloaded function type", "", call_it},
     Slip{"cannot resolve overloaded function", "", call_it},
+    Slip{"no match for call to '(const Vec2) ()'", "", no_call},
+    Slip{"no match for call to '(Vec2) ()'", "", no_call},
+    Slip{"call to object of type 'const Vec2'", "", no_call},
+    Slip{"call to object of type 'Vec2'", "", no_call},
     Slip{"reference to non-static member function must be called", "", call_it},
     Slip{"invalid use of member function", "", call_it},
     Slip{"invalid use of non-static member function", "", call_it},
@@ -82,6 +88,37 @@ bool is_vector(std::string_view type) { return type.ends_with("Vec2") || type.en
 bool is_number(std::string_view type) {
     if (type.starts_with("const ")) type.remove_prefix(6);
     return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int";
+}
+
+/// A struct of the course or the student's own: State, as the compiler writes it; or else nothing.
+std::string struct_name(std::string_view type) {
+    if (type.starts_with("const ")) type.remove_prefix(6);
+    if (const std::size_t colon = type.rfind(':'); colon != type.npos) type.remove_prefix(colon + 1);
+    const bool is_name =
+        type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789") == type.npos;
+    if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2") return {};
+    return std::string{type};
+}
+
+/// What to do with a struct that was taken for a vector or a number.
+std::string about_fields(const std::string &name) {
+    const bool vowel = contains("AEIOU", name.substr(0, 1));
+    return (vowel ? "An " : "A ") + name + " is a struct: use its fields, one at a time.";
+}
+
+/// return a, b; and return none;
+std::string about_return(const Said &said) {
+    const std::string_view code = without_blanks(said.code);
+    const std::size_t back = code.find("return ");
+    if (back == code.npos) return {};
+    const std::string_view answer = code.substr(back + 7, code.find(';', back) - back - 7);
+    const bool is_list = contains(answer, ",") && answer.find_first_of("({[<") == answer.npos;
+    const bool is_about_it = contains(said.words, "conver") || contains(said.words, "left operand of comma");
+    if (is_list && is_about_it) return "Two values need braces: return {a, b};";
+    for (const char *none : {"nothing", "none", "None", "null"})
+        if (answer == none && (contains(said.words, "was not declared") || contains(said.words, "undeclared")))
+            return answer_nothing;
+    return {};
 }
 
 /// "expected ';' before 'double'": GCC names what comes after the gap, Clang points into it.
@@ -138,6 +175,10 @@ std::string about_operands(const Said &said) {
     if ((is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right)))
         return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
                "a.norm().";
+    const std::size_t caret = said.caret.find('^'); // below the operator
+    const bool computes = caret < said.code.size() && contains("+-*/", said.code.substr(caret, 1));
+    for (const std::string &operand : {left, right})
+        if (const std::string name = struct_name(operand); computes && !name.empty()) return about_fields(name);
     return {};
 }
 
@@ -160,13 +201,13 @@ std::string about_conversion(const Said &said) {
     const bool clang_assigns = said.words.starts_with("assigning to '"); // 'double' from incompatible type 'Vec2'
     const std::string &from = names[names.size() - (clang_assigns ? 1 : 2)],
                       &to = names[names.size() - (clang_assigns ? 2 : 1)];
-    if (is_optional(to) && (is_number(from) || from == "bool" || contains(from, "nullptr_t")))
-        return "To answer nothing, write return {};";
+    if (is_optional(to) && (is_number(from) || from == "bool" || contains(from, "nullptr_t"))) return answer_nothing;
     if (is_optional(from) && !is_optional(to))
         return "It may be nothing: ask first, if (found), and then write *found.";
     if (is_vector(from) && is_number(to))
         return "A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().";
     if (is_number(from) && is_vector(to)) return two_components;
+    if (!struct_name(from).empty() && (is_vector(to) || is_number(to))) return about_fields(struct_name(from));
     return {};
 }
 
@@ -223,8 +264,8 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
 } // namespace
 
 std::string advice(const Said &said) {
-    for (const auto about : {about_semicolon, about_braces, about_member, about_operands, about_conversion,
-                             about_two_types, about_header, about_unknown_function})
+    for (const auto about : {about_return, about_semicolon, about_braces, about_member, about_operands,
+                             about_conversion, about_two_types, about_header, about_unknown_function})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;

@@ -113,9 +113,12 @@ std::string shown(const std::string &file, const std::filesystem::path &students
 
 /// What the compiler says, and what it means.
 std::string explained(const Said &said) {
+    std::string words = said.words;
+    const std::size_t guess = words.find("; did you mean '");
+    if (guess != words.npos && between(words, "'", "'").value_or("").size() < 3) words.erase(guess); // 'x0': 'y0'?
     const std::string more = advice(said);
-    if (more.empty()) return said.words;
-    return said.words + (std::string_view{".?!"}.find(said.words.back()) == std::string_view::npos ? ". " : " ") + more;
+    if (more.empty()) return words;
+    return words + (std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? ". " : " ") + more;
 }
 
 Verdict broken(Kind kind, std::string sentence) {

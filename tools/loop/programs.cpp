@@ -39,6 +39,11 @@ std::string said_of(const Finished &finished, const std::string &trace) {
     return "";
 }
 
+bool is_only_unfinished(const Finished &finished) {
+    return finished.code == 1 && !finished.timed_out && contains(finished.err, "not started: ")
+           && !contains(finished.err, "error: ");
+}
+
 std::string first_error(const std::string &printed) {
     const auto lines = lines_of(printed);
     const std::string_view undefined = "undefined reference to ";
@@ -82,10 +87,9 @@ std::string student_trouble(const Section &section, const Finished &finished, do
     if (finished.code > 128)
         return "your program " + meaning_of_signal(finished.code - 128) + "; " + check + " says in which function";
     if (finished.code == 0) return "";
-    const auto says = [&](const char *kind) { return finished.err.find(kind) != std::string::npos; };
-    if (finished.code == 1 && says("error: "))
+    if (finished.code == 1 && contains(finished.err, "error: "))
         return "some parts of the program failed, because one of your functions threw; " + check + " shows which";
-    if (finished.code == 1 && says("not started: "))
+    if (is_only_unfinished(finished))
         return "some parts of the program need functions that are not started; " + check + " shows which";
     const std::string said = last_line(finished.err);
     return "your program stopped with exit code " + std::to_string(finished.code)

@@ -47,6 +47,9 @@ Ran run_program(const Tree &tree, const Section &section, Whose whose, const std
 /// name; "" if it said nothing.
 std::string said_of(const Finished &finished, const std::string &trace);
 
+/// Whether nothing kept this program from ending well but functions that are not started.
+bool is_only_unfinished(const Finished &finished);
+
 /// The last line of a text that is not blank.
 std::string last_line(const std::string &text);
 
