@@ -67,7 +67,7 @@ TEST_CASE("the verdicts that chapter 1 shows for 1.1 are real ones, of the lines
     shows('`' + divides + '`');
     shows(in_box(verdict_on(with(divides))) + "> ```");
     shows('`' + multiplies + '`');
-    shows(in_box(first_lines(verdict_on(with(multiplies)), 2)) + "> ```");
+    shows(in_box(first_lines(verdict_on(with(multiplies)), 5)) + ">         (and two more)\n> ```");
     shows("    " + refuses + '\n');
     shows('`' + first_lines(verdict_on(with(refuses + '\n' + multiplies)), 1) + '`');
 }
