@@ -52,10 +52,10 @@ std::optional<Pool> spawn(const Pool &pool, const Particle &particle);
 //> Life and colour
 /// Which of the shades 0, 1, … `shades` - 1 a particle shows at this age. Each is shown for the same part of its life.
 /// Nothing once the particle is dead: `age` has reached `life`.
-/// Where rounding decides between two neighbouring shades, either is right.
+/// Where rounding decides between two of these, either is right; `shades` itself is never an answer.
 /// @param age     [s], not negative
 /// @param life    the whole lifetime [s], positive; not the time for one shade
-/// @param shades  how many, at least 1; with two billion of them, a loop over all would take seconds
+/// @param shades  how many, at least 1; there may be a billion, so do not loop over them
 std::optional<int> shade_index(double age, double life, int shades);
 
 //> The world
@@ -162,8 +162,9 @@ inline void require_wall(const Wall &wall) {
 /// along the wall's normal is reversed and multiplied by `restitution`, and it moves on for the time that is left.
 /// It never skips a wall, however long `dt` is. If it is within `contact_tolerance` of a wall, on either side, and
 /// moves towards its right side, it bounces at once. Where it hits two walls at once, both act, in either order, until
-/// it approaches neither. Whether it has bounced or not, either is right for a wall that it reaches at the very end of
-/// `dt`, that it meets within `contact_tolerance` of an end, or that is parallel to its path by section 7's definition.
+/// it approaches neither. Three cases are left open, and either answer is right: a wall that it reaches at the very end
+/// of `dt`, one that it meets within `contact_tolerance` of an end, and one so nearly parallel to its path that
+/// `intersect_lines` returns nothing.
 /// @param restitution  [1], from 0 to 1
 /// @param dt           [s], not negative
 Particle move_and_collide(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt);
