@@ -470,14 +470,17 @@ namespace {
 
 /// What `course plot 7 --mine` prints, and its exit code, when the student's program does this.
 /// @param second  the name of another figure, if there is one
-std::string plotted(const std::string &program, const std::string &second = "") {
+/// @param curve   what it draws of the student's
+std::string plotted(const std::string &program, const std::string &second = "", const std::string &curve = ", @yours") {
     const Place place;
-    for (const std::string &name : {std::string{"07_lines_rise"}, second})
+    const std::string yours = "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n";
+    const std::string ours = "plot ARG1 using 1:2 with lines title 'reference'";
+    for (const auto &[name, of_student] :
+         {std::pair{std::string{"07_lines_rise"}, std::string{", @yours"}}, {second, curve}})
         if (!name.empty())
             place.write("plots/" + name + ".gp",
                         "#> Figure: x\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange [0:5]\n"
-                        "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n"
-                        "plot ARG1 using 1:2 with lines title 'reference', @yours\n");
+                            + (of_student.empty() ? "" : yours) + ours + of_student + '\n');
     place.write("exercises/07_lines.cpp", "");
     place.write("build/plots/mine/07_lines_rise.svg", "of yesterday");
     place.write("bin/cmake", "#!/bin/sh\n");
@@ -520,6 +523,10 @@ TEST_CASE("a student's trace that cannot be drawn has a sentence for its student
     CHECK_THAT(plotted("kill -SEGV $$"), ContainsSubstring("did not get as far") && ContainsSubstring("crashed"));
     CHECK_THAT(plotted("echo 'error: 07_lines_rise.tsv: t is -1' >&2; exit 1"),
                ContainsSubstring("one of your functions threw: t is -1"));
+}
+
+TEST_CASE("a figure that has no place for a student's curve is neither drawn nor missed") {
+    CHECK(plotted(writes("0\\t1\\n2\\t3\\n"), "07_lines_ours", "") == "0 build/plots/mine/07_lines_rise.svg  x\n");
 }
 
 TEST_CASE("figures that need functions which are not started are left out, in one line; only if all are, plot fails") {

@@ -41,7 +41,6 @@ std::string in_student_words(const TraceFault &fault, const Ran &ran, const Figu
 
 /// Draws one figure with the student's curve; returns why not, or "".
 std::string draw_mine(const Tree &tree, const Figure &figure, const fs::path &svg, const Ran &ran) {
-    if (!draws_student(figure.script)) return "it has no place for a curve of yours";
     try {
         read_trace(figure.student, "your trace " + figure.student.filename().string());
         write_file(svg, draw(figure));
@@ -61,7 +60,7 @@ bool plot_mine(const Tree &tree, const Section &section) {
     std::string left_out; // the names of figures that need functions which are not started
     if (ran.started)
         for (Figure figure : figures_of(tree, section)) {
-            if (figure.is_measured()) continue; // of ours; there is none of the student's
+            if (figure.is_measured() || !draws_student(figure.script)) continue; // nothing in it is the student's
             const fs::path svg = tree.build / "plots" / "mine" / (figure.name() + ".svg");
             figure.student = traces / figure.trace.filename();
             fs::remove(svg); // an older one would be taken for today's
