@@ -9,7 +9,7 @@ set xlabel 'x [m]'; set ylabel 'y [m]'
 of_shade(k, y, shade) = shade == k ? y : NaN
 yours = with_yours("ARG3 using 2:3 with points lt 2 pt 6 ps 0.5 lw 1 title 'yours'")
 plot ARG1 using 2:(of_shade(0, $3, $4)) with points lt 4 pt 7 ps 0.35 title 'after 0.3 s', \
-     ARG1 using 2:(of_shade(1, $3, $4)) with points lt 6 pt 7 ps 0.3 title '0.7 s', \
-     ARG1 using 2:(of_shade(2, $3, $4)) with points lt 5 pt 7 ps 0.25 title '1 s', \
-     ARG1 using 2:(of_shade(3, $3, $4)) with points lc rgb DIM pt 7 ps 0.2 title '1.4 s', \
+     ARG1 using 2:(of_shade(1, $3, $4)) with points lt 6 pt 4 ps 0.45 lw 1 title '0.7 s', \
+     ARG1 using 2:(of_shade(2, $3, $4)) with points lt 5 pt 8 ps 0.5 lw 1 title '1 s', \
+     ARG1 using 2:(of_shade(3, $3, $4)) with points lc rgb DIM pt 2 ps 0.4 lw 1 title '1.4 s', \
      @yours
