@@ -5,8 +5,9 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <sstream>
+#include <cstdio>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 /// What all sections share.
@@ -24,10 +25,9 @@ struct NotYet : std::runtime_error {
 /// @throws std::invalid_argument "radius [m] must be positive, but is -1"
 inline void require(bool holds, const char *claim, double value) {
     if (holds) return;
-    std::ostringstream message;
-    message.precision(17);
-    message << claim << ", but is " << value;
-    throw std::invalid_argument{message.str()};
+    char number[32];
+    std::snprintf(number, sizeof number, "%.17g", value);
+    throw std::invalid_argument{std::string{claim} + ", but is " + number};
 }
 
 /// What goes into a function, in whatever unit, is within ± this.

@@ -14,6 +14,13 @@ struct Leave {
     int code;
 };
 
+/// Brings the site up to date by the build; site.cpp has it.
+void bring_up_site(const Tree &tree);
+
+/// Hands a file, or a place in one ("page.html#here"), to whatever program is meant for it.
+/// @return whether there is one, and a screen to show it on
+bool show(const std::string &address);
+
 void add_check(CLI::App &app, const Tree &tree);
 void add_weave(CLI::App &app, const Tree &tree);
 void add_list(CLI::App &app, const Tree &tree);
@@ -29,5 +36,6 @@ void add_draw(CLI::App &app, const Tree &tree);
 void add_publish(CLI::App &app, const Tree &tree);
 void add_bench(CLI::App &app, const Tree &tree);
 void add_site(CLI::App &app, const Tree &tree);
+void add_play(CLI::App &app, const Tree &tree);
 
 } // namespace course

@@ -2,25 +2,55 @@
 
 #include "commands/commands.hpp"
 #include "figures/section_figures.hpp"
+#include "ground/files.hpp"
 #include "ground/lock.hpp"
+#include "ground/process.hpp"
+#include "loop/programs.hpp"
+#include "site/demos.hpp"
 
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 namespace course {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr const char *about_publish = R"(
 Copies each drawn figure to plots/*.svg, where the chapters show it, and the trace that it was drawn
 from to plots/*.tsv, with six significant digits. Look at the figures first: ./course plot
+Where there is a compiler for WebAssembly, each demo is compiled, too, and kept in demos/.
 
 --check compares the kept traces with what the programs write today. Header, rows and gaps must be
 equal, and each number within one unit of its sixth digit (half of it is the rounding), or within
 1e-12 of the largest in its column (a zero with its rounding errors). It also names a figure that is
 not published, and a published one that has lost its script. The SVGs are not compared: another
-gnuplot draws the same figure in other bytes.
+gnuplot draws the same figure in other bytes. A kept demo must be, byte for byte, what its sources give.
 
 Example: ./course publish --check)";
+
+// Demos
+
+/// Sections whose demo is compiled and is not the one that is kept; none without a compiler for pages.
+std::vector<Section> changed_demos(const Tree &tree, const std::vector<Section> &sections) {
+    std::vector<Section> changed;
+    if (!fs::exists(tree.build / "play" / "can_compile")) return changed;
+    const std::string node = nlohmann::json::parse(read_file(tree.build / "course.json")).at("node");
+    for (const Section &section : sections) {
+        if (!fs::exists(tree.chapter(section).parent_path() / "demo.cpp")) continue;
+        if (const Finished built = build_target(tree, section.name + "_play"); built.code != 0)
+            throw Complaint{"the demo of section " + section.short_number()
+                            + " cannot be compiled: " + first_error(built.out + built.err)};
+        const fs::path kept = tree.root / demo_file(section);
+        if (!fs::exists(kept)
+            || run({node, (tree.root / "tools/play/pack.cjs").string(), "--same", compiled_demo(tree, section).string(),
+                    kept.string()})
+                       .code
+                   != 0)
+            changed.push_back(section);
+    }
+    return changed;
+}
 
 void publish_all(const Tree &tree, const std::vector<Section> &sections) {
     std::size_t count = 0;
@@ -29,13 +59,20 @@ void publish_all(const Tree &tree, const std::vector<Section> &sections) {
             std::cout << tree.shown(file) << '\n';
             ++count;
         }
-    if (count == 0) std::cout << "The published figures are up to date.\n";
+    for (const Section &section : changed_demos(tree, sections)) {
+        write_file(tree.root / demo_file(section), read_file(compiled_demo(tree, section)));
+        std::cout << demo_file(section) << '\n';
+        ++count;
+    }
+    if (count == 0) std::cout << "What is published is up to date.\n";
 }
 
 void check_all(const Tree &tree, const std::vector<Section> &sections) {
     std::vector<std::string> found = strays(tree);
     for (const Section &section : sections)
         for (const std::string &text : outdated(tree, section)) found.push_back(text);
+    for (const Section &section : changed_demos(tree, sections))
+        found.push_back(demo_file(section) + " is not what its sources give today.");
     for (const std::string &text : found) std::cout << text << '\n';
     if (found.empty()) {
         std::cout << "The published figures agree with the programs.\n";

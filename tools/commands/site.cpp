@@ -11,10 +11,8 @@
 
 namespace course {
 namespace fs = std::filesystem;
-namespace {
 
-/// Brings the site up to date by the build.
-void bring_up(const Tree &tree) {
+void bring_up_site(const Tree &tree) {
     const Lock lock{tree};
     const Finished built = build_target(tree, "site");
     if (built.code == 0) return;
@@ -25,14 +23,7 @@ void bring_up(const Tree &tree) {
                         : printed.substr(said + 8, printed.find("\nninja: ", said) - said - 8)};
 }
 
-fs::path page(const Tree &tree, const std::string &section) {
-    const fs::path file = section.empty() ? tree.root / "book.md" : tree.chapter(tree.section(section));
-    return site_folder(tree) / (page_name(tree, file) + ".html");
-}
-
-/// Hands a file to whatever program is meant for it, and does not wait for that program.
-/// @return whether there is one, and a screen to show it on
-bool show(const fs::path &file) {
+bool show(const std::string &address) {
     static constexpr const char *script = R"sh(
 if command -v open && [ "$(uname)" = Darwin ]; then opener=open
 elif command -v xdg-open && [ "${DISPLAY-}${WAYLAND_DISPLAY-}" ]; then opener=xdg-open
@@ -40,13 +31,20 @@ elif command -v wslview; then opener=wslview
 else exit 1
 fi
 "$opener" "$1" </dev/null >/dev/null 2>&1 &)sh";
-    return run({"sh", "-c", script, "sh", file.string()}).code == 0;
+    return run({"sh", "-c", script, "sh", address}).code == 0;
+}
+
+namespace {
+
+fs::path page(const Tree &tree, const std::string &section) {
+    const fs::path file = section.empty() ? tree.root / "book.md" : tree.chapter(tree.section(section));
+    return site_folder(tree) / (page_name(tree, file) + ".html");
 }
 
 void open(const Tree &tree, const std::string &section) {
     const fs::path file = page(tree, section);
-    bring_up(tree);
-    std::cout << (show(file) ? "Opening " : "Open this file in your browser: ") << file.string() << '\n';
+    bring_up_site(tree);
+    std::cout << (show(file.string()) ? "Opening " : "Open this file in your browser: ") << file.string() << '\n';
 }
 
 void add_site_command(CLI::App &app, const Tree &tree) {
@@ -54,7 +52,7 @@ void add_site_command(CLI::App &app, const Tree &tree) {
         app.add_subcommand("site", "Build the book as a site, to be read in a browser without a network");
     command->footer("Example: ./course site");
     command->callback([&tree] {
-        bring_up(tree);
+        bring_up_site(tree);
         std::cout << "The book is " << tree.shown(page(tree, ""))
                   << "\nType ./course open, or ./course open 7 for a section\n";
     });

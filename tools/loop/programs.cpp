@@ -76,6 +76,14 @@ std::vector<std::string> program_command(const fs::path &program, const std::str
     return command;
 }
 
+std::string student_error(const Tree &tree, const Section &section, const std::string &printed) {
+    const fs::path file = tree.exercise(section);
+    const std::string name = tree.shown(file);
+    Verdict verdict = diagnose_compiler(printed, file, name, renamed(tree, section));
+    if (verdict.line == 0) verdict = diagnose_linker(printed, name, section.short_number());
+    return (verdict.line == 0 ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ") + verdict.sentence;
+}
+
 namespace {
 
 /// How a student's program ended, if not well. A part that could not run has said so itself: chapters/program.hpp.
@@ -105,15 +113,6 @@ void empty_folder(const fs::path &folder) {
     if (trouble)
         throw Complaint{"cannot write " + folder.string() + ": " + trouble.message()
                         + "; make the build folder writable, or run this as its owner."};
-}
-
-/// What keeps a student's program from being built, in the words of `course check`.
-std::string student_error(const Tree &tree, const Section &section, const std::string &printed) {
-    const fs::path file = tree.exercise(section);
-    const std::string name = tree.shown(file);
-    Verdict verdict = diagnose_compiler(printed, file, name, renamed(tree, section));
-    if (verdict.line == 0) verdict = diagnose_linker(printed, name, section.short_number());
-    return (verdict.line == 0 ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ") + verdict.sentence;
 }
 
 /// Starts what follows with limits, so that a runaway function cannot bring the machine down: no core file, files

@@ -4,6 +4,7 @@
 #include "ground/files.hpp"
 #include "ground/process.hpp"
 #include "site/addresses.hpp"
+#include "site/demos.hpp"
 #include "site/doxygen_page.hpp"
 #include "site/draft.hpp"
 #include "site/page_template.hpp"
@@ -66,6 +67,8 @@ class Builder {
         };
         const auto page = [&](const fs::path &file) { return "pages/" + page_name(tree, file) + ".markdown"; };
         for (const fs::path &file : markdown_pages(tree)) add(page(file), doxygen_page(tree, file, read_file(file)));
+        if (const std::string all = play_page(tree); !all.empty())
+            add("pages/play.markdown", doxygen_page(tree, tree.root / "play.md", all));
         for (const fs::path &file : source_pages(tree)) {
             const std::string name = tree.shown(file), text = read_file(file);
             add(page(file), doxygen_source(tree, file, text));
@@ -81,7 +84,7 @@ class Builder {
 
     /// The pages that Doxygen has written, without its index pages.
     void read_drafts() {
-        static const std::regex wanted{R"(index|(chapter|source)_.*|(namespace|struct|class|union).*)"};
+        static const std::regex wanted{R"(index|play|(chapter|source)_.*|(namespace|struct|class|union).*)"};
         std::vector<std::string> names;
         for (const fs::path &file : markdown_pages(tree)) names.push_back(page_name(tree, file));
         std::vector<fs::path> files;
@@ -156,6 +159,8 @@ class Builder {
                 files[entry.path().filename().string()] = read_file(entry.path());
         for (const auto &entry : fs::directory_iterator{tree.root / "plots"})
             if (entry.path().extension() == ".svg") files[tree.shown(entry.path())] = read_file(entry.path());
+        for (const Demo &demo : demos(tree))
+            files[demo_file(demo.section)] = read_file(tree.root / demo_file(demo.section));
         files["lunr.js"] = read_file(fs::path{tools.lunr}.replace_extension(".min.js"));
         // Of its three formats every browser of the last ten years takes the first.
         static const std::regex older{R"(,url\([^)]*\.(woff|ttf)\) format\([^)]*\))"};

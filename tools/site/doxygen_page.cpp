@@ -8,6 +8,7 @@
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 #include "site/addresses.hpp"
+#include "site/demos.hpp"
 #include "site/html.hpp"
 
 #include <cmark-gfm-core-extensions.h>
@@ -369,9 +370,21 @@ class PageWriter {
             hint{R"(<details>(\s*<summary>\d+\.\d+, a hint: ))"};
         out = std::regex_replace(out, solution, "<details class=\"solution\">$1");
         out = std::regex_replace(out, hint, "<details class=\"hint\">$1");
+        if (const auto mark = demo_mark(out)) out = demo(*mark, cmark_node_get_start_line(node));
         static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
         out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());
+    }
+
+    /// A demo's place; nothing if its section keeps none in demos/.
+    std::string demo(const DemoMark &mark, int line) {
+        for (const Demo &one : demos(tree)) {
+            if (one.name != mark.name) continue;
+            const int before = demos_so_far++;
+            const std::string id = "demo-" + mark.name + (before > 0 ? '-' + std::to_string(before + 1) : "");
+            return demo_figure(one, id, markdown(mark.task, line), mark.mine);
+        }
+        return "";
     }
 
     /// A few words of Markdown with formulas, within HTML.
@@ -433,6 +446,7 @@ class PageWriter {
     std::string plain_title;
     bool lead_may_follow = false;
     std::size_t formulas_back = 0;
+    int demos_so_far = 0;
     std::vector<std::string> listings; ///< put in last: they leave the HTML, where nothing else may
 };
 

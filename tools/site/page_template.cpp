@@ -4,6 +4,7 @@
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "site/addresses.hpp"
+#include "site/demos.hpp"
 
 namespace course {
 namespace {
@@ -33,7 +34,11 @@ std::string link(const std::string &address, const std::string &html) {
 } // namespace
 
 PageTemplate::PageTemplate(const Tree &tree_, const std::map<std::string, Interface> &known_, std::string page)
-    : tree{tree_}, known{known_}, page_template{std::move(page)}, sections{tree.sections()} {
+    : tree{tree_},
+      known{known_},
+      page_template{std::move(page)},
+      sections{tree.sections()},
+      has_demos{!demos(tree).empty()} {
     for (const auto &row : contents(read_file(tree.root / "book.md")))
         entries.push_back({std::to_string(row.number), row.title, row.minutes,
                            row.chapter.empty() ? "" : page_name(tree, tree.root / row.chapter)});
@@ -52,7 +57,17 @@ std::string PageTemplate::around(const Draft &draft, const std::string &body) co
                                   {"contents", sidebar(draft)},
                                   {"above", above(draft)},
                                   {"body", body},
-                                  {"turning", turning(draft)}});
+                                  {"turning", turning(draft)},
+                                  {"demos", demo_scripts(body)}});
+}
+
+/// What the demos of a page need, if it has some.
+std::string PageTemplate::demo_scripts(const std::string &body) const {
+    std::string scripts;
+    for (const Section &section : sections)
+        if (body.find("data-demo=\"" + section.name + '"') != std::string::npos)
+            scripts += "<script src=\"" + demo_file(section) + "\"></script>\n";
+    return scripts.empty() ? "" : scripts + "<script src=\"play.js\"></script>\n";
 }
 
 const Section *PageTemplate::section_of(const std::string &name) const {
@@ -78,7 +93,8 @@ std::string PageTemplate::outline(const Draft &draft) const {
 }
 
 std::string PageTemplate::sidebar(const Draft &draft) const {
-    std::string html = "<ul>\n" + item(draft, "index.html", "Frame by Frame") + "</ul>\n<p>Sections</p>\n<ul>\n";
+    std::string html = "<ul>\n" + item(draft, "index.html", "Frame by Frame")
+                       + (has_demos ? item(draft, "play.html", "Play") : "") + "</ul>\n<p>Sections</p>\n<ul>\n";
     for (const Entry &entry : entries)
         html += entry.page.empty() ? "<li class=\"to-come\"><span class=\"number\">" + entry.number + "</span> "
                                          + escaped(entry.title) + " <span class=\"hidden\">(to come)</span></li>\n"

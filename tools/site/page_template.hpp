@@ -10,7 +10,7 @@ namespace course {
 /// What surrounds the body of each page: docs/page.html with its gaps filled in.
 class PageTemplate {
   public:
-    /// @param page  the template: {{title}}, {{contents}}, {{above}}, {{body}}, {{turning}}
+    /// @param page  the template: {{title}}, {{contents}}, {{above}}, {{body}}, {{turning}}, {{demos}}
     PageTemplate(const Tree &tree_, const std::map<std::string, Interface> &known_, std::string page);
 
     /// The whole page.
@@ -28,6 +28,7 @@ class PageTemplate {
     std::string sidebar(const Draft &draft) const;
     std::string above(const Draft &draft) const;
     std::string turning(const Draft &draft) const;
+    std::string demo_scripts(const std::string &body) const;
     std::string item(const Draft &draft, const std::string &page, const std::string &words,
                      const std::string &number = "") const;
     std::string outline(const Draft &draft) const;
@@ -38,6 +39,7 @@ class PageTemplate {
     std::vector<Entry> entries;
     std::string page_template;
     std::vector<Section> sections;
+    bool has_demos;
     std::vector<std::pair<std::string, std::string>> others; ///< page and title of what else there is: README, ...
 };
 

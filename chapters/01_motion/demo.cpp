@@ -1,0 +1,152 @@
+#include "../demo.hpp"
+
+#include "game.hpp"
+
+//> The demo
+namespace play {
+using namespace motion;
+using demo::Colour, demo::Input, demo::Shape;
+
+enum Sky { helicopter_and_missile, three_integrators };
+
+const demo::About about{
+    "A helicopter crosses the screen at a constant velocity. A missile behind it gets faster.",
+    {0, 0},
+    {640, 200},
+    {demo::choice("In the sky", {"helicopter and missile", "three integrators (1.5)"}, 0),
+     {"acceleration", "px/s²", 0, 600, 10, 100},
+     {"step", "s", 0.05, 1, 0.05, 0.5}},
+    {{"s", "Start the helicopter"}, {"f", "Fire the missile"}, {"e", "Engine on or off"}, {"b", "Break the missile"}}};
+
+/// Something that flies leaves a mark every fifth of a second.
+constexpr double between_marks = 0.2;
+
+struct State {
+    Helicopter helicopter;
+    std::vector<Missile> pieces; // of the missile: none, one, or nose and hull
+    Missile unbroken;            // how it would have flown on in one piece
+    bool engine = true;
+    Integrators three;
+    int steps{}; // of the three
+    std::vector<Vec2> helicopter_marks, missile_marks, path, three_marks[3];
+    double time{}, spare{}, next_mark{};
+};
+
+void fire(State &now) {
+    const motion::State start{{20, 120}, now.helicopter.velocity};
+    now.unbroken = {start, {0, 0}, 4};
+    now.pieces = {now.unbroken};
+    now.engine = true;
+    now.missile_marks = now.path = {};
+    now.three = {start, start, start};
+    now.steps = 0;
+    for (std::vector<Vec2> &marks : now.three_marks) marks = {start.position};
+}
+
+State begin() {
+    State now;
+    fire(now);
+    now.pieces.clear(); // not yet
+    return now;
+}
+
+/// Nose and hull push each other apart. The hull is three times as heavy: it gets a third of the velocity.
+void break_in_two(State &now) {
+    if (now.pieces.size() != 1) return;
+    const Missile whole = now.pieces[0];
+    Missile nose = whole, hull = whole;
+    nose.mass = 1, hull.mass = 3;
+    nose.state.velocity += Vec2{30, 60};
+    hull.state.velocity -= Vec2{30, 60} / 3;
+    now.pieces = {nose, hull};
+}
+
+void one_frame(State &now, double acceleration, double dt) {
+    next_frame(now.helicopter, dt);
+    if (now.helicopter.position.x() >= about.high.x()) // it comes back on the left
+        now.helicopter.position.x() -= about.high.x(), now.helicopter_marks.clear();
+
+    const Vec2 thrust{now.engine ? acceleration : 0, 0};
+    now.unbroken.acceleration = thrust;
+    if (!now.pieces.empty()) next_frame(now.unbroken, dt);
+    for (Missile &piece : now.pieces) {
+        piece.acceleration = thrust;
+        next_frame(piece, dt);
+    }
+    std::erase_if(now.pieces, [](const Missile &piece) { return piece.state.position.x() > 2 * about.high.x(); });
+
+    now.time += dt;
+    if (!now.pieces.empty()) now.path.push_back(now.unbroken.state.position);
+    if (now.time < now.next_mark) return;
+    now.next_mark += between_marks;
+    now.helicopter_marks.push_back(now.helicopter.position);
+    for (const Missile &piece : now.pieces) now.missile_marks.push_back(piece.state.position);
+}
+
+void one_step(State &now, double acceleration, double dt) {
+    if (now.three.exact.position.x() > about.high.x()) fire(now);
+    now.three = step_all(now.three, {acceleration, 0}, dt);
+    ++now.steps;
+    now.three_marks[0].push_back(now.three.explicit_euler.position);
+    now.three_marks[1].push_back(now.three.semi_implicit.position);
+    now.three_marks[2].push_back(now.three.exact.position);
+}
+
+State next(State now, const Input &in) {
+    if (in.key == "s") now.helicopter = {}, now.helicopter_marks.clear();
+    if (in.key == "f") fire(now);
+    if (in.key == "e") now.engine = !now.engine;
+    if (in.key == "b") break_in_two(now);
+
+    const double acceleration = in["acceleration"], step = in["step"];
+    if (static_cast<Sky>(in["In the sky"]) == three_integrators)
+        for (int due = demo::steps_due(now.spare, in, step); due > 0; --due) one_step(now, acceleration, step);
+    else
+        for (int due = demo::steps_due(now.spare, in, 1.0 / 60); due > 0; --due) one_frame(now, acceleration, 1.0 / 60);
+    return now;
+}
+
+/// What flies, and its marks.
+void add(demo::Picture &seen, Colour colour, const Vec2 &at, double size, const std::vector<Vec2> &marks) {
+    seen.shapes.push_back({Shape::discs, colour, 0.35 * size, 0.5, marks});
+    seen.shapes.push_back({Shape::discs, colour, size, 1, {at}});
+}
+
+demo::Picture draw(const State &now, const Input &in) {
+    demo::Picture seen;
+    if (static_cast<Sky>(in["In the sky"]) == three_integrators) {
+        const Vec2 rows[]{{0, 40}, {0, 0}, {0, -40}};
+        const char *const names[]{"explicit Euler", "semi-implicit Euler", "exact"};
+        const Colour colours[]{Colour::orange, Colour::green, Colour::blue};
+        for (int k : {0, 1, 2}) {
+            std::vector<Vec2> marks = now.three_marks[k];
+            for (Vec2 &mark : marks) mark += rows[k];
+            if (!marks.empty()) add(seen, colours[k], marks.back(), 7, marks);
+            seen.shapes.push_back({Shape::words, colours[k], 0, 1, {rows[k] + Vec2{12, 134}}, names[k]});
+        }
+        seen.readouts = {{"explicit Euler", "px", now.three.explicit_euler.position.x(), 1},
+                         {"semi-implicit Euler", "px", now.three.semi_implicit.position.x(), 1},
+                         {"exact", "px", now.three.exact.position.x(), 1},
+                         {"steps", "", double(now.steps), 0}};
+        return seen;
+    }
+    const Vec2 rotor{16, 0}, mast{0, 12};
+    const Vec2 &at = now.helicopter.position;
+    seen.shapes.push_back({Shape::line, Colour::blue, 2, 1, {at, at + mast, at + mast - rotor, at + mast + rotor}});
+    add(seen, Colour::blue, at, 8, now.helicopter_marks);
+    seen.shapes.push_back({Shape::line, Colour::dim, -1.5, 1, now.path});
+    for (const Missile &piece : now.pieces) add(seen, Colour::orange, piece.state.position, 3 + piece.mass, {});
+    seen.shapes.push_back({Shape::discs, Colour::orange, 2.5, 0.6, now.missile_marks});
+    if (const auto camera = camera_target(now.pieces)) {
+        const Vec2 wide{10, 0}, high{0, 10};
+        seen.shapes.push_back({Shape::line, Colour::ink, 1.5, 1, {*camera - wide, *camera + wide}});
+        seen.shapes.push_back({Shape::line, Colour::ink, 1.5, 1, {*camera - high, *camera + high}});
+    }
+    seen.readouts = {{"helicopter", "px", at.x(), 0}, {"its speed", "px/s", now.helicopter.velocity.norm(), 0}};
+    if (!now.pieces.empty()) {
+        seen.readouts.push_back({"missile", "px", now.pieces[0].state.position.x(), 0});
+        seen.readouts.push_back({"its speed", "px/s", now.pieces[0].state.velocity.norm(), 0});
+    }
+    return seen;
+}
+} // namespace play

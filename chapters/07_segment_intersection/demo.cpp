@@ -1,0 +1,120 @@
+#include "../demo.hpp"
+
+#include "game.hpp"
+
+//> The demo
+namespace play {
+using namespace segment_intersection;
+using demo::Colour, demo::Input, demo::Shape;
+
+enum Game { asks_once_a_frame, asks_about_the_motion, bounces, has_a_size };
+
+const demo::About about{
+    "A ball in a room with seven walls. Drag the corners, or aim with the tip of the arrow.",
+    {0, -0.5},
+    {12, 7.5},
+    {demo::choice("The game", {"asks once a frame", "asks 7.2", "bounces (7.4)", "has a size (7.5)"}, 0),
+     {"speed", "m/s", 1, 60, 0.5, 4},
+     {"frames a second", "", 5, 120, 1, 30},
+     {"radius", "m", 0.1, 0.5, 0.01, 0.15}},
+    {{"t", "Turn the ball"}}};
+
+struct State {
+    std::vector<Vec2> room;
+    Ball ball;
+    std::vector<double> lit; // until when each wall is lit [s]
+    std::vector<Vec2> trail; // where the ball was in the last frames
+    double time{}, spare{};
+    int noticed{}, missed{};
+};
+
+State begin() {
+    return {{{0.5, 1}, {6, 0}, {11.5, 1.5}, {10, 6.5}, {6.5, 3.5}, {4, 7}, {1, 5.5}},
+            {{2, 3}, {3.6, 1.7}},
+            std::vector<double>(7, -1.0),
+            {}};
+}
+
+/// What many games ask: whether the ball touches a wall now, wherever it was a moment ago.
+bool touches_now(const Vec2 &centre, double radius, const Segment &wall) {
+    const Vec2 along = wall.end - wall.start;
+    const double s = std::clamp(along.dot(centre - wall.start) / along.squaredNorm(), 0.0, 1.0);
+    return (wall.start + s * along - centre).norm() <= radius;
+}
+
+State one_frame(State now, Game game, double radius, double dt) {
+    const std::vector<Segment> walls = walls_of(now.room);
+    const Segment motion{now.ball.position, now.ball.position + dt * now.ball.velocity};
+    if (game == bounces) now.ball = move_and_bounce(now.ball, now.room, dt);
+    else if (game == has_a_size) now.ball = next_frame(now.ball, radius, walls, dt);
+    else now.ball.position = motion.end; // it flies on, through whatever is in its way
+
+    now.time += dt;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        const bool before = touches_now(motion.start, radius, walls[i]),
+                   after = touches_now(motion.end, radius, walls[i]);
+        const bool seen = game == asks_once_a_frame ? after && !before
+                          : game == has_a_size      ? time_of_impact(motion, radius, walls[i]).has_value()
+                                                    : segments_intersect(motion, walls[i]);
+        if (seen) now.lit[i] = now.time + 0.4, ++now.noticed;
+        else if (game == asks_once_a_frame && !before && segments_intersect(motion, walls[i])) ++now.missed;
+    }
+
+    now.trail.push_back(motion.start);
+    if (now.trail.size() > 30) now.trail.erase(now.trail.begin());
+    for (int k : {0, 1}) { // what leaves the picture enters it on the other side
+        const double width = about.high[k] - about.low[k];
+        const double pictures = std::floor((now.ball.position[k] - about.low[k]) / width);
+        if (pictures != 0) now.ball.position[k] -= pictures * width, now.trail.clear();
+    }
+    return now;
+}
+
+bool walls_cross(const std::vector<Segment> &walls) {
+    for (std::size_t i = 0; i < walls.size(); ++i)
+        for (std::size_t j = i + 2; j < walls.size() - (i == 0); ++j)
+            if (segments_intersect(walls[i], walls[j])) return true;
+    return false;
+}
+
+State next(State now, const Input &in) {
+    Vec2 &velocity = now.ball.velocity;
+    if (in.handle == 7 && in.pointer != now.ball.position) velocity = in.pointer - now.ball.position;
+    else if (in.handle >= 0 && in.handle < 7) {
+        std::vector<Vec2> room = now.room;
+        room[std::size_t(in.handle)] = in.pointer.cwiseMax(about.low).cwiseMin(about.high);
+        if (!walls_cross(walls_of(room))) now.room = room;
+    }
+    if (in.key == "t") velocity = {0.8 * velocity.x() - 0.6 * velocity.y(), 0.6 * velocity.x() + 0.8 * velocity.y()};
+    velocity *= in["speed"] / velocity.norm();
+
+    const double dt = 1 / in["frames a second"];
+    for (int due = demo::steps_due(now.spare, in, dt); due > 0; --due)
+        now = one_frame(now, static_cast<Game>(in["The game"]), in["radius"], dt);
+    return now;
+}
+
+demo::Picture draw(const State &now, const Input &in) {
+    const auto &[at, velocity] = now.ball;
+    const auto game = static_cast<Game>(in["The game"]);
+    const double radius = game == asks_about_the_motion || game == bounces ? 0.07 : in["radius"]; // 0.07: a point
+    demo::Picture seen{{{Shape::area, Colour::line, 0, 0.3, now.room}}};
+    const std::vector<Segment> walls = walls_of(now.room);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        const bool lit = now.time < now.lit[i];
+        seen.shapes.push_back(
+            {Shape::line, lit ? Colour::orange : Colour::dim, lit ? 5.0 : 2.5, 1, {walls[i].start, walls[i].end}});
+    }
+    const Vec2 tip = at + velocity / velocity.norm();
+    seen.shapes.push_back({Shape::discs, Colour::blue, radius, 0.18, now.trail});
+    seen.shapes.push_back({Shape::discs, Colour::blue, radius, 1, {at}});
+    seen.shapes.push_back({Shape::arrow, Colour::blue, 2, 1, {at, tip}});
+    std::vector<Vec2> handles = now.room;
+    handles.push_back(tip);
+    seen.shapes.push_back({Shape::handle, Colour::green, 0, 1, handles});
+    seen.readouts = {{"from frame to frame", "m", velocity.norm() / in["frames a second"], 2},
+                     {"walls noticed", "", double(now.noticed), 0},
+                     {"walls missed", "", double(now.missed), 0}};
+    return seen;
+}
+} // namespace play

@@ -1,0 +1,85 @@
+#pragma once
+// A demo: a small world that a reader may touch. Values in, values out: no clock, no random device, no printing.
+// chapters/NN_slug/demo.cpp has, in namespace play:
+//     const demo::About about{...};                              what the page must know before it begins
+//     State begin();                                             the world at the start, and after a reset
+//     State next(State, const demo::Input &);                    one frame later
+//     demo::Picture draw(const State &, const demo::Input &);    what is seen
+// Whatever it asks of its section's functions is answered by ours or by yours: the page lets the reader choose.
+#include "course.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace demo {
+using course::Vec2;
+
+/// By name, as in plots/style.gp: the page knows how each looks on light and on dark.
+enum class Colour { ink, dim, line, blue, orange, green, amber, violet, pink };
+
+/// A slider; or, if it has `options`, a choice among them, whose value is the number of the one that is chosen, from 0.
+struct Control {
+    std::string_view name, unit;
+    double low, high, step, value; ///< value: at the start, then in each frame
+    std::vector<std::string_view> options{};
+};
+inline Control choice(std::string_view name, std::vector<std::string_view> options, int chosen) {
+    return {name, "", 0, double(options.size()) - 1, 1, double(chosen), options};
+}
+struct Key {
+    std::string_view key, meaning; ///< as browsers call it: "n", "ArrowUp"; it gets a button of that meaning, too
+};
+struct About {
+    std::string_view title; ///< also for readers who cannot see it
+    Vec2 low, high;         ///< the part of the world that is seen [m]
+    std::vector<Control> controls;
+    std::vector<Key> keys;
+};
+
+/// What somebody does in one frame.
+struct Input {
+    double dt{};                     ///< since the frame before [s], at most 0.1; 0 while the demo is paused
+    bool one_step{};                 ///< whether *Step* was pressed
+    Vec2 pointer{0, 0};              ///< where the mouse or a finger is, or was last [m]
+    bool inside{};                   ///< whether it is over the picture
+    bool pressed{};                  ///< whether it went down in this frame
+    int handle{-1};                  ///< which of the picture's handles it holds, in the order of drawing; -1: none
+    std::string_view key{};          ///< pressed in this frame
+    std::vector<Control> controls{}; ///< as in About, with their values
+    double operator[](std::string_view name) const {
+        for (const Control &each : controls)
+            if (each.name == name) return each.value;
+        throw std::invalid_argument{"there is no control " + std::string{name}};
+    }
+};
+
+/// How many steps of `length` seconds this frame takes; the time that is left over waits in `spare` for the next.
+inline int steps_due(double &spare, const Input &in, double length) {
+    if (in.one_step) return 1;
+    spare += in.dt;
+    int count = 0;
+    for (; spare >= length; spare -= length) ++count;
+    return count;
+}
+
+/// One thing in a picture: discs, handles and arrows have points and a size, lines and areas points, words one point.
+struct Shape {
+    enum Kind { discs, line, area, arrow, words, handle } kind;
+    Colour colour;
+    double size;     ///< discs: the radius [m]; lines, arrows: the width [px], negative: dotted
+    double strength; ///< 1: opaque
+    std::vector<Vec2> points;
+    std::string text{};
+};
+struct Readout {
+    std::string_view name, unit;
+    double value;
+    int decimals;
+};
+/// What comes first lies below.
+struct Picture {
+    std::vector<Shape> shapes{};
+    std::vector<Readout> readouts{};
+};
+} // namespace demo

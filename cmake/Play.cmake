@@ -1,0 +1,118 @@
+# Demos: chapters/NN_slug/demo.cpp, where a section has one.
+#
+#   demo/NN_slug        the demo without a page: a program that its test plays by a script, in every build
+#   play/NN_slug.js     the demo for the site, as WebAssembly: target demos; `./course publish` keeps it in demos/
+#   play/NN_slug_mine.js   the same with the student's file: target NN_slug_play_mine
+#
+# The last two need Debian's Clang 14 with its C library and C++ library for WebAssembly. Without them all the rest is
+# built, and the site has the demos that are kept in demos/.
+find_program(COURSE_WASM_CLANG clang++-14)
+if(COURSE_WASM_CLANG AND NOT COURSE_WASM)
+  set(probe ${PROJECT_BINARY_DIR}/CMakeFiles/wasm_probe)
+  file(WRITE ${probe}.cpp "#include <cmath>\n#include <vector>\nint main() { return int(std::fmod(5, 3)); }\n")
+  execute_process(COMMAND ${COURSE_WASM_CLANG} --target=wasm32-wasi -std=c++20 ${probe}.cpp -o ${probe}.wasm
+    RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(failed EQUAL 0)
+    set(COURSE_WASM ON CACHE INTERNAL "whether demos can be compiled for a page")
+  endif()
+endif()
+if(COURSE_WASM)
+  add_custom_target(demos)
+  file(WRITE ${PROJECT_BINARY_DIR}/play/can_compile "") # for ./course play
+endif()
+
+get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+set(COURSE_WASM_FLAGS --target=wasm32-wasi -std=c++20 -Os ${COURSE_CODE_FLAGS}
+  -DEIGEN_INITIALIZE_MATRICES_BY_NAN # as everywhere in the course
+  -D_LIBCPP_DEBUG=0                  # v[7] beyond the end is an assertion, not luck
+  -ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -I${PROJECT_SOURCE_DIR}/chapters -isystem ${eigen})
+set(COURSE_WASM_LINK --target=wasm32-wasi -mexec-model=reactor
+  -Wl,--stack-first,-z,stack-size=262144 # endless recursion traps, instead of overwriting data
+  -Wl,--max-memory=67108864,--export=__stack_pointer
+  -Wl,--allow-undefined)  # a student's file may lack a function, or use one that a page does not have: the page says so
+# What a student's file is compiled with, besides: a call at each branch, so that an endless loop can be stopped.
+set(COURSE_WASM_FUEL -fsanitize-coverage=trace-pc,no-prune -fno-finite-loops)
+
+# wasm_object(RESULT source flags...): an object for a page; the section's header is on the path.
+function(wasm_object object source)
+  set(precompiled ${ARGN})
+  list(FILTER precompiled INCLUDE REGEX "\\.pch$")
+  cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE shown)
+  add_custom_command(OUTPUT ${object}
+    COMMAND ${COURSE_WASM_CLANG} ${COURSE_WASM_FLAGS} -I${chapter} ${ARGN} -MD -MF ${object}.d -c ${source} -o ${object}
+    DEPENDS ${source} ${precompiled} DEPFILE ${object}.d VERBATIM COMMENT "Compiling ${shown} for pages")
+endfunction()
+
+# wasm_demo(RESULT name objects and flags...): linked, and packed into a script that gives it this name.
+function(wasm_demo script name)
+  set(inputs ${ARGN})
+  list(FILTER inputs INCLUDE REGEX "\\.o$")
+  cmake_path(REPLACE_EXTENSION script .wasm OUTPUT_VARIABLE linked)
+  add_custom_command(OUTPUT ${script}
+    COMMAND ${COURSE_WASM_CLANG} ${COURSE_WASM_LINK} ${ARGN} -o ${linked}
+    COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tools/play/pack.cjs ${linked} ${name} > ${script}
+    DEPENDS ${inputs} ${PROJECT_SOURCE_DIR}/tools/play/pack.cjs VERBATIM COMMENT "Packing the demo ${name}")
+endfunction()
+
+macro(section_demo)
+  set(play ${PROJECT_BINARY_DIR}/play)
+  file(MAKE_DIRECTORY ${play})
+  if(COURSE_WASM)
+    wasm_object(${play}/${section}_solution.o ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp) # for later sections
+  endif()
+  if(EXISTS ${chapter}/demo.cpp)
+    add_executable(${section}_demo tools/play/host/script.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
+    target_link_libraries(${section}_demo PRIVATE course_flags)
+    target_compile_definitions(${section}_demo PRIVATE DEMO="${section}/demo.cpp")
+    target_include_directories(${section}_demo PRIVATE ${chapter})
+    set_target_properties(${section}_demo PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/demo)
+    add_dependencies(checks ${section}_demo)
+    add_test(NAME ${section}.demo COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/play/script.mjs $<TARGET_FILE:${section}_demo>
+      ${PROJECT_SOURCE_DIR}/demos/${section}.js)
+    if(COURSE_WASM)
+      section_wasm()
+    endif()
+  endif()
+endmacro()
+
+macro(section_wasm)
+  set(calls -I${PROJECT_SOURCE_DIR}/tools/play/host)
+  set(earlier_wasm)
+  foreach(one ${earlier})
+    string(SUBSTRING ${one} 3 -1 earlier_slug)
+    list(APPEND calls -include ${one}/${earlier_slug}.hpp)
+    list(APPEND earlier_wasm ${play}/${one}_solution.o)
+  endforeach()
+  list(APPEND calls -include calls.hpp)
+  wasm_object(${play}/${section}_page.o ${PROJECT_SOURCE_DIR}/tools/play/host/page.cpp ${calls} -DCOURSE_CALLS "-DDEMO=\"${section}/demo.cpp\"")
+  wasm_object(${play}/${section}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${calls} "-DCOURSE_ANSWERS=\"ours\"")
+  set(objects ${play}/${section}_page.o ${play}/${section}_ours.o ${earlier_wasm})
+  wasm_demo(${play}/${section}.js ${section} ${objects} -Wl,--strip-all)
+  add_custom_target(${section}_play DEPENDS ${play}/${section}.js)
+  add_dependencies(demos ${section}_play)
+  # What a student's file reads anyway is compiled beforehand: a save is then in the page in a second.
+  set(known ${play}/${section}_known.hpp)
+  file(CONFIGURE OUTPUT ${known} CONTENT "#include <${section}/${slug}.hpp>\n#include <algorithm>\n#include <cmath>\n")
+  set(calls ${calls} "-DCOURSE_ANSWERS=\"yours\"" ${COURSE_WASM_FUEL} -w)
+  wasm_object(${known}.pch ${known} ${calls} -x c++-header)
+  if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
+    section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section}.cpp ${play}/${section}_mine)
+    add_custom_target(${section}_play_mine DEPENDS ${play}/${section}_mine.js)
+  endif()
+  # Files that go wrong in a page, each in a way of its own, for tests/site/play.test.mjs
+  file(GLOB wrong CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section}/*.cpp)
+  foreach(file ${wrong})
+    cmake_path(GET file STEM stem)
+    file(MAKE_DIRECTORY ${play}/wrong)
+    section_wasm_of(${file} ${play}/wrong/${stem})
+    list(APPEND wrong_scripts ${play}/wrong/${stem}.js)
+  endforeach()
+  add_custom_target(${section}_play_wrong DEPENDS ${wrong_scripts})
+endmacro()
+
+# The demo with this file in the place of a student's, as ${to}.js.
+macro(section_wasm_of file to)
+  wasm_object(${to}.o ${file} ${calls} -include-pch ${known}.pch)
+  # The names of functions stay: they say in which exercise something went wrong.
+  wasm_demo(${to}.js ${section}/mine ${objects} ${to}.o -Wl,--strip-debug)
+endmacro()

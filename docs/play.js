@@ -1,0 +1,387 @@
+// Demos: each <figure class="play" data-demo="07_segment_intersection"> becomes a picture that one can play with.
+// Its world is C++, compiled to WebAssembly: ours, or the reader's. This file draws it, and tells it what the reader does.
+(function () {
+  'use strict';
+  const kinds = ['discs', 'line', 'area', 'arrow', 'words', 'handle'];
+  const colours = ['ink', 'dim', 'line', 'blue', 'orange', 'green', 'amber', 'violet', 'pink'];
+  const branches = 3e7; // in one frame, about a tenth of a second: more counts as an endless loop
+  const nobody = 'The demo'; // stopped outside of the reader's functions
+  const still = matchMedia('(prefers-reduced-motion: reduce)');
+  const playable = (self.playable ??= {});
+  const make = (name, attributes, ...inside) => {
+    const element = Object.assign(document.createElement(name), attributes);
+    element.append(...inside);
+    return element;
+  };
+
+  // The compiled demos, each unpacked once: base64 of gzip, because a page from disk may read scripts and nothing else.
+  const compiled = {};
+  const compile = (text) => (compiled[text] ??= (async () => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+    return WebAssembly.compile(await new Response(stream).arrayBuffer());
+  })());
+
+  // What stops a demo: `said` makes a sentence of it, given the exercise that it happened in.
+  class Stopped extends Error {
+    constructor(said) { super('stopped'); this.said = said; }
+  }
+  class NotStarted extends Error {}
+
+  // A world: a demo that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
+  async function instantiate(module, yours) {
+    const called = new Set(), fallen = new Map(); // what was called; what ours stand in for, and why
+    let running = [], exports;
+    const text = (from) => {
+      const bytes = new Uint8Array(exports.memory.buffer);
+      return new TextDecoder().decode(bytes.slice(from, bytes.indexOf(0, from)));
+    };
+    const stop = (said) => { throw new Stopped(said); };
+    const lost = 'A position is infinite, or not a number (NaN): which function returned it?';
+    function thrown(type, what) {
+      const kind = text(type), words = text(what), [, known] = /^St\d+(\w+)$/.exec(kind) ?? [];
+      if (kind === 'N6course6NotYetE') throw new NotStarted(words);
+      stop((who) => kind === 'assert' ? `${who} was stopped by a check of the library that it uses: ${words}.`
+        : known === 'invalid_argument' && who === nobody && /nan|inf/.test(words) ? lost
+        : known === 'invalid_argument' ? `${who} refused its input: ${words}.`
+        : `${who} threw ${known ? `std::${known}` : kind === 'i' ? 'a number' : 'something'}${words && `: ${words}`}. In a page no \`catch\` can take that.`);
+    }
+    function call(name, values) {
+      called.add(name);
+      const own = exports[`yours ${name}`];
+      if (!yours || fallen.has(name)) return exports[`ours ${name}`](...values);
+      const stack = exports.__stack_pointer.value;
+      running.push(name);
+      try {
+        const answer = own(...values);
+        running.pop();
+        return answer;
+      } catch (error) {
+        if (!(error instanceof NotStarted)) throw error;
+        running.pop();
+        const [, inner = name] = /\byours (\d+\.\d+ \w+)/.exec(error.stack) ?? [];
+        fallen.set(name, inner === name ? 'not started' : `needs ${inner.split(' ')[0]}`);
+        exports.__stack_pointer.value = stack;
+        return exports[`ours ${name}`](...values);
+      }
+    }
+    const imports = {
+      play: { thrown, endless: () => stop((who) => `${who} gave no answer: look for a loop that does not end.`) },
+      exercises: {}, env: {},
+      wasi_snapshot_preview1: new Proxy({}, { get: () => () => 52 }), // "not supported": nobody reads what is printed
+    };
+    for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+      if (from === 'exercises') imports.exercises[name] = (...values) => call(name, values);
+      if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which does not exist in a page.`);
+    }
+    exports = (await WebAssembly.instantiate(module, imports)).exports;
+    if (yours)
+      for (const name of Object.keys(imports.exercises)) if (!exports[`yours ${name}`]) fallen.set(name, 'not in your file');
+    exports._initialize();
+
+    // The numbers that a call left in memory, texts among them
+    function read(address) {
+      const memory = new Float64Array(exports.memory.buffer);
+      let at = address / 8;
+      const number = () => memory[at++], list = (each) => Array.from({ length: number() }, each);
+      const words = () => new TextDecoder().decode(Uint8Array.from({ length: number() }, number)), point = () => [number(), number()];
+      return { number, words, list, point };
+    }
+    return {
+      called,
+      fallen,
+      begin() {
+        const { number, words, list, point } = read(exports.begin(branches));
+        return { title: words(), low: point(), high: point(),
+          controls: list(() => ({ name: words(), unit: words(), low: number(), high: number(), step: number(), value: number(), options: list(words) })),
+          keys: list(() => ({ key: words(), meaning: words() })) };
+      },
+      control: (i, value) => exports.control(i, value),
+      frame(dt, step, hand) {
+        running = [];
+        const { number, words, list, point } = read(exports.frame(dt, step, hand.x, hand.y, hand.inside, hand.pressed, hand.handle, hand.key, branches));
+        const shapes = list(() => ({ kind: kinds[number()], colour: colours[number()], size: number(), strength: number(), points: list(point), text: words() }));
+        const readouts = list(() => ({ name: words(), unit: words(), value: number(), decimals: number() }));
+        if (shapes.some(({ points }) => points.some(([x, y]) => !isFinite(x + y)))) stop(() => lost);
+        return { shapes, readouts };
+      },
+      // Whatever went wrong, in one sentence. The stack has the innermost of the reader's functions by name.
+      sentence(error) {
+        const inner = /\byours (\d+\.\d+ \w+)/.exec(error.stack)?.[1] ?? running.at(-1), who = inner ?? nobody;
+        running = [];
+        if (error instanceof NotStarted) return `${who} is not started: ${error.message}.`;
+        if (error instanceof Stopped) return error.said(who);
+        if (error instanceof RangeError || exports.__stack_pointer.value < 4096) return `${who} called itself, again and again, until the stack was full. When does it stop?`;
+        return `${who} crashed: ${error.message}.`;
+      },
+    };
+  }
+
+  let figures = 0;
+  async function play(figure) {
+    const name = figure.dataset.demo, id = ++figures;
+    const mine = () => playable[`${name}/mine`], trouble = () => playable[`${name}/trouble`];
+    let world, about, picture, running = !still.matches, visible = false, failed = false, last = 0, waiting = false, starts = 0;
+    let whose = 'mine' in figure.dataset && (mine() || trouble()) ? 'yours' : 'ours';
+    const hand = { x: 0, y: 0, inside: false, pressed: false, handle: -1, chosen: -1, key: -1 };
+    const canvas = make('canvas', { tabIndex: 0 }), pen = canvas.getContext('2d');
+    canvas.setAttribute('role', 'img');
+    const button = (text, onclick) => make('button', { type: 'button', textContent: text, onclick });
+    const pause = button('Pause', () => run(!running)), step = button('Step', one), again = button('Reset', restart);
+    const sentence = make('p'), alarm = make('div', { className: 'trouble', hidden: true }, sentence, button('Restart', restart));
+    sentence.setAttribute('role', 'alert');
+    const sides = ['ours', 'yours'].map((side) => Object.assign(button(side === 'ours' ? 'Ours' : 'Yours', () => (whose = side, restart())), { value: side }));
+    const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }, pause, step, again);
+    choose.setAttribute('role', 'group');
+    choose.setAttribute('aria-label', 'Whose code');
+    const answers = make('p', { className: 'answers' });
+    const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
+    const caption = figure.querySelector('figcaption');
+    figure.replaceChildren(make('div', { className: 'stage' }, canvas, alarm), make('div', { className: 'rows' }, buttons, choose), answers, controls, readouts, keys);
+    if (caption) figure.prepend(caption);
+    const values = []; // of the controls: they outlive a restart
+
+    function fail(words) {
+      failed = true;
+      sentence.textContent = words;
+      alarm.hidden = false;
+      label();
+      draw();
+    }
+    function attempt(work) {
+      try {
+        return work();
+      } catch (error) {
+        fail(world.sentence(error));
+      }
+    }
+
+    async function restart() {
+      const start = ++starts;
+      world = undefined;
+      failed = false;
+      alarm.hidden = true;
+      choose.hidden = !mine() && !trouble();
+      if (choose.hidden) whose = 'ours';
+      for (const side of sides) side.setAttribute('aria-pressed', String(side.value === whose));
+      answers.textContent = '';
+      if (whose === 'yours' && trouble()) return fail(trouble());
+      const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours');
+      if (start !== starts) return; // another one has overtaken this one
+      world = fresh;
+      Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false });
+      attempt(() => (about = world.begin()));
+      if (controls.childElementCount === 0) describe();
+      values.forEach((value, i) => world.control(i, value));
+      frame(0);
+      run(running);
+    }
+
+    // Everything that about says, as elements; once
+    function describe() {
+      canvas.setAttribute('aria-label', about.title);
+      canvas.style.aspectRatio = (about.high[0] - about.low[0]) / (about.high[1] - about.low[1]);
+      about.controls.forEach((control, i) => {
+        values[i] = control.value;
+        controls.append(control.options.length > 0 ? choice(control, i) : slider(control, i));
+      });
+      about.keys.forEach(({ key, meaning }, i) => buttons.append(button(meaning, () => press(i))));
+      for (const [key, meaning] of [['space', 'pause'], ['.', 'step'], ['r', 'reset'], ['h', 'next handle'], ['arrow keys', 'move it'], ...about.keys.map(({ key, meaning }) => [key, meaning.toLowerCase()])])
+        keys.append(make('span', {}, make('kbd', { textContent: key }), ` ${meaning}`), ' ');
+    }
+    function set(i, value) {
+      values[i] = value;
+      world?.control(i, value);
+      rest();
+    }
+    function slider({ name: title, unit, low, high, step: each, value }, i) {
+      const shown = make('output'), input = make('input', { type: 'range', min: low, max: high, step: each, value });
+      const decimals = Math.max(0, Math.ceil(-Math.log10(each) - 1e-9));
+      const show = () => (shown.textContent = `${Number(input.value).toFixed(decimals)} ${unit}`.replace('-', '−'));
+      input.oninput = () => (show(), set(i, Number(input.value)));
+      show();
+      return make('label', {}, make('span', { textContent: title }), input, shown);
+    }
+    function choice({ name: title, value, options }, i) {
+      const group = make('fieldset', {}, make('legend', { textContent: title }));
+      options.forEach((option, at) => {
+        const input = make('input', { type: 'radio', name: `play-${id}-${i}`, checked: at === value, onchange: () => set(i, at) });
+        group.append(make('label', {}, input, make('span', { textContent: option })));
+      });
+      return group;
+    }
+
+    function frame(dt, one_step = false) {
+      if (!world || failed) return;
+      const seen = attempt(() => world.frame(Math.min(dt, 0.1), one_step, hand));
+      hand.pressed = false;
+      hand.key = -1;
+      if (!seen) return;
+      picture = seen.shapes;
+      if (seen.readouts.map(({ name: title }) => title).join() !== [...readouts.querySelectorAll('dt')].map((each) => each.textContent).join())
+        readouts.replaceChildren(...seen.readouts.map(({ name: title, unit }) => make('div', {}, make('dt', { textContent: title }), make('dd', {}, make('b'), ` ${unit}`))));
+      readouts.querySelectorAll('b').forEach((shown, i) => (shown.textContent = seen.readouts[i].value.toFixed(seen.readouts[i].decimals).replace('-', '−')));
+      if (whose === 'yours') tellWhose();
+      draw();
+    }
+    function tellWhose() {
+      const number = (exercise) => exercise.split(' ')[0], sorted = [...world.called].sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
+      const yours = sorted.filter((each) => !world.fallen.has(each)).map(number), ours = sorted.filter((each) => world.fallen.has(each));
+      const told = (yours.length > 0 ? `Yours: ${yours.join(', ')}. ` : '') + (ours.length > 0 ? `Ours: ${ours.map((each) => `${number(each)} (${world.fallen.get(each)})`).join(', ')}.` : '');
+      if (answers.textContent !== told) answers.textContent = told;
+    }
+
+    // World to screen: metres, y up, all of it visible
+    const scale = () => canvas.clientWidth / (about.high[0] - about.low[0]);
+    const onto = ([x, y]) => [(x - about.low[0]) * scale(), (about.high[1] - y) * scale()];
+    let palette = null; // as the page's style says, looked up when that may have changed
+    function look() {
+      const probe = figure.appendChild(make('i'));
+      palette = Object.fromEntries([...colours, 'paper'].map((each) => (probe.style.color = `var(--${each})`, [each, getComputedStyle(probe).color])));
+      probe.remove();
+    }
+    function draw() {
+      if (!picture || !canvas.clientWidth) return;
+      if (!palette) look();
+      const width = Math.round(canvas.clientWidth * devicePixelRatio), height = Math.round(canvas.clientHeight * devicePixelRatio);
+      if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+      pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
+      pen.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
+      pen.lineJoin = pen.lineCap = 'round';
+      let handles = 0;
+      for (const { kind, colour, size, strength, points, text } of picture) {
+        const at = points.map(onto);
+        pen.globalAlpha = strength * (failed ? 0.35 : 1);
+        pen.fillStyle = pen.strokeStyle = palette[colour];
+        pen.lineWidth = Math.abs(size) || 2;
+        pen.setLineDash(size < 0 ? [1, 6] : []);
+        pen.beginPath();
+        if (kind === 'discs') for (const [x, y] of at) pen.moveTo(x, y), pen.arc(x, y, Math.max(size * scale(), 1), 0, 7);
+        if (kind === 'line' || kind === 'area') for (const point of at) pen.lineTo(...point);
+        if (kind === 'arrow') arrow(...at, 5 + 2 * size);
+        if (kind === 'words') pen.font = `14px ${getComputedStyle(figure).fontFamily}`, pen.fillText(text, ...at[0]);
+        if (kind === 'handle') for (const [x, y] of at) handle(x, y, handles++);
+        if (kind === 'discs' || kind === 'area') pen.fill();
+        if (kind === 'line' || kind === 'arrow') pen.stroke();
+      }
+    }
+    function arrow([x, y], [a, b], head) {
+      const turn = Math.atan2(b - y, a - x);
+      pen.moveTo(x, y), pen.lineTo(a, b);
+      for (const side of [2.6, -2.6]) pen.moveTo(a, b), pen.lineTo(a + head * Math.cos(turn + side), b + head * Math.sin(turn + side));
+    }
+    function handle(x, y, index) {
+      const held = index === hand.handle || index === hand.chosen;
+      pen.beginPath();
+      pen.arc(x, y, held ? 8 : 6, 0, 7);
+      const colour = pen.fillStyle;
+      pen.fillStyle = palette.paper;
+      pen.fill(), pen.stroke();
+      pen.fillStyle = colour;
+      if (held) pen.beginPath(), pen.arc(x, y, 4, 0, 7), pen.fill();
+    }
+
+    // Time: it stands still out of sight, and when the reader says so
+    function label() {
+      pause.textContent = running ? 'Pause' : 'Play';
+      pause.disabled = step.disabled = failed;
+    }
+    function run(on) {
+      running = on;
+      label();
+      if (waiting) return;
+      waiting = true;
+      requestAnimationFrame(tick);
+    }
+    function tick(now) {
+      waiting = false;
+      if (!running || failed || !visible) return (last = 0);
+      frame(last ? Math.max(0, now - last) / 1000 : 0);
+      last = now;
+      run(true);
+    }
+    function one() {
+      run(false);
+      frame(0, true);
+    }
+    const rest = () => { if (!running) frame(0); };
+
+    // What the reader does
+    function press(key) {
+      hand.key = key;
+      rest();
+    }
+    const handles = () => (picture ?? []).filter(({ kind }) => kind === 'handle').flatMap(({ points }) => points);
+    function near({ clientX, clientY, pointerType }) {
+      const box = canvas.getBoundingClientRect(), x = clientX - box.left, y = clientY - box.top;
+      const away = handles().map((point) => Math.hypot(onto(point)[0] - x, onto(point)[1] - y)), least = Math.min(...away);
+      return { x: about.low[0] + x / scale(), y: about.high[1] - y / scale(), handle: least < (pointerType === 'mouse' ? 14 : 26) ? away.indexOf(least) : -1 };
+    }
+    canvas.addEventListener('pointerdown', (event) => {
+      if (!about || event.button !== 0) return;
+      Object.assign(hand, near(event), { chosen: -1, pressed: true, inside: true });
+      canvas.setPointerCapture(event.pointerId);
+      rest();
+    });
+    canvas.addEventListener('pointermove', (event) => {
+      if (!about) return;
+      const { x, y, handle: nearest } = near(event);
+      Object.assign(hand, { x, y, inside: event.pointerType === 'mouse' || event.buttons > 0 });
+      canvas.style.cursor = hand.handle >= 0 ? 'grabbing' : nearest >= 0 ? 'grab' : '';
+      rest();
+    });
+    for (const end of ['pointerup', 'pointercancel'])
+      canvas.addEventListener(end, (event) => (hand.handle = -1, hand.inside = event.pointerType === 'mouse' && end === 'pointerup', rest()));
+    canvas.addEventListener('pointerleave', () => (hand.inside = hand.handle >= 0));
+    // A finger scrolls the page, unless it begins on a handle.
+    canvas.addEventListener('touchstart', (event) => {
+      const [{ clientX, clientY }] = event.changedTouches;
+      if (about && near({ clientX, clientY, pointerType: 'touch' }).handle >= 0) event.preventDefault();
+    }, { passive: false });
+    canvas.addEventListener('keydown', (event) => {
+      if (!about || event.ctrlKey || event.metaKey || event.altKey) return;
+      const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+      const own = about.keys.findIndex(({ key }) => key === event.key);
+      if (own >= 0) press(own);
+      else if (event.key === ' ') failed || run(!running);
+      else if (event.key === '.') failed || one();
+      else if (event.key === 'r') restart();
+      else if (event.key === 'h') hand.chosen = (hand.chosen + 2) % (handles().length + 1) - 1, failed || draw();
+      else if (way && hand.chosen >= 0) {
+        const [x, y] = handles()[hand.chosen], far = (about.high[0] - about.low[0]) / 60;
+        Object.assign(hand, { x: x + way[0] * far, y: y + way[1] * far, handle: hand.chosen });
+        frame(0);
+        hand.handle = -1;
+      } else return;
+      event.preventDefault();
+    });
+
+    new IntersectionObserver(([entry]) => (visible = entry.isIntersecting) && run(running)).observe(canvas);
+    new ResizeObserver(draw).observe(canvas);
+    const restyle = () => (palette = null, draw());
+    new MutationObserver(restyle).observe(document.documentElement, { attributeFilter: ['data-theme'] });
+    addEventListener('beforeprint', () => (figure.style.colorScheme = 'light', restyle()));
+    addEventListener('afterprint', () => (figure.style.colorScheme = '', restyle()));
+    figure.addEventListener('play-again', () => (whose = 'yours', restart()));
+    await restart();
+    figure.dataset.ready = '';
+  }
+
+  // `./course play 7 --mine --watch` writes the reader's code anew: a page that has it looks once a second.
+  function lookForNews(name) {
+    const stamp = () => `${playable[`${name}/mine`]} ${playable[`${name}/trouble`]}`;
+    const before = stamp();
+    const script = make('script', { src: `demos/${name}_mine.js?${Date.now()}` });
+    script.onload = script.onerror = () => {
+      script.remove();
+      if (stamp() !== before)
+        for (const figure of document.querySelectorAll(`.play[data-demo="${name}"]`)) figure.dispatchEvent(new Event('play-again'));
+    };
+    document.head.append(script);
+  }
+
+  const all = [...document.querySelectorAll('.play')].filter(({ dataset }) => playable[dataset.demo]);
+  for (const figure of all) play(figure);
+  for (const name of new Set(all.map(({ dataset }) => dataset.demo)))
+    if (`${name}/trouble` in playable) setInterval(() => document.hidden || lookForNews(name), 1000);
+})();

@@ -1,0 +1,12 @@
+// the page says: 7.4 move_and_bounce gave no answer: look for a loop that does not end.
+#include "segment_intersection.hpp"
+
+namespace segment_intersection {
+
+Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
+    double x = ball.position.x();
+    while (x > 3) x += 1;
+    return {ball.position + dt * ball.velocity, ball.velocity};
+}
+
+} // namespace segment_intersection

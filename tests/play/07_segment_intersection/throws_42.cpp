@@ -1,0 +1,11 @@
+// the page says: 7.4 move_and_bounce threw a number.
+#include "segment_intersection.hpp"
+
+namespace segment_intersection {
+
+Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
+    if (ball.position.x() > 3) throw 42;
+    return {ball.position + dt * ball.velocity, ball.velocity};
+}
+
+} // namespace segment_intersection

@@ -1,0 +1,78 @@
+// script.mjs NATIVE PUBLISHED: plays a demo by a script, compiled for this machine and as the page has it, and compares
+// every number of 2000 frames. Where only + - * /, square roots and floor are used, each bit is the same; sines and
+// their like differ from one C library to the next, and there the numbers agree to 1e-9.
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import { gunzipSync } from 'node:zlib';
+
+const [native, published] = process.argv.slice(2);
+const [, name, packed] = /\['(\w+)'\] = '(.*)';/.exec(fs.readFileSync(published, 'utf8'));
+const tolerance = { '11_particles': 1e-9 }[name] ?? 0; // its bursts need sines
+
+const module = new WebAssembly.Module(gunzipSync(Buffer.from(packed, 'base64')));
+const text = (from) => Buffer.from(world.memory.buffer).subarray(from, Buffer.from(world.memory.buffer).indexOf(0, from)).toString();
+const imports = {
+  play: { thrown: (type, what) => { throw new Error(`${text(type)}: ${text(what)}`); } },
+  exercises: {},
+  wasi_snapshot_preview1: new Proxy({}, { get: () => () => 52 }),
+};
+for (const { module: from, name: called } of WebAssembly.Module.imports(module))
+  if (from === 'exercises') imports.exercises[called] = (...values) => world[`ours ${called}`](...values);
+const world = new WebAssembly.Instance(module, imports).exports;
+world._initialize();
+
+function reader(address) {
+  const memory = new Float64Array(world.memory.buffer);
+  let at = address / 8;
+  const number = () => memory[at++], list = (each) => Array.from({ length: number() }, each);
+  const words = () => String.fromCharCode(...list(number)), point = () => [number(), number()];
+  return { number, words, list, point, all: () => memory.slice(address / 8, at) };
+}
+function frame(...input) {
+  const { number, words, list, point, all } = reader(world.frame(...input, 1e9));
+  const shapes = list(() => ({ kind: number(), colour: number(), size: number(), strength: number(), points: list(point), text: words() }));
+  list(() => [words(), words(), number(), number()]);
+  return { row: all(), handles: shapes.filter(({ kind }) => kind === 5).flatMap(({ points }) => points).length };
+}
+
+const { number, words, list, point } = reader(world.begin(1e9));
+const about = { title: words(), low: point(), high: point(),
+  controls: list(() => ({ name: words(), unit: words(), low: number(), high: number(), step: number(), value: number(), options: list(words) })),
+  keys: list(() => [words(), words()]) };
+
+let state = 7;
+const chance = () => (state = (state * 48271) % 2147483647) / 2147483647;
+const values = about.controls.map(({ value }) => value);
+const lines = [], rows = [];
+let pointer = [...about.low], inside = 0, held = -1, handles = 0;
+for (let i = 0; i < 2000; i++) {
+  const which = Math.floor(chance() * about.controls.length), { low, high, step } = about.controls[which];
+  if (i % 40 === 39) values[which] = low + step * Math.round((chance() * (high - low)) / step);
+  if (i % 25 === 0) inside = chance() < 0.6 ? 1 : 0;
+  if (i % 10 === 0) held = chance() < 0.3 ? Math.floor(chance() * handles) : -1;
+  if (held < 0 || i % 10 === 0) pointer = [0, 1].map((k) => Math.round(64 * (about.low[k] + chance() * (about.high[k] - about.low[k]))) / 64);
+  const dt = i % 100 < 85 ? 1 / 64 + (i % 7) / 512 : 0, one = i % 100 > 95 ? 1 : 0; // it rests now and then, and is stepped
+  const input = [dt, one, ...pointer, inside, inside && chance() < 0.05 ? 1 : 0, held, about.keys.length > 0 && chance() < 0.02 ? Math.floor(chance() * about.keys.length) : -1];
+  values.forEach((value, at) => world.control(at, value));
+  const seen = frame(...input);
+  lines.push([...input, ...values].map((x) => x.toPrecision(17)).join(' ').replace(/\.0+(?= |$)/g, ''));
+  rows.push(seen.row);
+  handles = seen.handles;
+}
+
+const hex = (word) => {
+  const [, sign, whole, fraction, power] = /^(-?)0x([01])\.?([0-9a-f]*)p([+-]\d+)$/.exec(word);
+  return (sign ? -1 : 1) * parseInt(whole + fraction, 16) * 2 ** (Number(power) - 4 * fraction.length);
+};
+const printed = execFileSync(native, { input: lines.join('\n') + '\n', maxBuffer: 1 << 30 }).toString().trim().split('\n');
+let most = 0;
+rows.forEach((row, i) => {
+  const there = (printed[i] ?? '').trim().split(' ').map(hex);
+  const different = there.length === row.length ? row.findIndex((x, k) => !(Math.abs(x - there[k]) <= tolerance)) : 0;
+  row.forEach((x, k) => (most = Math.max(most, Math.abs(x - there[k]))));
+  if (there.length === row.length && different < 0) return;
+  console.log(`${name}: the page's demo and this machine's differ from frame ${i} on: ${row.length} numbers and ${there.length}, ${row[different]} and ${there[different]}.`);
+  console.log('If the demo was changed, type ./course publish');
+  process.exit(1);
+});
+console.log(`${name}: 2000 frames, ${rows.reduce((sum, row) => sum + row.length, 0)} numbers, largest difference ${most}`);

@@ -1,0 +1,329 @@
+// Plays each demo as a reader would, from disk: by mouse, finger and keys, with our code and with code that goes wrong.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+const build = path.resolve(process.env.COURSE_BUILD ?? path.join(root, 'build/default'));
+const wrong = path.join(build, 'play/wrong'); // compiled only where there is a compiler for pages
+const shelf = pathToFileURL(path.join(build, 'site/play.html')).href;
+const seven = '07_segment_intersection', eleven = '11_particles', first = '01_motion';
+
+let browser;
+before(async () => (browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu'] })));
+after(() => browser.close());
+
+// A demo on the page with all of them, and what one does with it.
+async function open(name, { width = 1280, touch = false, mine = null, ...more } = {}) {
+  const context = await browser.newContext({ viewport: { width, height: 900 }, hasTouch: touch, isMobile: touch, ...more });
+  const page = await context.newPage(), troubles = [];
+  page.on('console', (message) => troubles.push(message.text()));
+  page.on('pageerror', (error) => troubles.push(error.message));
+  page.on('request', (request) => /^(file|data|about|blob):/.test(request.url()) || troubles.push(`asks for ${request.url()}`));
+  if (mine) await page.addInitScript(mine);
+  await page.goto(shelf);
+  const figure = page.locator(`.play[data-demo="${name}"][data-ready]`);
+  await figure.waitFor();
+  const canvas = figure.locator('canvas');
+  await canvas.evaluate((it) => it.scrollIntoView({ block: 'center' }));
+  const demo = {
+    page, context, figure, canvas, troubles,
+    wait: (ms) => page.waitForTimeout(ms),
+    button: (name) => figure.getByRole('button', { name, exact: true }),
+    choose: (words) => figure.locator('fieldset label', { hasText: words }).click(),
+    slide: (name, value) => figure.locator('.controls > label', { hasText: name }).locator('input').fill(String(value)),
+    read: async (name) => Number((await figure.locator('dl > div').filter({ has: page.locator('dt', { hasText: new RegExp(`^${name}$`) }) }).locator('b').textContent()).replace('−', '-')),
+    speeds: async () => (await figure.locator('dl > div').filter({ has: page.locator('dt', { hasText: 'its speed' }) }).locator('b').allTextContents()).map(Number),
+    picture: () => canvas.evaluate((it) => it.toDataURL()),
+    at: async (x, y, [wide, high]) => {
+      const box = await canvas.boundingBox();
+      return [box.x + (x / wide) * box.width, box.y + (1 - y / high) * box.height];
+    },
+    said: async () => ((await figure.locator('.trouble').isVisible()) ? figure.locator('.trouble p').textContent() : ''),
+    still: async () => {
+      await demo.button('Pause').click();
+      await demo.wait(50);
+    },
+    done: async () => {
+      assert.deepEqual(troubles, []);
+      await context.close();
+    },
+  };
+  return demo;
+}
+const room = (x, y) => [x, y + 0.5, [12, 8]]; // from metres in the room of section 7 to what `at` wants
+
+describe('a demo', { concurrency: 2 }, () => {
+  test('starts by itself, pauses, steps, goes on and is reset', async () => {
+    const demo = await open(seven), first = await demo.picture();
+    await demo.wait(400);
+    assert.notEqual(await demo.picture(), first, 'it moves');
+    await demo.still();
+    const paused = await demo.picture();
+    await demo.wait(300);
+    assert.equal(await demo.picture(), paused, 'it stands still');
+    await demo.button('Step').click();
+    assert.notEqual(await demo.picture(), paused, 'a step moves it');
+    await demo.button('Reset').click();
+    await demo.wait(100);
+    assert.equal(await demo.read('walls noticed'), 0);
+    const start = await demo.picture();
+    await demo.button('Play').click();
+    await demo.wait(300);
+    assert.notEqual(await demo.picture(), start);
+    await demo.done();
+  });
+
+  test('is played with keys alone', async () => {
+    const demo = await open(seven), press = (key) => demo.page.keyboard.press(key);
+    await demo.canvas.focus();
+    await press(' ');
+    const paused = await demo.picture();
+    await demo.wait(200);
+    assert.equal(await demo.picture(), paused, 'space pauses');
+    await press('.');
+    const stepped = await demo.picture();
+    assert.notEqual(stepped, paused, 'the full stop steps');
+    await press('h');
+    const chosen = await demo.picture();
+    assert.notEqual(chosen, stepped, 'h marks a handle');
+    await press('ArrowUp');
+    assert.notEqual(await demo.picture(), chosen, 'an arrow key moves it');
+    await press('t');
+    const turned = await demo.picture();
+    assert.notEqual(turned, chosen, "the demo's own key works");
+    await press('r');
+    await demo.wait(100);
+    assert.notEqual(await demo.picture(), turned, 'r resets');
+    await demo.done();
+  });
+
+  test('is dragged by the mouse, and by a finger while the page stays where it is', async () => {
+    const demo = await open(seven);
+    await demo.still();
+    const before = await demo.picture();
+    await demo.page.mouse.move(...(await demo.at(...room(4, 7))));
+    assert.equal(await demo.canvas.evaluate((it) => it.style.cursor), 'grab');
+    await demo.page.mouse.down();
+    await demo.page.mouse.move(...(await demo.at(...room(5, 6.8))), { steps: 4 });
+    await demo.page.mouse.up();
+    const dragged = await demo.picture();
+    assert.notEqual(dragged, before);
+    await demo.done();
+
+    const phone = await open(seven, { width: 390, touch: true, deviceScaleFactor: 2 });
+    await phone.still();
+    const first = await phone.picture(), scrolled = await phone.page.evaluate(() => scrollY);
+    const [x, y] = await phone.at(...room(4, 7)), session = await phone.context.newCDPSession(phone.page);
+    const send = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await send('touchStart', { x: x + 5, y });
+    for (let i = 1; i <= 5; i++) await send('touchMove', { x: x + 5, y: y + 4 * i });
+    await send('touchEnd');
+    await phone.wait(100);
+    assert.notEqual(await phone.picture(), first);
+    assert.equal(await phone.page.evaluate(() => scrollY), scrolled);
+    await phone.done();
+  });
+
+  test('starts paused for readers who want less motion', async () => {
+    const demo = await open(seven, { reducedMotion: 'reduce' }), first = await demo.picture();
+    await demo.wait(300);
+    assert.equal(await demo.picture(), first);
+    await demo.button('Play').click();
+    await demo.wait(300);
+    assert.notEqual(await demo.picture(), first);
+    await demo.done();
+  });
+
+  test('stands still out of sight, and goes on without a jump', async () => {
+    const demo = await open(eleven);
+    await demo.wait(300);
+    await demo.page.evaluate(() => scrollTo(0, 0));
+    await demo.wait(200);
+    const time = await demo.read('time');
+    await demo.wait(700);
+    assert.equal(await demo.read('time'), time);
+    await demo.canvas.evaluate((it) => it.scrollIntoView({ block: 'center' }));
+    await demo.wait(300);
+    const later = await demo.read('time');
+    assert.ok(later > time && later < time + 0.6, `${time} s, then ${later} s`);
+    await demo.done();
+  });
+
+  test('takes the colours of the page, and those of paper in print', async () => {
+    const demo = await open(seven, { colorScheme: 'dark', reducedMotion: 'reduce' });
+    const dark = await demo.picture();
+    await demo.page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    const paper = await demo.picture();
+    assert.notEqual(paper, dark);
+    await demo.page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.equal(await demo.picture(), dark);
+    await demo.page.locator('#site-theme').click();
+    await demo.wait(100);
+    assert.equal(await demo.picture(), paper);
+    await demo.done();
+  });
+
+  test('draws a frame in time', async () => {
+    const demo = await open(eleven);
+    for (let i = 0; i < 6; i++) await demo.button('Burst').click();
+    const times = await demo.page.evaluate(() => new Promise((done) => {
+      const between = [];
+      let last = performance.now();
+      requestAnimationFrame(function next(now) {
+        between.push(performance.now() - last);
+        last = performance.now();
+        if (between.length < 90) requestAnimationFrame(next);
+        else done(between.sort((a, b) => a - b));
+      });
+    }));
+    assert.ok(times[45] < 40, `a frame takes ${times[45].toFixed(1)} ms at the median`);
+    await demo.done();
+  });
+});
+
+describe('07, the room', { concurrency: 2 }, () => {
+  test('asked once a frame, a fast ball goes through walls that stay dark; asked 7.2, through none', async () => {
+    const demo = await open(seven);
+    await demo.slide('speed', 40);
+    await demo.wait(2500);
+    const missed = await demo.read('walls missed');
+    assert.ok(missed > 0);
+    assert.equal(await demo.read('from frame to frame'), 1.33);
+    await demo.slide('frames a second', 120);
+    await demo.wait(100);
+    assert.equal(await demo.read('from frame to frame'), 0.33);
+    await demo.choose('asks 7.2');
+    await demo.button('Reset').click();
+    await demo.wait(2000);
+    assert.equal(await demo.read('walls missed'), 0);
+    assert.ok((await demo.read('walls noticed')) > 0);
+    await demo.done();
+  });
+
+  test('with 7.4 and with 7.5 the ball stays in its room, also when it is large', async () => {
+    const demo = await open(seven);
+    for (const game of ['bounces (7.4)', 'has a size (7.5)']) {
+      await demo.choose(game);
+      await demo.slide('speed', 30);
+      await demo.slide('radius', 0.5);
+      await demo.button('Reset').click();
+      await demo.wait(1500);
+      assert.ok((await demo.read('walls noticed')) > 5, game);
+      assert.equal(await demo.said(), '');
+    }
+    await demo.done();
+  });
+});
+
+describe('11, fireworks', { concurrency: 2 }, () => {
+  test('a click is a burst where it was; three sparks are three; a full pool stays as large', async () => {
+    const demo = await open(eleven), centre = await demo.at(12, 9, [24, 14]);
+    await demo.choose('none');
+    await demo.page.mouse.move(...centre);
+    await demo.wait(3000); // the show's last sparks go out
+    for (const [burst, count] of [['three sparks', 3], ['a ring', 48], ['a disc', 100]]) {
+      await demo.choose(burst);
+      await demo.wait(3000);
+      const before = await demo.read('alive');
+      await demo.page.mouse.click(...centre);
+      await demo.wait(100);
+      assert.equal((await demo.read('alive')) - before, count, burst);
+    }
+    await demo.still();
+    for (let i = 0; i < 9; i++) await demo.button('Burst').click();
+    assert.equal(await demo.read('free'), 0);
+    assert.equal((await demo.read('alive')) + (await demo.read('free')), 500);
+    assert.equal(await demo.said(), '');
+    await demo.done();
+  });
+
+  test('with 11.7 the trail is as dense with 10 frames a second as with 144', async () => {
+    const demo = await open(eleven);
+    await demo.page.mouse.move(...(await demo.at(12, 9, [24, 14]))); // so that it bursts no more
+    const alive = [];
+    for (const frames of [10, 144]) {
+      await demo.slide('frames a second', frames);
+      await demo.wait(3500);
+      alive.push(await demo.read('alive'));
+    }
+    assert.ok(Math.abs(alive[0] - alive[1]) < 8 && alive[0] > 8, alive.join(' and '));
+    await demo.choose('one a frame');
+    await demo.wait(3000);
+    assert.ok((await demo.read('alive')) > 35, 'one a frame is many, at 144 frames a second');
+    await demo.done();
+  });
+});
+
+describe('01, flight', { concurrency: 2 }, () => {
+  test('the helicopter keeps its speed, the missile gains speed while its engine runs, and breaks', async () => {
+    const demo = await open(first);
+    await demo.still();
+    await demo.button('Start the helicopter').click();
+    await demo.button('Fire the missile').click();
+    const step = async (count) => {
+      for (let i = 0; i < count; i++) await demo.button('Step').click();
+    };
+    await step(6); // of 1/60 s
+    assert.equal(await demo.read('helicopter'), 32);
+    assert.deepEqual(await demo.speeds(), [120, 130]);
+    await demo.button('Engine on or off').click();
+    await step(6);
+    assert.deepEqual(await demo.speeds(), [120, 130]);
+    await demo.slide('acceleration', 600);
+    await demo.button('Engine on or off').click();
+    await step(6);
+    assert.deepEqual(await demo.speeds(), [120, 190]);
+    const whole = await demo.picture();
+    await demo.button('Break the missile').click();
+    assert.notEqual(await demo.picture(), whole);
+    assert.equal((await demo.speeds())[1], Math.round(Math.hypot(220, 60)));
+    await demo.done();
+  });
+
+  test('three integrators separate at long steps, and hardly at short ones', async () => {
+    const demo = await open(first);
+    await demo.choose('three integrators');
+    await demo.still();
+    const after = async (step) => {
+      await demo.slide('step', step);
+      await demo.button('Reset').click();
+      await demo.wait(100);
+      for (let i = 0; i < 1 / step; i++) await demo.button('Step').click();
+      return [await demo.read('explicit Euler'), await demo.read('semi-implicit Euler'), await demo.read('exact')];
+    };
+    assert.deepEqual(await after(1), [140, 240, 190]); // from 20 px at 120 px/s, with 100 px/s²
+    assert.deepEqual(await after(0.5), [165, 215, 190]);
+    await demo.done();
+  });
+});
+
+describe('your code in the page', { concurrency: 2, skip: !fs.existsSync(wrong) && 'there is no compiler for pages here' }, () => {
+  const files = fs.existsSync(wrong) ? fs.readdirSync(path.join(root, 'tests/play', seven)).map((name) => name.replace('.cpp', '')) : [];
+  for (const name of files)
+    test(name, async () => {
+      const expected = /^\/\/ the page says: ?(.*)/.exec(fs.readFileSync(path.join(root, 'tests/play', seven, `${name}.cpp`), 'utf8'))[1];
+      const demo = await open(seven, { mine: fs.readFileSync(path.join(wrong, `${name}.js`), 'utf8') });
+      await demo.choose('bounces (7.4)');
+      await demo.slide('speed', 1); // all of them go wrong where x > 3 m, which is a second away
+      await demo.button('Yours').click();
+      if (!expected) await demo.wait(1500);
+      else await demo.figure.locator('.trouble').waitFor();
+      const said = await demo.said();
+      if (!expected) {
+        assert.equal(said, '');
+        assert.equal(await demo.figure.locator('.answers').textContent(), 'Yours: 7.4. Ours: 7.2 (not started).');
+      } else {
+        assert.ok(said.includes(expected), said);
+        await demo.figure.getByRole('button', { name: 'Restart' }).click(); // and the page lives on
+        await demo.figure.locator('.trouble').waitFor({ state: 'hidden' });
+      }
+      await demo.button('Ours').click();
+      await demo.wait(300);
+      assert.equal(await demo.said(), '');
+      await demo.done();
+    });
+});

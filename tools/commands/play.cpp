@@ -1,0 +1,182 @@
+// `course play`: a chapter's demo in the browser, with our functions or with the student's.
+
+#include "commands/commands.hpp"
+#include "ground/files.hpp"
+#include "ground/lock.hpp"
+#include "ground/process.hpp"
+#include "ground/terminal.hpp"
+#include "loop/programs.hpp"
+#include "site/addresses.hpp"
+#include "site/build.hpp"
+#include "site/demos.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <thread>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char *about_play = R"(
+Without --mine the demo runs on our functions; no compiler is needed for that. With --mine it runs on
+yours, in a copy of the site in the build folder, and a switch in the page takes you to ours and back.
+Where an exercise of yours is not started, ours stands in for it.
+
+Example: ./course play 7 --mine --watch)";
+
+struct PlayOptions {
+    std::string section;
+    bool mine = false, watch = false, yes = false;
+};
+
+// The compiler for pages
+
+/// cmake/Play.cmake puts this here as soon as it has found one.
+bool can_compile(const Tree &tree) { return fs::exists(tree.build / "play" / "can_compile"); }
+
+/// "need to get 3,391 kB, 17.3 MB on the disk", as apt-get counts it; "" if it does not say.
+std::string sizes(const std::string &printed) {
+    static const std::regex get{R"(Need to get (?:[^/\n]*/)?([0-9.,]+ [kMG]?B) of)"},
+        use{R"(operation, ([0-9.,]+ [kMG]?B) of additional)"};
+    std::smatch download, disk;
+    if (!std::regex_search(printed, download, get) || !std::regex_search(printed, disk, use)) return "";
+    return " (" + download[1].str() + " to download, " + disk[1].str() + " on the disk)";
+}
+
+/// @throws Complaint that says what to do, unless there is a compiler for pages in the end.
+void need_compiler(const Tree &tree, bool yes) {
+    if (can_compile(tree)) return;
+    const std::vector<std::string> packages{
+        "clang-14", "lld-14", "libclang-rt-14-dev-wasm32", "libc++-14-dev-wasm32", "libc++abi-14-dev-wasm32",
+        "wasi-libc"};
+    std::vector<std::string> command{"apt-get", "install", "--no-install-recommends"};
+    const bool is_root = run({"id", "-u"}).out == "0\n";
+    if (!is_root) command.insert(command.begin(), "sudo");
+    std::string typed;
+    for (const std::string &word : command) typed += word + ' ';
+    for (const std::string &package : packages) typed += package + ' ';
+    typed.pop_back();
+
+    const std::string why = "a browser runs your functions as WebAssembly, and this machine has no compiler for that";
+    std::vector<std::string> trial{"apt-get", "install", "--no-install-recommends", "--assume-no"};
+    trial.insert(trial.end(), packages.begin(), packages.end());
+    const bool has_apt = run({"sh", "-c", "command -v apt-get"}).code == 0;
+    const std::string printed = has_apt ? run(trial, {.environment = {"LC_ALL=C"}}).out : "";
+    if (!has_apt || sizes(printed).empty())
+        throw Complaint{why
+                        + "; it is Clang 14 with the packages wasi-libc and libc++-14-dev-wasm32 of Debian 12, "
+                          "which are not to be had here. Without --mine the demo runs on ours"};
+    std::cout << "To play with your code: " << why << ".\nDebian has one" << sizes(printed) << ":\n  " << typed << '\n';
+    if (!yes && !(can_ask() && ask("Install it now? [y/N] ")))
+        throw Complaint{"nothing was installed; type the line above, then ./course play again. Without --mine the demo "
+                        "runs on ours"};
+    command.push_back("--yes");
+    command.insert(command.end(), packages.begin(), packages.end());
+    if (run(command, {.quiet = false}).code != 0) throw Complaint{"apt-get could not install it; it says why above"};
+    run({"cmake", tree.build.string()});
+    if (!can_compile(tree))
+        throw Complaint{"the compiler for WebAssembly is installed, but does not work; please report what "
+                        "clang++-14 --target=wasm32-wasi --version prints"};
+}
+
+// The student's demo
+
+fs::path own_site(const Tree &tree) { return tree.build / "mine" / "site"; }
+
+std::string own_file(const Section &section) { return "demos/" + section.name + "_mine.js"; }
+
+/// A copy of the site whose pages with this demo read the student's as well.
+void copy_site(const Tree &tree, const Section &section) {
+    const fs::path from = site_folder(tree), to = own_site(tree);
+    fs::remove_all(to);
+    fs::copy(from, to, fs::copy_options::recursive);
+    const std::string ours = "<script src=\"" + demo_file(section) + "\"></script>\n";
+    for (const auto &entry : fs::directory_iterator{to}) {
+        if (entry.path().extension() != ".html") continue;
+        std::string text = read_file(entry.path());
+        const auto at = text.find(ours);
+        if (at == text.npos) continue;
+        write_file(entry.path(),
+                   text.insert(at + ours.size(), "<script src=\"" + own_file(section) + "\"></script>\n"));
+    }
+}
+
+/// Compiles the student's file into the demo; a file that cannot be compiled becomes a sentence, there and here.
+/// @return whether it could be compiled
+bool build_own(const Tree &tree, const Section &section) {
+    const Lock lock{tree};
+    tree.written_exercise(section);
+    const auto began = std::chrono::steady_clock::now();
+    const Finished built = build_target(tree, section.name + "_play_mine");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    std::string script, trouble;
+    if (built.code == 0) script = read_file(tree.build / "play" / (section.name + "_mine.js"));
+    else trouble = student_error(tree, section, built.out + '\n' + built.err);
+    script += "self.playable = self.playable || {};\nself.playable['" + section.name
+              + "/trouble'] = " + nlohmann::json(trouble).dump() + ";\n";
+    write_file(own_site(tree) / own_file(section), script);
+    if (trouble.empty()) std::cout << fmt::format("Your code is in the demo ({:.1f} s).\n", took.count()) << std::flush;
+    else std::cout << "Your code is not in the demo: " << trouble << '\n' << std::flush;
+    return trouble.empty();
+}
+
+/// Compiles again at each save, until Ctrl-C.
+void watch(const Tree &tree, const Section &section) {
+    std::cout << "Save your file, and the page takes it up. Ctrl-C ends this.\n" << std::flush;
+    const fs::path file = tree.exercise(section);
+    std::error_code ignored;
+    for (auto seen = fs::last_write_time(file, ignored);; std::this_thread::sleep_for(std::chrono::milliseconds{100})) {
+        const auto now = fs::last_write_time(file, ignored);
+        if (now == seen || ignored) continue;
+        seen = now;
+        build_own(tree, section);
+    }
+}
+
+void play(const Tree &tree, const PlayOptions &options) {
+    const std::vector<Demo> all = demos(tree);
+    std::string page = "play.html";
+    std::optional<Section> section;
+    if (!options.section.empty()) {
+        section = tree.section(options.section);
+        const auto demo =
+            std::find_if(all.begin(), all.end(), [&](const Demo &d) { return d.section.name == section->name; });
+        if (demo == all.end()) throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
+        page = page_name(tree, tree.chapter(*section)) + ".html#demo-" + demo->name;
+    }
+    if (options.mine && !section) throw Complaint{"--mine needs a section, as in: ./course play 7 --mine"};
+    if (options.watch && !options.mine) throw Complaint{"--watch is for your own code: ./course play 7 --mine --watch"};
+    bring_up_site(tree);
+    bool fine = true;
+    if (options.mine) {
+        need_compiler(tree, options.yes);
+        copy_site(tree, *section);
+        fine = build_own(tree, *section);
+    }
+    const std::string address = ((options.mine ? own_site(tree) : site_folder(tree)) / page).string();
+    std::cout << (show(address) ? "Opening " : "Open this address in your browser: ") << "file://" << address << '\n';
+    if (options.watch) watch(tree, *section);
+    if (!fine) throw Leave{something_to};
+}
+
+} // namespace
+
+void add_play(CLI::App &app, const Tree &tree) {
+    const auto options = std::make_shared<PlayOptions>();
+    CLI::App *command = app.add_subcommand("play", "Open a chapter's demo in your browser, with our code or yours");
+    command->add_option("section", options->section, "its number, name or file; without it, the page with all demos");
+    command->add_flag("--mine", options->mine, "with your functions; the page lets you switch to ours");
+    command->add_flag("-w,--watch", options->watch, "with --mine: again whenever you save; the open page takes it up");
+    command->add_flag("--yes", options->yes,
+                      "with --mine: install a compiler for pages without asking, if there is none");
+    command->footer(about_play);
+    command->callback([&tree, options] { play(tree, *options); });
+}
+
+} // namespace course

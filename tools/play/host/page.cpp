@@ -1,0 +1,59 @@
+// A demo in a page, as WebAssembly. Debian's C++ library for it has no exceptions: what is thrown goes to the page, which
+// ends the call by an exception of JavaScript's. What traps, and what does not end, ends there, too.
+#include "frame.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <typeinfo>
+
+#define IMPORT(name) __attribute__((import_module("play"), import_name(#name)))
+#define EXPORT(name) __attribute__((export_name(#name)))
+
+extern "C" {
+void play_thrown(const char *type, const char *what) IMPORT(thrown); // neither returns
+void play_endless() IMPORT(endless);
+
+// v[7] of a vector of three: libc++ was asked to look (-D_LIBCPP_DEBUG=0).
+static void claim_fails(const std::__libcpp_debug_info &claim) { play_thrown("assert", claim.__msg_); }
+
+static int fuel; // how many more branches a student's file may take in this frame
+EXPORT(begin) const double *play_begin(int most) {
+    std::__libcpp_debug_function = claim_fails;
+    fuel = most;
+    host::begin();
+    return host::row.data();
+}
+EXPORT(control) void play_control(int i, double value) { host::in.controls[std::size_t(i)].value = value; }
+EXPORT(frame)
+const double *play_frame(double dt, int one_step, double x, double y, int inside, int pressed, int handle, int key,
+                         int most) {
+    fuel = most;
+    demo::Input &in = host::in;
+    in.dt = dt, in.one_step = one_step, in.pointer = {x, y}, in.inside = inside, in.pressed = pressed;
+    in.handle = handle, in.key = host::key(key);
+    host::frame();
+    return host::row.data();
+}
+
+// A student's file is compiled with -fsanitize-coverage=trace-pc: Clang calls this at every branch.
+void __sanitizer_cov_trace_pc() {
+    if (--fuel <= 0) play_endless();
+}
+
+void *__cxa_allocate_exception(std::size_t size) noexcept { return std::malloc(size + 64); }
+void __cxa_free_exception(void *) noexcept {}
+[[noreturn]] void __cxa_throw(void *object, std::type_info *type, void (*)(void *)) {
+    // Up to std::exception, if it is one: with single inheritance a type's base is the third word that describes it.
+    const std::type_info *base = type;
+    while (*base != typeid(std::exception) && std::strstr(typeid(*base).name(), "__si_class_type_info"))
+        base = reinterpret_cast<const std::type_info *const *>(base)[2];
+    play_thrown(type->name(), *base == typeid(std::exception) ? static_cast<std::exception *>(object)->what() : "");
+    __builtin_trap();
+}
+// assert, and Eigen's: without printf.
+void __assert_fail(const char *claim, const char *, int, const char *) {
+    play_thrown("assert", claim);
+    __builtin_trap();
+}
+}
