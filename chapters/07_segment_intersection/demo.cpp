@@ -10,14 +10,16 @@ using demo::Colour, demo::Input, demo::Shape;
 enum Game { asks_once_a_frame, asks_about_the_motion, bounces, has_a_size };
 
 const demo::About about{
-    "A ball in a room with seven walls. Drag the corners, or aim with the tip of the arrow.",
+    "A ball in a room with seven walls. Drag the tip of its arrow to throw it, or a corner.",
     {0, -0.5},
     {12, 7.5},
     {demo::choice("The game", {"asks once a frame", "asks 7.2", "bounces (7.4)", "has a size (7.5)"}, 0),
-     {"speed", "m/s", 1, 60, 0.5, 4},
      {"frames a second", "", 5, 120, 1, 30},
      {"radius", "m", 0.1, 0.5, 0.01, 0.15}},
     {{"t", "Turn the ball"}}};
+
+/// The arrow is as long as the way of so many seconds.
+constexpr double arrow_time = 0.1;
 
 struct State {
     std::vector<Vec2> room;
@@ -79,15 +81,17 @@ bool walls_cross(const std::vector<Segment> &walls) {
 
 State next(State now, const Input &in) {
     Vec2 &velocity = now.ball.velocity;
-    if (in.handle == 7 && in.pointer != now.ball.position) velocity = in.pointer - now.ball.position;
-    else if (in.handle >= 0 && in.handle < 7) {
+    if (in.key == "t") velocity = {0.8 * velocity.x() - 0.6 * velocity.y(), 0.6 * velocity.x() + 0.8 * velocity.y()};
+    if (in.handle == 0) { // while somebody aims, time stands still
+        const Vec2 aimed = (in.pointer - now.ball.position) / arrow_time;
+        if (aimed.norm() > 0) velocity = aimed * std::clamp(1.0, 1 / aimed.norm(), 60 / aimed.norm());
+        return now;
+    }
+    if (in.handle > 0) {
         std::vector<Vec2> room = now.room;
-        room[std::size_t(in.handle)] = in.pointer.cwiseMax(about.low).cwiseMin(about.high);
+        room[std::size_t(in.handle) - 1] = in.pointer.cwiseMax(about.low).cwiseMin(about.high);
         if (!walls_cross(walls_of(room))) now.room = room;
     }
-    if (in.key == "t") velocity = {0.8 * velocity.x() - 0.6 * velocity.y(), 0.6 * velocity.x() + 0.8 * velocity.y()};
-    velocity *= in["speed"] / velocity.norm();
-
     const double dt = 1 / in["frames a second"];
     for (int due = demo::steps_due(now.spare, in, dt); due > 0; --due)
         now = one_frame(now, static_cast<Game>(in["The game"]), in["radius"], dt);
@@ -105,14 +109,14 @@ demo::Picture draw(const State &now, const Input &in) {
         seen.shapes.push_back(
             {Shape::line, lit ? Colour::orange : Colour::dim, lit ? 5.0 : 2.5, 1, {walls[i].start, walls[i].end}});
     }
-    const Vec2 tip = at + velocity / velocity.norm();
+    const Vec2 tip = at + arrow_time * velocity;
     seen.shapes.push_back({Shape::discs, Colour::blue, radius, 0.18, now.trail});
     seen.shapes.push_back({Shape::discs, Colour::blue, radius, 1, {at}});
     seen.shapes.push_back({Shape::arrow, Colour::blue, 2, 1, {at, tip}});
-    std::vector<Vec2> handles = now.room;
-    handles.push_back(tip);
-    seen.shapes.push_back({Shape::handle, Colour::green, 0, 1, handles});
-    seen.readouts = {{"from frame to frame", "m", velocity.norm() / in["frames a second"], 2},
+    seen.shapes.push_back({Shape::handle, Colour::blue, 0, 1, {tip}});
+    seen.shapes.push_back({Shape::handle, Colour::green, 0, 1, now.room});
+    seen.readouts = {{"speed", "m/s", velocity.norm(), 1},
+                     {"from frame to frame", "m", velocity.norm() / in["frames a second"], 2},
                      {"walls noticed", "", double(now.noticed), 0},
                      {"walls missed", "", double(now.missed), 0}};
     return seen;

@@ -43,6 +43,16 @@ async function open(name, { width = 1280, touch = false, mine = null, ...more } 
       return [box.x + (x / wide) * box.width, box.y + (1 - y / high) * box.height];
     },
     said: async () => ((await figure.locator('.trouble').isVisible()) ? figure.locator('.trouble p').textContent() : ''),
+    // Throws the ball of section 7: where it starts, its arrow ends at (2.36, 3.17).
+    throwAt: async (x, y) => {
+      if (await demo.button('Pause').isVisible()) await demo.still();
+      await demo.button('Reset').click();
+      await demo.wait(100);
+      await page.mouse.move(...(await demo.at(...room(2.36, 3.17))));
+      await page.mouse.down();
+      await page.mouse.move(...(await demo.at(...room(x, y))), { steps: 3 });
+      await page.mouse.up();
+    },
     still: async () => {
       await demo.button('Pause').click();
       await demo.wait(50);
@@ -188,7 +198,9 @@ describe('a demo', { concurrency: 2 }, () => {
 describe('07, the room', { concurrency: 2 }, () => {
   test('asked once a frame, a fast ball goes through walls that stay dark; asked 7.2, through none', async () => {
     const demo = await open(seven);
-    await demo.slide('speed', 40);
+    await demo.throwAt(5.6, 4.7);
+    assert.equal(await demo.read('speed'), 39.8);
+    await demo.button('Play').click();
     await demo.wait(2500);
     const missed = await demo.read('walls missed');
     assert.ok(missed > 0);
@@ -198,6 +210,8 @@ describe('07, the room', { concurrency: 2 }, () => {
     assert.equal(await demo.read('from frame to frame'), 0.33);
     await demo.choose('asks 7.2');
     await demo.button('Reset').click();
+    await demo.throwAt(5.6, 4.7);
+    await demo.button('Play').click();
     await demo.wait(2000);
     assert.equal(await demo.read('walls missed'), 0);
     assert.ok((await demo.read('walls noticed')) > 0);
@@ -208,9 +222,9 @@ describe('07, the room', { concurrency: 2 }, () => {
     const demo = await open(seven);
     for (const game of ['bounces (7.4)', 'has a size (7.5)']) {
       await demo.choose(game);
-      await demo.slide('speed', 30);
       await demo.slide('radius', 0.5);
-      await demo.button('Reset').click();
+      await demo.throwAt(4.7, 4.3);
+      await demo.button('Play').click();
       await demo.wait(1500);
       assert.ok((await demo.read('walls noticed')) > 5, game);
       assert.equal(await demo.said(), '');
@@ -308,7 +322,6 @@ describe('your code in the page', { concurrency: 2, skip: !fs.existsSync(wrong) 
       const expected = /^\/\/ the page says: ?(.*)/.exec(fs.readFileSync(path.join(root, 'tests/play', seven, `${name}.cpp`), 'utf8'))[1];
       const demo = await open(seven, { mine: fs.readFileSync(path.join(wrong, `${name}.js`), 'utf8') });
       await demo.choose('bounces (7.4)');
-      await demo.slide('speed', 1); // all of them go wrong where x > 3 m, which is a second away
       await demo.button('Yours').click();
       if (!expected) await demo.wait(1500);
       else await demo.figure.locator('.trouble').waitFor();

@@ -5,7 +5,7 @@ namespace segment_intersection {
 
 Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
     try {
-        if (ball.position.x() > 3) throw 42;
+        if (ball.position.x() > 5) throw 42;
     } catch (int) {
         return ball;
     }

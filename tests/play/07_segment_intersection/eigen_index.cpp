@@ -6,7 +6,7 @@ namespace segment_intersection {
 Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
     Eigen::VectorXd three(3);
     volatile int k = 7;
-    if (ball.position.x() > 3 && three[k] > 0) return ball;
+    if (ball.position.x() > 5 && three[k] > 0) return ball;
     return {ball.position + dt * ball.velocity, ball.velocity};
 }
 

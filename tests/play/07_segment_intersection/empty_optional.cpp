@@ -5,7 +5,7 @@ namespace segment_intersection {
 
 Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
     std::optional<double> none;
-    if (ball.position.x() > 3 && none.value() > 0) return ball;
+    if (ball.position.x() > 5 && none.value() > 0) return ball;
     return {ball.position + dt * ball.velocity, ball.velocity};
 }
 

@@ -5,7 +5,7 @@ namespace segment_intersection {
 
 Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
     double x = ball.position.x();
-    while (x > 3) x += 1;
+    while (x > 5) x += 1;
     return {ball.position + dt * ball.velocity, ball.velocity};
 }
 

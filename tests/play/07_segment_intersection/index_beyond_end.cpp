@@ -5,7 +5,7 @@ namespace segment_intersection {
 
 Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
     volatile std::size_t corner = 700;
-    if (ball.position.x() > 3 && room[corner].x() > 0) return ball;
+    if (ball.position.x() > 5 && room[corner].x() > 0) return ball;
     return {ball.position + dt * ball.velocity, ball.velocity};
 }
 

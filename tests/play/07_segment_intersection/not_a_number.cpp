@@ -5,7 +5,7 @@ namespace segment_intersection {
 
 Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
     Vec2 position = ball.position + dt * ball.velocity;
-    if (position.x() > 3) position /= 0 * dt;
+    if (position.x() > 5) position /= 0 * dt;
     return {position, ball.velocity};
 }
 

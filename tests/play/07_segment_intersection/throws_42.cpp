@@ -4,7 +4,7 @@
 namespace segment_intersection {
 
 Ball move_and_bounce(const Ball &ball, const std::vector<Vec2> &room, double dt) {
-    if (ball.position.x() > 3) throw 42;
+    if (ball.position.x() > 5) throw 42;
     return {ball.position + dt * ball.velocity, ball.velocity};
 }
 
