@@ -172,7 +172,7 @@
       Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false });
       attempt(() => (about = world.begin()));
       if (controls.childElementCount === 0) describe();
-      values.forEach((value, i) => world.control(i, value));
+      attempt(() => values.forEach((value, i) => world.control(i, value)));
       frame(0);
       run(running);
     }

@@ -129,6 +129,19 @@ TEST_CASE("formulas keep every sign, and know their line") {
     CHECK_THAT(book.page(markdown + "\n"), ContainsSubstring(html));
 }
 
+TEST_CASE("a demo plays where the chapter marks its place, if its section keeps one; a task has formulas and words") {
+    const SmallBook book;
+    const std::string marks = "<!-- demo: room | Try $x$, and `watch`. -->\n\n<!-- demo: room mine | Now yours. -->\n";
+    book.write(book.chapter_file(), "# 7 Walls\n\n" + marks);
+    CHECK(book.page(marks).find("figure") == std::string::npos);
+    book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
+    const std::string page = book.page(marks);
+    CHECK_THAT(page, ContainsSubstring("<figure class=\"play\" id=\"demo-room\" data-demo=\"07_wall_meeting\">"
+                                       "<figcaption>Try "
+                                       + formula("x", 3) + ", and <code>watch</code>.</figcaption>"));
+    CHECK_THAT(page, ContainsSubstring("id=\"demo-room-2\" data-demo=\"07_wall_meeting\" data-mine>"));
+}
+
 TEST_CASE("a formula in a picture's words is said in plain ones") {
     const SmallBook book;
     const std::string page =
@@ -451,4 +464,34 @@ TEST_CASE("without a screen, open says which file") {
           == "Open this file in your browser: " + (book.tree.build / "site/chapter_07_wall_meeting.html").string()
                  + "\n");
     CHECK(book({"open", "9"}, {path}).code == 2);
+}
+
+TEST_CASE("pages with a demo have its scripts, and one page has all demos") {
+    const SmallBook book;
+    const std::string plain_page = (book.make(), book.made("chapter_07_wall_meeting.html"));
+    CHECK(plain_page.find("play.js") == std::string::npos);
+    CHECK_FALSE(fs::exists(book.tree.build / "site" / "play.html"));
+
+    book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
+    const Finished made = book.make("<!-- demo: room | Throw the ball. -->\n");
+    INFO(made.err);
+    REQUIRE(made.code == 0);
+    const std::string scripts = "<script src=\"demos/07_wall_meeting.js\"></script>\n<script src=\"play.js\"></script>";
+    CHECK_THAT(book.made("chapter_07_wall_meeting.html"), ContainsSubstring(scripts));
+    CHECK_THAT(book.made("play.html"), ContainsSubstring(scripts) && ContainsSubstring("Throw the ball.")
+                                           && ContainsSubstring("href=\"chapter_07_wall_meeting.html\""));
+    CHECK(book.made("index.html").find("play.js") == std::string::npos);
+    CHECK_THAT(book.made("demos/07_wall_meeting.js"), ContainsSubstring("playable"));
+}
+
+TEST_CASE("play says what it needs before it builds anything") {
+    const SmallBook book;
+    book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
+    book.write(book.chapter_file(), "# 7 Walls\n\n<!-- demo: room | Throw. -->\n");
+    CHECK_THAT(book({"play", "6"}).err, ContainsSubstring("section 6 has no demo to play with yet"));
+    CHECK_THAT(book({"play", "--mine"}).err, ContainsSubstring("./course play 7 --mine"));
+    CHECK_THAT(book({"play", "7", "--watch"}).err, ContainsSubstring("--watch is for your own code"));
+    const Finished without_compiler = book({"play", "7", "--mine"});
+    CHECK(without_compiler.code == 2);
+    CHECK_THAT(without_compiler.err, ContainsSubstring("Without --mine the demo runs on ours"));
 }

@@ -52,6 +52,8 @@ std::string sizes(const std::string &printed) {
 /// @throws Complaint that says what to do, unless there is a compiler for pages in the end.
 void need_compiler(const Tree &tree, bool yes) {
     if (can_compile(tree)) return;
+    run({"cmake", tree.build.string()}); // it may have been installed since
+    if (can_compile(tree)) return;
     const std::vector<std::string> packages{
         "clang-14", "lld-14", "libclang-rt-14-dev-wasm32", "libc++-14-dev-wasm32", "libc++abi-14-dev-wasm32",
         "wasi-libc"};
@@ -140,6 +142,9 @@ void watch(const Tree &tree, const Section &section) {
 }
 
 void play(const Tree &tree, const PlayOptions &options) {
+    if (options.mine && options.section.empty())
+        throw Complaint{"--mine needs a section, as in: ./course play 7 --mine"};
+    if (options.watch && !options.mine) throw Complaint{"--watch is for your own code: ./course play 7 --mine --watch"};
     const std::vector<Demo> all = demos(tree);
     std::string page = "play.html";
     std::optional<Section> section;
@@ -150,12 +155,10 @@ void play(const Tree &tree, const PlayOptions &options) {
         if (demo == all.end()) throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
         page = page_name(tree, tree.chapter(*section)) + ".html#demo-" + demo->name;
     }
-    if (options.mine && !section) throw Complaint{"--mine needs a section, as in: ./course play 7 --mine"};
-    if (options.watch && !options.mine) throw Complaint{"--watch is for your own code: ./course play 7 --mine --watch"};
+    if (options.mine) need_compiler(tree, options.yes);
     bring_up_site(tree);
     bool fine = true;
     if (options.mine) {
-        need_compiler(tree, options.yes);
         copy_site(tree, *section);
         fine = build_own(tree, *section);
     }
