@@ -199,15 +199,16 @@ describe('07, the room', { concurrency: 2 }, () => {
   test('asked once a frame, a fast ball goes through walls that stay dark; asked 7.2, through none', async () => {
     const demo = await open(seven);
     await demo.throwAt(5.6, 4.7);
-    assert.equal(await demo.read('speed'), 39.8);
+    const speed = await demo.read('speed'); // of an arrow of 4 m in a tenth of a second, drawn to a pixel
+    assert.ok(Math.abs(speed - 39.8) < 1, `${speed} m/s`);
     await demo.button('Play').click();
     await demo.wait(2500);
     const missed = await demo.read('walls missed');
     assert.ok(missed > 0);
-    assert.equal(await demo.read('from frame to frame'), 1.33);
+    assert.ok(Math.abs((await demo.read('from frame to frame')) - speed / 30) < 0.01);
     await demo.slide('frames a second', 120);
     await demo.wait(100);
-    assert.equal(await demo.read('from frame to frame'), 0.33);
+    assert.ok(Math.abs((await demo.read('from frame to frame')) - speed / 120) < 0.01);
     await demo.choose('asks 7.2');
     await demo.button('Reset').click();
     await demo.throwAt(5.6, 4.7);
