@@ -174,7 +174,12 @@
       if (controls.childElementCount === 0) describe();
       attempt(() => values.forEach((value, i) => world.control(i, value)));
       frame(0);
+      if (keys.childElementCount === 0) nameKeys();
       run(running);
+    }
+    function nameKeys() {
+      for (const [key, meaning] of [['space', 'pause'], ['.', 'step'], ['r', 'reset'], ...(handles().length > 0 ? [['h', 'next handle'], ['arrow keys', 'move it']] : []), ...about.keys.map(({ key, meaning }) => [key, meaning.toLowerCase()])])
+        keys.append(make('span', {}, make('kbd', { textContent: key }), ` ${meaning}`), ' ');
     }
 
     // Everything that about says, as elements; once
@@ -186,8 +191,6 @@
         controls.append(control.options.length > 0 ? choice(control, i) : slider(control, i));
       });
       about.keys.forEach(({ key, meaning }, i) => buttons.append(button(meaning, () => press(i))));
-      for (const [key, meaning] of [['space', 'pause'], ['.', 'step'], ['r', 'reset'], ['h', 'next handle'], ['arrow keys', 'move it'], ...about.keys.map(({ key, meaning }) => [key, meaning.toLowerCase()])])
-        keys.append(make('span', {}, make('kbd', { textContent: key }), ` ${meaning}`), ' ');
     }
     function set(i, value) {
       values[i] = value;

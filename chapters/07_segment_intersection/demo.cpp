@@ -64,10 +64,13 @@ State one_frame(State now, Game game, double radius, double dt) {
 
     now.trail.push_back(motion.start);
     if (now.trail.size() > 30) now.trail.erase(now.trail.begin());
-    for (int k : {0, 1}) { // what leaves the picture enters it on the other side
+    for (int k : {0, 1}) { // what leaves the picture enters it on the other side; a ball that must not, starts again
         const double width = about.high[k] - about.low[k];
         const double pictures = std::floor((now.ball.position[k] - about.low[k]) / width);
-        if (pictures != 0) now.ball.position[k] -= pictures * width, now.trail.clear();
+        if (pictures == 0) continue;
+        now.trail.clear();
+        if (game == bounces || game == has_a_size) now.ball.position = begin().ball.position;
+        else now.ball.position[k] -= pictures * width;
     }
     return now;
 }
