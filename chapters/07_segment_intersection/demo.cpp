@@ -67,7 +67,7 @@ State one_frame(State now, Game game, double radius, double dt) {
     for (int k : {0, 1}) { // what leaves the picture enters it on the other side; a ball that must not, starts again
         const double width = about.high[k] - about.low[k];
         const double pictures = std::floor((now.ball.position[k] - about.low[k]) / width);
-        if (!(std::abs(pictures) > 0)) continue; // also if it is nowhere: the page says so
+        if (pictures == 0 || !std::isfinite(pictures)) continue; // if it is nowhere, the page says so
         now.trail.clear();
         if (game == bounces || game == has_a_size) now.ball.position = begin().ball.position;
         else now.ball.position[k] -= pictures * width;
