@@ -426,11 +426,11 @@ describe('search', () => {
     const { page, troubles, context } = await open('index.html');
     for (const name of chapters) {
       await page.goto(address(name));
-      // Of each part, the longest word of its prose, whatever the part is about.
+      // Of each part, up to the next heading, be it in a box: the longest word of its prose, whatever the part is about.
       const parts = await page.$$eval('main h2[id]', (headings) =>
         headings.map((heading) => {
           let words = '';
-          for (let next = heading.nextElementSibling; next && next.tagName !== 'H2'; next = next.nextElementSibling)
+          for (let next = heading.nextElementSibling; next && !next.matches('h2, h3, :has(h3)'); next = next.nextElementSibling)
             if (next.tagName === 'P') words += ` ${next.textContent}`;
           return [heading.id, (words.match(/\b[a-z]{5,}\b/g) ?? []).sort((a, b) => b.length - a.length)[0]];
         }));
@@ -469,16 +469,16 @@ describe('search', () => {
     'collision response': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
     'collision detection': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
     'collision': 'chapter_07_segment_intersection.html#a-',
-    'time of impact': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
+    'time of impact': 'chapter_07_segment_intersection.html#your-turn-75',
     'circle vs line': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
-    'tunneling': 'chapter_07_segment_intersection.html#the-idea',
-    'fast objects go through walls': 'chapter_07_segment_intersection.html#the-idea',
-    'cross product': 'chapter_07_segment_intersection.html#an-area-with-a-sign',
-    'determinant': 'chapter_07_segment_intersection.html#an-area-with-a-sign',
-    'where do two lines cross': 'chapter_07_segment_intersection.html#by-hand',
+    'tunneling': 'chapter_07_segment_intersection.html',
+    'fast objects go through walls': 'chapter_07_segment_intersection.html',
+    'cross product': 'chapter_07_segment_intersection.html#where-two-lines-cross',
+    'determinant': 'chapter_07_segment_intersection.html#then-once-and-for-all',
+    'where do two lines cross': 'chapter_07_segment_intersection.html#where-two-lines-cross',
     'do two segments intersect': 'chapter_07_segment_intersection.html#do-they-meet',
-    'floating point precision': 'chapter_07_segment_intersection.html#how-much-of-it-is-true',
-    'orient2d': 'chapter_07_segment_intersection.html#how-much-of-it-is-true',
+    'floating point precision': 'chapter_07_segment_intersection.html#a-sign-you-can-trust',
+    'orient2d': 'chapter_07_segment_intersection.html#a-sign-you-can-trust',
     'center of mass': 'chapter_01_motion.html#a-missile-breaks-in-two',
     'centroid of a polygon': 'chapter_01_motion.html#where-a-plate-balances',
     'fixed timestep': 'chapter_01_motion.html#one-frame-at-a-time',
@@ -489,7 +489,7 @@ describe('search', () => {
     'object pool': 'chapter_11_particles.html#a-place-in-the-pool',
     'spawn a particle': 'chapter_11_particles.html#a-place-in-the-pool',
     'color over lifetime': 'chapter_11_particles.html#a-life-and-its-colours',
-    'random numbers': 'chapter_11_particles.html#a-filled-disc',
+    'random numbers': 'chapter_11_particles.html#random-numbers',
     'random point in a circle': 'chapter_11_particles.html#a-filled-disc',
     'firework': 'chapter_11_particles.html#a-filled-disc',
     'spawn rate': 'chapter_11_particles.html#how-many-in-this-frame',
