@@ -100,11 +100,6 @@ std::vector<Term> terms_of(const Tree &tree) {
 
 namespace {
 
-std::string lower(std::string text) {
-    for (char &c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 /// What begins a row: `| determinant |`.
 std::string head_of(const std::string &row) { return row.substr(0, row.find(" |", 1) + 2); }
 

@@ -6,6 +6,7 @@
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
+#include "ground/text.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -32,11 +33,6 @@ const std::set<std::string_view> taken{
     "fork",      "gamma",     "index",     "link",     "log",     "pause",   "pipe",     "pow",      "rand",
     "random",    "read",      "remainder", "remove",   "rename",  "round",   "select",   "signal",   "sleep",
     "time",      "wait",      "write"};
-
-std::string lower(std::string text) {
-    for (char &c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 /// "13_springs"; says the right form of anything else.
 void require_well_formed(const std::string &name) {

@@ -1,18 +1,11 @@
 #include "ground/nearest.hpp"
 
+#include "ground/text.hpp"
+
 #include <algorithm>
-#include <cctype>
 
 namespace course {
-namespace {
-
-std::string lower(std::string_view text) {
-    std::string result{text};
-    for (char &c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
-
-} // namespace
+namespace {} // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     // Rows of the table "the first i letters of a against the first j of b"; a swap looks two rows back.

@@ -3,6 +3,7 @@
 // matches, so a long line of a student's file would end the program; these do not.
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -15,6 +16,13 @@ inline bool contains(std::string_view text, std::string_view words) { return tex
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_all_digits(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+/// With small letters, in ASCII.
+inline std::string lower(std::string_view text) {
+    std::string small{text};
+    for (char &c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return small;
 }
 
 /// The number that `text` begins with, if it begins with one that fits.

@@ -229,9 +229,9 @@ class PageWriter {
 
     /// Only long code may break within a line.
     static void code(cmark_node *node) {
-        constexpr std::size_t longest = 24;
+        constexpr std::size_t unbroken = 24;
         const std::string text = literal(node);
-        if (text.size() > longest)
+        if (text.size() > unbroken)
             replace(node, raw(CMARK_NODE_CUSTOM_INLINE, "<code class=\"long\">" + escaped(text) + "</code>"));
     }
 
