@@ -5,7 +5,6 @@
 #include <algorithm>
 
 namespace course {
-namespace {} // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     // Rows of the table "the first i letters of a against the first j of b"; a swap looks two rows back.
