@@ -155,7 +155,7 @@ TEST_CASE("a section's program prints one part alone, and lists its parts for a 
     CHECK(course::run({program, "intersections", "meetings"}).code == 2);
 }
 
-TEST_CASE("an answer may have any name; what is no file with text is named, and nothing waits for it") {
+TEST_CASE("check --file takes a file of any name, and says what is wrong with one that it cannot read as text") {
     std::string name = (fs::temp_directory_path() / "handed in XXXXXX").string();
     const fs::path folder = ::mkdtemp(name.data());
     const auto said = [](const fs::path &file) {
@@ -198,7 +198,8 @@ TEST_CASE("an option or a section that is empty is an error, not one that was no
     CHECK(count(done.err, "\n") == 1);
 }
 
-TEST_CASE("an earlier JUnit file goes before anything is judged, and a place that cannot be written is found then") {
+TEST_CASE(
+    "an earlier JUnit file is removed before anything is judged; a place that cannot be written is an error then") {
     std::string name = (fs::temp_directory_path() / "reports XXXXXX").string();
     const fs::path folder = ::mkdtemp(name.data());
     const auto check_into = [](const fs::path &junit, const std::string &file) {

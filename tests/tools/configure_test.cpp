@@ -77,7 +77,7 @@ TEST_CASE("without its exercise the course still configures, and says the way ba
     CHECK_THAT(on_one_line(said), ContainsSubstring("`./course reset 7` brings the empty one back"));
 }
 
-TEST_CASE("a section builds on sections above it, and on nothing else", "[configure]") {
+TEST_CASE("a section builds on earlier sections only", "[configure]") {
     using Lines = std::vector<std::pair<std::string, std::string>>;
     const auto [lines, complaint] = GENERATE(table<Lines, std::string>(
         {{{{"section(11_particles", "section(11_particles BUILDS_ON 08_nt_collisions)"}},

@@ -136,7 +136,7 @@ TEST_CASE("words without a colour of their own are ink, not black") {
     CHECK_THAT(svg, !ContainsSubstring("black") && !ContainsSubstring("\"#000000\""));
 }
 
-TEST_CASE("a colour that nobody has looked at on a dark page is refused") {
+TEST_CASE("a colour without a counterpart for dark pages is refused") {
     CHECK_THAT(said_of_script("using 1:2 with lines lc rgb '#00ff00'"),
                ContainsSubstring("07_lines_rise.gp draws in #00ff00"));
     CHECK_THAT(said_of_script("using 1:2 with lines lc 'white'"), ContainsSubstring("draws in #ffffff"));
@@ -325,7 +325,7 @@ TEST_CASE("a missing row, another gap, another column of a kept trace is found")
 
 // Publishing
 
-TEST_CASE("publishing keeps figure and trace once, and the check then finds nothing") {
+TEST_CASE("after publishing figure and trace, the check finds no difference") {
     const Place place;
     place.write("build/plots/07_lines_rise.svg", draw(place.figure()));
     CHECK(outdated(place.tree, place.section).size() == 2); // neither is there yet
@@ -350,7 +350,7 @@ TEST_CASE("a kept trace that is still true keeps its digits, one that is not is 
     CHECK(outdated(place.tree, place.section).empty());
 }
 
-TEST_CASE("the trace of a measurement is the kept one, which nothing measured later can contradict") {
+TEST_CASE("a measured figure is drawn from the kept trace, and a later measurement does not contradict it") {
     const Place place;
     fs::rename(place.tree.root / "plots/07_lines_rise.gp", place.tree.root / "plots/07_lines_measured_rise.gp");
     place.write("plots/07_lines_measured_rise.tsv", Place::good_trace);

@@ -165,7 +165,7 @@ TEST_CASE("a file that is not there, and a folder, cannot be read, and are named
     CHECK_THROWS_AS(read_file(folder.path), Complaint);
 }
 
-TEST_CASE("a full disk is said in one sentence, the old file stands, and nothing is left lying about") {
+TEST_CASE("a full disk is reported in one sentence; the old file stays, and no draft is left") {
     const Folder folder;
     if (::mount("tmpfs", folder.path.c_str(), "tmpfs", 0, "size=64k") != 0)
         SKIP("only root can make a small disk to fill");
@@ -180,7 +180,7 @@ TEST_CASE("a full disk is said in one sentence, the old file stands, and nothing
     CHECK(write_file(file, "new")); // and with room, all is well
 }
 
-TEST_CASE("a file that may not grow so long is taken for a full disk: here, too, the old file stands") {
+TEST_CASE("a file-size limit is reported as a full disk, and the old file stays") {
     const Folder folder;
     const fs::path file = folder.path / "file";
     write_file(file, "old");
@@ -217,7 +217,7 @@ TEST_CASE("writing that is killed at any moment leaves the old text or the new o
     CHECK(with_a_draft > 0); // or it was never hit while writing
 }
 
-TEST_CASE("a draft that is being written is nobody's to sweep, and other files of the folder are left alone") {
+TEST_CASE("sweeping removes neither a draft that is being written nor any other file of the folder") {
     const Folder folder;
     const fs::path file = folder.path / "file";
     write_file(folder.path / "file.draft", "mine");

@@ -106,7 +106,7 @@ TEST_CASE("the distance of two words counts letters put in, left out, changed an
     CHECK(edit_distance("lsit", "hint") == 3);
 }
 
-TEST_CASE("the nearest word is offered, and none if nothing is alike") {
+TEST_CASE("the nearest word is offered, or none if no word is similar") {
     CHECK(nearest("LSIT", {"hint", "list", "plot"}) == "list");
     CHECK(nearest("xyz", {"hint", "list"}).empty());
     CHECK(nearest("list", {}).empty());
@@ -143,7 +143,7 @@ TEST_CASE("an unknown section offers the nearest, an ambiguous one all that it m
     CHECK_THROWS_MATCHES(course.tree.section(words), Complaint, MessageMatches(ContainsSubstring(offer)));
 }
 
-TEST_CASE("a line of CMakeLists.txt that only looks like a section is none") {
+TEST_CASE("a line of CMakeLists.txt that only looks like a section is ignored") {
     const SmallCourse course;
     course.write("CMakeLists.txt",
                  "# section(01_motion)\nfunction(section name)\n  section( 07_wall_meeting )\r\nsection(7_x)\n"
@@ -202,7 +202,7 @@ TEST_CASE("help names every command with its group, the exit codes and an exampl
     CHECK(course({}).out == help.out);
 }
 
-TEST_CASE("an option means the same before its command and behind it") {
+TEST_CASE("an option means the same before its command and after it") {
     const SmallCourse course;
     CHECK(course({"--all", "hint", "7.1"}).out == course({"hint", "7.1", "--all"}).out);
     CHECK(course({"--help", "hint"}).out == course({"hint", "--help"}).out);
@@ -233,7 +233,7 @@ TEST_CASE("output that cannot be written is no success") {
 
 // ---- Programs that are run
 
-TEST_CASE("a program's output and exit code come back, and it reads nothing") {
+TEST_CASE("run returns a program's output and exit code, and gives it no input") {
     const Finished done = run({"sh", "-c", "cat; echo out; echo err >&2; exit 7"});
     CHECK(done.code == 7);
     CHECK(done.out == "out\n");
@@ -306,7 +306,7 @@ TEST_CASE("a program that does not heed Ctrl-C is ended a second later") {
 
 // ---- The lock
 
-TEST_CASE("whoever comes second waits, says for whom, and goes on when the first is done") {
+TEST_CASE("a second command waits, says for which one, and goes on when the first is done") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
     course.instead_of("gdb", "exit 0");
@@ -397,7 +397,7 @@ TEST_CASE("the states of exercises, and the rungs of hints, are remembered") {
     CHECK(rungs_shown(tree, "7.2") == 0);
 }
 
-TEST_CASE("of commands at once, none loses what another one remembers") {
+TEST_CASE("commands that run at the same time do not lose each other's state") {
     const SmallCourse course;
     constexpr unsigned commands = 8, each = 20;
     std::vector<pid_t> children;
@@ -416,7 +416,7 @@ TEST_CASE("of commands at once, none loses what another one remembers") {
     CHECK(recall(course.tree, course.seven()).size() == commands);
 }
 
-TEST_CASE("a memory that is broken, in whatever way, is an empty one, and is written anew") {
+TEST_CASE("a broken state file counts as empty, and is rewritten") {
     const SmallCourse course;
     const std::string broken =
         GENERATE("", "{", "not json", "[1, 2]", "null", "\xFF\xFE", R"({"07_wall_meeting": 3, "7.1": "two"})",
@@ -434,7 +434,7 @@ TEST_CASE("a memory that is broken, in whatever way, is an empty one, and is wri
     CHECK(rungs_shown(course.tree, "7.1") == 1);
 }
 
-TEST_CASE("where nothing can be remembered, a command says so and goes on") {
+TEST_CASE("where state cannot be saved, a command says so and goes on") {
     const SmallCourse course;
     course.write(".course", "a file in the folder's place");
     const Finished said = course({"hint", "7.1"});
@@ -514,7 +514,7 @@ TEST_CASE("a section that is not built yet is listed as such, and a broken catal
 
 // ---- hint, solution
 
-TEST_CASE("hints come rung by rung, the last one names the solution, and --again begins anew") {
+TEST_CASE("hints come one by one, the last names the solution, and --again starts from the first") {
     const SmallCourse course;
     const std::string first = "7.1, hint 1 of 2: where to look\n\nUnder the first stone.\n\n",
                       last = "7.1, hint 2 of 2: the first line\n\nreturn 1;\n\n";
@@ -658,7 +658,7 @@ TEST_CASE("run hands the name of a part to the program, and an unknown one is an
     }
 }
 
-TEST_CASE("a student's program that fails is something to do, not somebody's fault") {
+TEST_CASE("a student's program that fails exits with 1: there is something to do") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
     const fs::path program = course.tree.build / "mine" / "07_wall_meeting";
@@ -728,7 +728,7 @@ TEST_CASE("a missing exercise is named everywhere, with the way back") {
 
 // ---- Colour
 
-TEST_CASE("colour is for terminals, and not for those who set NO_COLOR") {
+TEST_CASE("colour is used on a terminal only, and not if NO_COLOR is set") {
     const SmallCourse course;
     const auto colourful = [](const Finished &done) { return done.out.find('\033') != std::string::npos; };
     CHECK(colourful(on_terminal(course.command({"list"}, {"TERM=xterm"}), "")));

@@ -119,7 +119,7 @@ TEST_CASE("without a title a section takes the one that it has to come, or one m
                           "| 13 | [Coupled springs](chapters/13_coupled_springs/README.md) | |\n"));
 }
 
-TEST_CASE("new refuses what is no name, or not a new one, and says the right form; nothing is written") {
+TEST_CASE("new refuses a malformed or taken name, says the right form, and writes nothing") {
     const Author course;
     const auto [name, says] = GENERATE(table<std::string, std::string>({
         {"springs", "as in 13_springs"},
@@ -147,7 +147,7 @@ TEST_CASE("new refuses what is no name, or not a new one, and says the right for
     CHECK(snapshot(course.tree.root) == before);
 }
 
-TEST_CASE("new overwrites nothing: one file in its way, and none is written") {
+TEST_CASE("new overwrites nothing: if one file is in its way, it writes none") {
     const Author course;
     const std::string file =
         GENERATE("exercises/13_springs.cpp", "tests/stubs/13_springs.cpp", "plots/13_springs_pull.svg");
@@ -159,7 +159,7 @@ TEST_CASE("new overwrites nothing: one file in its way, and none is written") {
     CHECK(snapshot(course.tree.root) == before);
 }
 
-TEST_CASE("new is whole or nothing if files may not grow long enough for it") {
+TEST_CASE("under a file-size limit, new writes all of a section or none of it") {
     const Author course; // whose longest file has 13 KB
     const auto before = snapshot(course.tree.root);
     std::vector<std::string> command{"sh", "-c", "ulimit -f 8; exec \"$@\"", "sh"}; // [512 bytes], or kilobytes
@@ -171,7 +171,7 @@ TEST_CASE("new is whole or nothing if files may not grow long enough for it") {
     CHECK(course({"new", "13_springs"}).code == 0);
 }
 
-TEST_CASE("new that is killed at any moment has done nothing, or is finished by the next one") {
+TEST_CASE("new, killed at any moment, has done nothing, or is finished by the next one") {
     const Author whole;
     REQUIRE(whole({"new", "13_springs"}).code == 0);
     const auto wanted = snapshot(whole.tree.root);

@@ -53,7 +53,7 @@ std::string children() {
 
 } // namespace
 
-TEST_CASE("no file is written, deleted or made by a subject, and none is read or run but its own") {
+TEST_CASE("a subject can write, delete and create no file, and read and run only its own") {
     if (!protection_of_this_kernel().files) SKIP("this kernel has no Landlock, or a sanitizer is in the way");
     const std::string what = GENERATE("write", "read", "delete", "make", "execute");
     CAPTURE(what, prepared());
@@ -82,7 +82,7 @@ TEST_CASE("a subject has no descriptors but its own five") {
     ::close(200);
 }
 
-TEST_CASE("what a subject has started is ended with it, also where it is free to start something") {
+TEST_CASE("processes that a subject has started end with it, even if it was allowed to start them") {
     CAPTURE(prepared());
     {
         Subject subject{ATTACK, "leave a daemon:", {.files = false, .calls = false}};

@@ -239,7 +239,7 @@ TEST_CASE("headings can be linked to as on a forge") {
     CHECK_THAT(page, ContainsSubstring("<h3 id=\"deep\">"));
 }
 
-TEST_CASE("links lead to pages of the site, and words stay words where it has none") {
+TEST_CASE("links lead to pages of the site, and stay plain text where there is no such page") {
     const SmallBook book;
     const auto [url, html] = GENERATE(table<std::string, std::string>({
         {"../06_reflection/README.md", "<a href=\"chapter_06_reflection.html\">x</a>"},
@@ -257,7 +257,7 @@ TEST_CASE("links lead to pages of the site, and words stay words where it has no
     CHECK_THAT(book.page("[x](" + url + ")\n"), ContainsSubstring(html));
 }
 
-TEST_CASE("a lead is what stands in italics below the title, and only there") {
+TEST_CASE("the lead is the italic paragraph below the title") {
     const SmallBook book;
     CHECK_THAT(book.page("*What it is.*\n\n*Words.*\n"),
                ContainsSubstring("<p class=\"lead\">\nWhat it is.\n</p>\n<p><em>Words.</em></p>"));
@@ -304,7 +304,7 @@ TEST_CASE("HTML is changed in place, byte for byte") {
     CHECK(page.changed() == "<p>One 2 &amp; three</p>\n<p id=\"x\">Four");
 }
 
-TEST_CASE("files that nothing leads to are left out") {
+TEST_CASE("files without a link to them are left out") {
     SiteFiles files{
         {"index.html",
          "<a href=\"a%20b.html#x\">a</a><link rel=\"stylesheet\" href=\"s.css\"><script src=\"site.js\"></script>"},
@@ -375,7 +375,7 @@ TEST_CASE("a small course becomes a site") {
     CHECK_THAT(book.made("search-index.js"), ContainsSubstring(R"("text":"With x². )"));
 }
 
-TEST_CASE("what stays the same keeps its date, and what is gone goes") {
+TEST_CASE("unchanged pages keep their date, and pages without a source are removed") {
     const SmallBook book;
     REQUIRE(book.make("One.\n").code == 0);
     const fs::path site = book.tree.build / "site";
@@ -387,7 +387,7 @@ TEST_CASE("what stays the same keeps its date, and what is gone goes") {
     CHECK_FALSE(book.has(site / "old.html"));
 }
 
-TEST_CASE("what is wrong is named, with its place, and the site of before stays") {
+TEST_CASE("an error is named with its place, and the earlier site stays") {
     const SmallBook book;
     REQUIRE(book.make("As before.\n").code == 0);
     const auto [markdown, words] = GENERATE(table<std::string, std::string>({
@@ -436,7 +436,7 @@ TEST_CASE("a site that cannot be built is a sentence, not ninja's log") {
     CHECK(site.err.find("ninja") == std::string::npos);
 }
 
-TEST_CASE("open hands the front page or a chapter to the desktop, and waits for nothing") {
+TEST_CASE("open hands the front page or a chapter to the desktop, and does not wait") {
     const SmallBook book;
     const std::string path = book.instead_of("cmake", "exit 0");
     book.instead_of("xdg-open", "cd \"${0%/bin/*}\"; echo \"$1\" >opening; mv opening opened; sleep 5");

@@ -115,7 +115,7 @@ TEST_CASE("the first field that differs is named, with its unit") {
     CHECK(found->got == "inner[0].place = (0.2, -2) m");
 }
 
-TEST_CASE("near is absolute below one, relative above, and never for what is not a number") {
+TEST_CASE("IsNear is absolute below 1, relative above it, and never true of NaN") {
     const auto near = [](double got, double want, double tolerance) {
         return !mismatch::find<double>({}, got, want, tolerance);
     };
@@ -213,7 +213,7 @@ TEST_CASE("an order that does not hold is said with its bound, and told apart at
     CHECK(is_ordered(3.0, 3, at_most, split_label("speed")));
 }
 
-TEST_CASE("what is printed is shown without what could move a cursor or break a file") {
+TEST_CASE("printed text is shown without control characters") {
     const auto [lines, more] = tidy("red \x1b[31m\ttab\r\n\xff\xfe broken\n\xc2\x9b"
                                     "31m c1\nzwölf\n",
                                     3);
@@ -223,7 +223,7 @@ TEST_CASE("what is printed is shown without what could move a cursor or break a 
     CHECK(tidy("no line end").first == std::vector<std::string>{"no line end"});
 }
 
-TEST_CASE("what a compiler prints is made plain before anything reads it") {
+TEST_CASE("a compiler's output is cut and cleaned before it is parsed") {
     CHECK(plain_output("a\x1b[2Jb\r\nc\xff\n") == "a?[2Jb\nc?\n");
     CHECK(plain_output("") == "");
     CHECK(plain_output(std::string(300'000, 'x')) == std::string(2000, 'x') + "…\n");
@@ -307,7 +307,7 @@ TEST_CASE("a value that is not the answer of the last call has to be named") {
 
 TEST_CASE("a process that answers properly passes") { CHECK(ask("answers").kind == Kind::passed); }
 
-TEST_CASE("a process that lies on the wire fails the call, quickly, and nothing else") {
+TEST_CASE("a process that breaks the protocol fails that call, quickly, and no other") {
     const auto [mode, kind] = GENERATE(table<std::string, Kind>({
         {"answers_another_call", Kind::out_of_turn},
         {"claims_four_gigabytes", Kind::out_of_turn},
@@ -612,7 +612,7 @@ TEST_CASE("linkers of two families are understood") {
     CHECK(diagnose_linker(twice, "07.cpp", "7").sentence.find("Your file has a `main` of its own.") == 0);
 }
 
-TEST_CASE("whoever lacks a function is shown the header's line, and what he has instead") {
+TEST_CASE("a missing function is reported with the header's line and what the file has instead") {
     const std::string symbols =
         "0000000000000000 T ns::meet(double)\n0000000000000010 T meeting(int)\n0000000000000020 T ns::remeet(int)\n"
         "0000000000000030 W std::vector<ns::meet(int)>\n0000000000000040 D ns::meet(int)\n"

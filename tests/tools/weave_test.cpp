@@ -291,7 +291,7 @@ TEST_CASE("edited code is found, and woven in") {
     CHECK(book.check().code == all_well);
 }
 
-TEST_CASE("a chunk that stands nowhere is found") {
+TEST_CASE("a chunk that no chapter shows is found") {
     const Book book;
     book.edit_chapter(wall_listing, "");
 
@@ -360,7 +360,7 @@ TEST_CASE("a benchmark beside the program is shown in the chapter as well") {
     CHECK_THAT(book.check().text, ContainsSubstring("bench.cpp:1: the chunk \"What is measured\" is not shown"));
 }
 
-TEST_CASE("code above the first mark is found, where includes, namespaces and comments are none") {
+TEST_CASE("code above the first mark is found; includes, namespaces and comments do not count") {
     const Book book;
     SECTION("C++") {
         book.edit("chapters/07_wall/main.cpp", "//> Main\n",
@@ -380,7 +380,7 @@ TEST_CASE("code above the first mark is found, where includes, namespaces and co
     }
 }
 
-TEST_CASE("a fence in a quote, a fold, a list or in several of them keeps what stands before its lines") {
+TEST_CASE("a fence in a quote, a fold, a list, or several of them keeps the prefix of its lines") {
     const Book book;
     const auto [name, before, first, others, after] =
         GENERATE(std::tuple{"quote", "> In print.\n>\n", "> ", "> ", ""},
@@ -536,7 +536,7 @@ TEST_CASE("a program is run with --out, in a folder of the build") {
     CHECK_THAT(book.text("build/weave/07_wall/trace"), StartsWith(book.tree.build.string()));
 }
 
-TEST_CASE("a program that is missing, old, or fails is told with the way out, and nothing is woven") {
+TEST_CASE("a program that is missing, old or failing is reported with the remedy, and nothing is woven") {
     Book book;
     book.edit_chapter("it stands", "it lies");
     const std::string before = book.text();
@@ -802,7 +802,7 @@ TEST_CASE("a solution is the exercise's own chunks and the helpers that it uses,
                                     "double length(const Wall &wall) { return square((wall.end - wall.start).x()); }"});
 }
 
-TEST_CASE("a helper that stands below a solution is not shown with it") {
+TEST_CASE("a helper below a solution is not shown with it") {
     const Book book;
     book.edit("solutions/07_wall.cpp", "//> Solution: a helper", "//> Solution 7.1: helped");
     book.edit("solutions/07_wall.cpp", "//> Solution 7.1: a length", "//> Solution: a length");

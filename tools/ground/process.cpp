@@ -152,7 +152,7 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
     int error = errno;
     trouble.write.close();
     if (child > 0) {
-        if (apart) ::setpgid(child, child); // both sides: whoever comes first
+        if (apart) ::setpgid(child, child); // both processes do it, since either may come first
         ssize_t count = 0;
         while ((count = ::read(trouble.read.number, &error, sizeof error)) < 0 && errno == EINTR) {}
         if (count <= 0) return child;
