@@ -70,12 +70,12 @@ struct OtherBuild {
                    work = folder / "loop";
 };
 
-constexpr const char *solution = "solutions/07_segment_intersection.cpp";
+constexpr const char *our_answer = "solutions/07_segment_intersection.cpp";
 
 } // namespace
 
 TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its verdict") {
-    const auto done = check("7.2", solution);
+    const auto done = check("7.2", our_answer);
     CHECK(done.out.starts_with("✓ 7.2 segments_intersect, core: "));
     CHECK(done.out.ends_with(" tests passed\nThe whole section: ./course check 7\n"));
     CHECK(count(done.out, "\n") == 2);
@@ -92,24 +92,24 @@ TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its
 
     const auto other = check("7.2", "tests/verdicts/wrong_answer.cpp"); // of 7.1
     CHECK(count(other.out, "7.1") == 0);
-    CHECK(check("7.9", solution).code == 2);
+    CHECK(check("7.9", our_answer).code == 2);
 }
 
 TEST_CASE("a compiler that the machine has stopped is no verdict, and exits with 4") {
-    REQUIRE(check("7.1", solution).code == 0); // and all of section 7 is built
+    REQUIRE(check("7.1", our_answer).code == 0); // and all of section 7 is built
     const auto [script, sentence] = GENERATE(table<std::string, std::string>({
         {"kill -KILL $$", "the compiler was killed from outside"},
         {"echo 'as: x.o: No space left on device' >&2; exit 1", "the compiler found the disk full"},
     }));
     const OtherBuild build{script};
-    const auto done = course::run(check_command("7.1", solution, build.folder));
+    const auto done = course::run(check_command("7.1", our_answer, build.folder));
     CHECK(done.code == 4);
     CHECK(done.out.empty());
     CHECK_THAT(done.err, ContainsSubstring(sentence));
 }
 
 TEST_CASE("a disk that is full is no verdict, and check exits with 4") {
-    REQUIRE(check("7.1", solution).code == 0);
+    REQUIRE(check("7.1", our_answer).code == 0);
     const OtherBuild build{""};
     if (course::run({"unshare", "--mount", "mount", "-t", "tmpfs", "none", build.work.string()}).code != 0)
         SKIP("only root may mount a small disk here");
@@ -122,7 +122,7 @@ TEST_CASE("a disk that is full is no verdict, and check exits with 4") {
                                   "sh",
                                   "",
                                   build.work.string()};
-    for (const std::string &word : check_command("7.1", solution, build.folder)) line.push_back(word);
+    for (const std::string &word : check_command("7.1", our_answer, build.folder)) line.push_back(word);
     line[6] = "64M";
     CHECK(course::run(line).code == 0);
     line[6] = "64k";
