@@ -41,6 +41,32 @@ bool take_memory_that_stays() {
     return segment >= 0 && ::shmctl(segment, IPC_RMID, nullptr) == 0;
 }
 
+bool take_memory() {
+    const std::size_t too_much = 300u << 20;
+    void *const memory = std::malloc(too_much);
+    if (memory) std::memset(memory, 1, too_much);
+    return memory != nullptr;
+}
+
+bool open_many_files() {
+    for (int i = 0; i < 100; ++i)
+        if (::dup(0) < 0) return false;
+    return true;
+}
+
+/// Prints five megabytes, and goes back to the beginning, so that the answer can still be written.
+bool print_a_lot() {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const std::string block(1u << 20, '\n');
+    bool all = true;
+    for (int i = 0; i < 5 && all; ++i)
+        all = ::write(1, block.data(), block.size()) == static_cast<ssize_t>(block.size());
+    const int error = errno;
+    ::lseek(1, 0, SEEK_SET);
+    errno = error;
+    return all;
+}
+
 bool try_to(const std::string &what, const char *file) {
     rlimit limit{};
     int ends[2];
@@ -59,6 +85,9 @@ bool try_to(const std::string &what, const char *file) {
     if (what == "outlive") return ::prctl(PR_SET_PDEATHSIG, 0) == 0;
     if (what == "share memory") return take_memory_that_stays();
     if (what == "connect") return ::socket(AF_UNIX, SOCK_STREAM, 0) >= 0;
+    if (what == "memory") return take_memory();
+    if (what == "many files") return open_many_files();
+    if (what == "print") return print_a_lot();
     if (what == "inherit") return ::fcntl(200, F_GETFD) >= 0;
     return errno = ENOSYS, false;
 }

@@ -2,20 +2,24 @@
 // test of the protection would show nothing.
 
 #ifdef __linux__ // elsewhere nothing shuts a subject in
+#include "ground/hidden.hpp"
 #include "verdict/tests/subject.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 using namespace course;
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
+using Catch::Matchers::StartsWith;
 
 namespace {
 
@@ -51,6 +55,28 @@ std::string children() {
     return all;
 }
 
+#ifndef __SANITIZE_ADDRESS__ // whose leak checker must see
+/// Whether a child of a process can read what /proc has of that process; both are nobody, if we are root.
+bool child_sees_parent(bool hidden) {
+    const pid_t parent = ::fork();
+    if (parent != 0) {
+        int status = -1;
+        ::waitpid(parent, &status, 0);
+        REQUIRE((status == 0 || status == 0x100));
+        return status == 0;
+    }
+    if (::getuid() == 0 && ::setuid(65534) != 0) ::_exit(2);
+    ::prctl(PR_SET_DUMPABLE, 1); // which a change of user has taken away
+    if (hidden) hide_from_other_processes();
+    const pid_t child = ::fork();
+    if (child == 0)
+        ::_exit(::open(("/proc/" + std::to_string(::getppid()) + "/environ").c_str(), O_RDONLY) >= 0 ? 0 : 1);
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    ::_exit(WIFEXITED(status) ? WEXITSTATUS(status) : 2);
+}
+#endif
+
 } // namespace
 
 TEST_CASE("a subject can write, delete and create no file, and read and run only its own") {
@@ -81,6 +107,26 @@ TEST_CASE("a subject has no descriptors but its own five") {
     ::close(ours);
     ::close(200);
 }
+
+TEST_CASE("a subject has a limit of memory, of open files, and of what it prints") {
+    const auto [what, refused] = GENERATE(table<std::string, std::string>({
+#ifndef __SANITIZE_ADDRESS__ // which reserves terabytes of addresses: there is no limit then
+        {"memory", "Cannot allocate memory\n"},
+#endif
+        {"many files", "Too many open files\n"},
+        {"print", "File too large\n"},
+    }));
+    CAPTURE(what, prepared());
+    CHECK_THAT(attack(what, {}), StartsWith(refused));
+    CHECK_THAT(attack(what, {.limits = false}), StartsWith("done\n"));
+}
+
+#ifndef __SANITIZE_ADDRESS__ // whose leak checker must see
+TEST_CASE("the memory and files of a hidden process cannot be read by another one of the same user") {
+    CHECK(child_sees_parent(false));
+    CHECK_FALSE(child_sees_parent(true));
+}
+#endif
 
 TEST_CASE("processes that a subject has started end with it, even if it was allowed to start them") {
     CAPTURE(prepared());

@@ -11,6 +11,7 @@ struct Protection {
     bool files = true;       ///< opening a file for writing, and reading any but the program and its libraries
     bool calls = true;       ///< starting processes, reaching others, the network, memory that outlives it
     bool descriptors = true; ///< files that were open when `course` was started
+    bool limits = true;      ///< more memory, files and output than an exercise needs
 };
 
 /// What this kernel can do of it. With an address sanitizer none is taken, since that reads and starts things itself.

@@ -56,11 +56,21 @@ constexpr bool sanitized =
     false;
 #endif
 
+void set_limits() {
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CPU, 120, 122); // [s] for whatever escapes everything else; SIGXCPU says why, SIGKILL would not
+    limit(RLIMIT_FSIZE, print_limit);
+    limit(RLIMIT_STACK, 8u << 20);
+    if (!sanitized) limit(RLIMIT_AS, memory_limit);
+    limit(RLIMIT_NOFILE, 64);
+}
+
 /// What a subject needs to become one, made ready before the fork.
 struct Start {
     const char *program;
     char *answer; ///< of its environment; null: none
     const ShutIn &shut_in;
+    bool limited;
     int requests, replies, output, trouble; ///< descriptors
 };
 
@@ -77,12 +87,7 @@ struct Start {
     ::dup2(start.requests, wire::request_fd);
     ::dup2(start.replies, wire::reply_fd);
     ::signal(SIGPIPE, SIG_DFL);
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, 120, 122); // [s] for whatever escapes everything else; SIGXCPU says why, SIGKILL would not
-    limit(RLIMIT_FSIZE, print_limit);
-    limit(RLIMIT_STACK, 8u << 20);
-    if (!sanitized) limit(RLIMIT_AS, memory_limit);
-    limit(RLIMIT_NOFILE, 64);
+    if (start.limited) set_limits();
     char *arguments[] = {const_cast<char *>("subject"), nullptr};
     char *environment[] = {const_cast<char *>("LC_ALL=C.UTF-8"), start.answer, nullptr};
     start.shut_in.shut();
@@ -158,8 +163,8 @@ Subject::Subject(const std::filesystem::path &program, const std::string &answer
     process = ::fork();
     if (process < 0) give_up("cannot start the student's process");
     if (process == 0)
-        become({program.c_str(), answer.empty() ? nullptr : chosen.data(), shut_in, requests[0], replies[1],
-                output.descriptor(), trouble[1]});
+        become({program.c_str(), answer.empty() ? nullptr : chosen.data(), shut_in, protection.limits, requests[0],
+                replies[1], output.descriptor(), trouble[1]});
     group = process;
     for (const int theirs : {requests[0], replies[1], trouble[1]}) ::close(theirs);
     to = requests[1];
