@@ -165,6 +165,7 @@
       if (choose.hidden) whose = 'ours';
       for (const side of sides) side.setAttribute('aria-pressed', String(side.value === whose));
       answers.textContent = '';
+      if (choose.hidden && 'mine' in figure.dataset) howToPlayOnes();
       if (whose === 'yours' && trouble()) return fail(trouble());
       const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours');
       if (start !== starts) return; // another one has overtaken this one
@@ -178,7 +179,7 @@
       run(running);
     }
     function nameKeys() {
-      for (const [key, meaning] of [['space', 'pause'], ['.', 'step'], ['r', 'reset'], ...(handles().length > 0 ? [['h', 'next handle'], ['arrow keys', 'move it']] : []), ...about.keys.map(({ key, meaning }) => [key, meaning.toLowerCase()])])
+      for (const [key, meaning] of [['space', 'pause'], ['.', 'step'], ['r', 'reset'], ...(handles().length > 0 ? [['h', 'next handle'], ['arrow keys', 'move it']] : []), ...about.keys.map(({ key, meaning }) => [{ ArrowUp: '↑', ArrowDown: '↓' }[key] ?? key, meaning.toLowerCase()])])
         keys.append(make('span', {}, make('kbd', { textContent: key }), ` ${meaning}`), ' ');
     }
 
@@ -186,11 +187,18 @@
     function describe() {
       canvas.setAttribute('aria-label', about.title);
       canvas.style.aspectRatio = (about.high[0] - about.low[0]) / (about.high[1] - about.low[1]);
+      for (const setting of figure.dataset.start?.split(', ') ?? []) begins(...setting.split(': '));
       about.controls.forEach((control, i) => {
         values[i] = control.value;
         controls.append(control.options.length > 0 ? choice(control, i) : slider(control, i));
       });
       about.keys.forEach(({ key, meaning }, i) => buttons.append(button(meaning, () => press(i))));
+    }
+    function begins(title, chosen) {
+      const control = about.controls.find((each) => each.name === title), { options = [] } = control ?? {};
+      const value = options.length > 0 ? options.indexOf(chosen) : Number(chosen);
+      if (!control || !(value >= control.low && value <= control.high)) throw new Error(`the demo ${name} has no "${title}: ${chosen}"`);
+      control.value = value;
     }
     function set(i, value) {
       values[i] = value;
@@ -227,6 +235,7 @@
       if (whose === 'yours') tellWhose();
       draw();
     }
+    const howToPlayOnes = () => answers.append('This is our code. To play with yours, type ', make('code', { textContent: `./course play ${parseInt(name, 10)} --mine` }));
     function tellWhose() {
       const number = (exercise) => exercise.split(' ')[0], sorted = [...world.called].sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
       const yours = sorted.filter((each) => !world.fallen.has(each)).map(number), ours = sorted.filter((each) => world.fallen.has(each));

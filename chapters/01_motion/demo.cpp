@@ -7,29 +7,40 @@ namespace play {
 using namespace motion;
 using demo::Colour, demo::Input, demo::Shape;
 
-enum Sky { helicopter_and_missile, three_integrators };
+enum Sky { helicopter_and_missile, printed_table, three_integrators };
 
 const demo::About about{
     "A helicopter crosses the screen at a constant velocity. A missile behind it gets faster.",
     {0, 0},
     {640, 200},
-    {demo::choice("In the sky", {"helicopter and missile", "three integrators (1.5)"}, 0),
-     {"acceleration", "px/s²", 0, 600, 10, 100},
+    {demo::choice("In the sky", {"helicopter and missile", "the printed table (1.3)", "three integrators (1.5)"},
+                  helicopter_and_missile),
      {"step", "s", 0.05, 1, 0.05, 0.5}},
-    {{"s", "Start the helicopter"}, {"f", "Fire the missile"}, {"e", "Engine on or off"}, {"b", "Break the missile"}}};
+    {{"s", "Start the helicopter"},
+     {"f", "Fire the missile"},
+     {"ArrowUp", "More thrust"},
+     {"ArrowDown", "Less thrust"},
+     {"e", "Engine on or off"},
+     {"b", "Break the missile"}}};
 
 /// Something that flies leaves a mark every fifth of a second.
 constexpr double between_marks = 0.2;
+
+/// The missile of the printed table: it starts at 50 m with 4 m/s and accelerates at 2 m/s². These are its places [m]
+/// after 0, 1, 2, 3, 4 and 5 seconds, as the table has them.
+constexpr double table[]{50, 55, 62, 71, 82, 95};
+const motion::State table_start{{table[0], 0}, {4, 0}};
 
 struct State {
     Helicopter helicopter;
     std::vector<Missile> pieces; // of the missile: none, one, or nose and hull
     Missile unbroken;            // how it would have flown on in one piece
     bool engine = true;
+    double thrust = 100; // [px/s²]
     Integrators three;
     int steps{}; // of the three
     std::vector<Vec2> helicopter_marks, missile_marks, path, three_marks[3];
-    double time{}, spare{}, next_mark{};
+    double time{}, spare{}, next_mark{}, fired{};
 };
 
 void fire(State &now) {
@@ -37,6 +48,7 @@ void fire(State &now) {
     now.unbroken = {start, {0, 0}, 4};
     now.pieces = {now.unbroken};
     now.engine = true;
+    now.fired = now.time;
     now.missile_marks = now.path = {};
     now.three = {start, start, start};
     now.steps = 0;
@@ -61,12 +73,12 @@ void break_in_two(State &now) {
     now.pieces = {nose, hull};
 }
 
-void one_frame(State &now, double acceleration, double dt) {
+void one_frame(State &now, double dt) {
     next_frame(now.helicopter, dt);
     if (now.helicopter.position.x() >= about.high.x()) // it comes back on the left
         now.helicopter.position.x() -= about.high.x(), now.helicopter_marks.clear();
 
-    const Vec2 thrust{now.engine ? acceleration : 0, 0};
+    const Vec2 thrust{now.engine ? now.thrust : 0, 0};
     now.unbroken.acceleration = thrust;
     if (!now.pieces.empty()) next_frame(now.unbroken, dt);
     for (Missile &piece : now.pieces) {
@@ -83,9 +95,9 @@ void one_frame(State &now, double acceleration, double dt) {
     for (const Missile &piece : now.pieces) now.missile_marks.push_back(piece.state.position);
 }
 
-void one_step(State &now, double acceleration, double dt) {
+void one_step(State &now, double dt) {
     if (now.three.exact.position.x() > about.high.x()) fire(now);
-    now.three = step_all(now.three, {acceleration, 0}, dt);
+    now.three = step_all(now.three, {now.thrust, 0}, dt);
     ++now.steps;
     now.three_marks[0].push_back(now.three.explicit_euler.position);
     now.three_marks[1].push_back(now.three.semi_implicit.position);
@@ -97,12 +109,12 @@ State next(State now, const Input &in) {
     if (in.key == "f") fire(now);
     if (in.key == "e") now.engine = !now.engine;
     if (in.key == "b") break_in_two(now);
+    if (in.key == "ArrowUp") now.thrust = std::min(now.thrust + 20, 600.0);
+    if (in.key == "ArrowDown") now.thrust = std::max(now.thrust - 20, 0.0);
 
-    const double acceleration = in["acceleration"], step = in["step"];
-    if (static_cast<Sky>(in["In the sky"]) == three_integrators)
-        for (int due = demo::steps_due(now.spare, in, step); due > 0; --due) one_step(now, acceleration, step);
-    else
-        for (int due = demo::steps_due(now.spare, in, 1.0 / 60); due > 0; --due) one_frame(now, acceleration, 1.0 / 60);
+    const bool steps = static_cast<Sky>(in["In the sky"]) == three_integrators;
+    const double dt = steps ? in["step"] : 1.0 / 60;
+    for (int due = demo::steps_due(now.spare, in, dt); due > 0; --due) steps ? one_step(now, dt) : one_frame(now, dt);
     return now;
 }
 
@@ -112,24 +124,47 @@ void add(demo::Picture &seen, Colour colour, const Vec2 &at, double size, const 
     seen.shapes.push_back({Shape::discs, colour, size, 1, {at}});
 }
 
-demo::Picture draw(const State &now, const Input &in) {
+/// The missile of the printed table, and a spot wherever the table says that it is after a whole second.
+demo::Picture table_and_missile(double time) {
+    const auto on_screen = [](double x) { return Vec2{(x - 45) * 11, 100}; }; // 11 px/m
     demo::Picture seen;
-    if (static_cast<Sky>(in["In the sky"]) == three_integrators) {
-        const Vec2 rows[]{{0, 40}, {0, 0}, {0, -40}};
-        const char *const names[]{"explicit Euler", "semi-implicit Euler", "exact"};
-        const Colour colours[]{Colour::orange, Colour::green, Colour::blue};
-        for (int k : {0, 1, 2}) {
-            std::vector<Vec2> marks = now.three_marks[k];
-            for (Vec2 &mark : marks) mark += rows[k];
-            if (!marks.empty()) add(seen, colours[k], marks.back(), 7, marks);
-            seen.shapes.push_back({Shape::words, colours[k], 0, 1, {rows[k] + Vec2{12, 134}}, names[k]});
-        }
-        seen.readouts = {{"explicit Euler", "px", now.three.explicit_euler.position.x(), 1},
-                         {"semi-implicit Euler", "px", now.three.semi_implicit.position.x(), 1},
-                         {"exact", "px", now.three.exact.position.x(), 1},
-                         {"steps", "", double(now.steps), 0}};
-        return seen;
+    for (const double x : table) {
+        seen.shapes.push_back({Shape::discs, Colour::dim, 15, 0.35, {on_screen(x)}});
+        seen.shapes.push_back(
+            {Shape::words, Colour::dim, 0, 1, {on_screen(x) + Vec2{-10, -50}}, std::to_string(int(x))});
     }
+    std::vector<Vec2> marks;
+    for (int second = 0; second <= time && second <= 5; ++second)
+        marks.push_back(on_screen(accelerated_motion(table_start, {2, 0}, second).position.x()));
+    const double x = accelerated_motion(table_start, {2, 0}, time).position.x();
+    add(seen, Colour::orange, on_screen(x), 7, marks);
+    seen.readouts = {{"time", "s", time, 1}, {"missile", "m", x, 1}};
+    return seen;
+}
+
+demo::Picture three_missiles(const State &now) {
+    const Vec2 rows[]{{0, 40}, {0, 0}, {0, -40}};
+    const char *const names[]{"explicit Euler", "semi-implicit Euler", "exact"};
+    const Colour colours[]{Colour::orange, Colour::green, Colour::blue};
+    demo::Picture seen;
+    for (int k : {0, 1, 2}) {
+        std::vector<Vec2> marks = now.three_marks[k];
+        for (Vec2 &mark : marks) mark += rows[k];
+        if (!marks.empty()) add(seen, colours[k], marks.back(), 7, marks);
+        seen.shapes.push_back({Shape::words, colours[k], 0, 1, {rows[k] + Vec2{12, 134}}, names[k]});
+    }
+    seen.readouts = {{"explicit Euler", "px", now.three.explicit_euler.position.x(), 1},
+                     {"semi-implicit Euler", "px", now.three.semi_implicit.position.x(), 1},
+                     {"exact", "px", now.three.exact.position.x(), 1},
+                     {"steps", "", double(now.steps), 0}};
+    return seen;
+}
+
+demo::Picture draw(const State &now, const Input &in) {
+    const auto sky = static_cast<Sky>(in["In the sky"]);
+    if (sky == three_integrators) return three_missiles(now);
+    if (sky == printed_table) return table_and_missile(std::fmod(now.time - now.fired, 6.0));
+    demo::Picture seen;
     const Vec2 rotor{16, 0}, mast{0, 12};
     const Vec2 &at = now.helicopter.position;
     seen.shapes.push_back({Shape::line, Colour::blue, 2, 1, {at, at + mast, at + mast - rotor, at + mast + rotor}});
@@ -142,7 +177,9 @@ demo::Picture draw(const State &now, const Input &in) {
         seen.shapes.push_back({Shape::line, Colour::ink, 1.5, 1, {*camera - wide, *camera + wide}});
         seen.shapes.push_back({Shape::line, Colour::ink, 1.5, 1, {*camera - high, *camera + high}});
     }
-    seen.readouts = {{"helicopter", "px", at.x(), 0}, {"its speed", "px/s", now.helicopter.velocity.norm(), 0}};
+    seen.readouts = {{"helicopter", "px", at.x(), 0},
+                     {"its speed", "px/s", now.helicopter.velocity.norm(), 0},
+                     {"thrust", "px/s²", now.thrust, 0}};
     if (!now.pieces.empty()) {
         seen.readouts.push_back({"missile", "px", now.pieces[0].state.position.x(), 0});
         seen.readouts.push_back({"its speed", "px/s", now.pieces[0].state.velocity.norm(), 0});

@@ -7,14 +7,16 @@ namespace play {
 using namespace segment_intersection;
 using demo::Colour, demo::Input, demo::Shape;
 
-enum Game { asks_once_a_frame, asks_about_the_motion, bounces, has_a_size };
+enum Game { asks_once_a_frame, asks_about_the_motion, bounces_once_a_frame, bounces, has_a_size };
 
 const demo::About about{
     "A ball in a room with seven walls. Drag the tip of its arrow to throw it, or a corner.",
     {0, -0.5},
     {12, 7.5},
-    {demo::choice("The game", {"asks once a frame", "asks 7.2", "bounces (7.4)", "has a size (7.5)"}, 0),
-     {"frames a second", "", 5, 120, 1, 30},
+    {demo::choice("The game",
+                  {"asks once a frame", "asks 7.2", "bounces once a frame (7.2)", "bounces (7.4)", "has a size (7.5)"},
+                  asks_once_a_frame),
+     {"frames per second", "", 5, 120, 1, 30},
      {"radius", "m", 0.1, 0.5, 0.01, 0.15}},
     {{"t", "Turn the ball"}}};
 
@@ -47,7 +49,8 @@ bool touches_now(const Vec2 &centre, double radius, const Segment &wall) {
 State one_frame(State now, Game game, double radius, double dt) {
     const std::vector<Segment> walls = walls_of(now.room);
     const Segment motion{now.ball.position, now.ball.position + dt * now.ball.velocity};
-    if (game == bounces) now.ball = move_and_bounce(now.ball, now.room, dt);
+    if (game == bounces_once_a_frame) now.ball = next_frame(now.ball, walls, dt);
+    else if (game == bounces) now.ball = move_and_bounce(now.ball, now.room, dt);
     else if (game == has_a_size) now.ball = next_frame(now.ball, radius, walls, dt);
     else now.ball.position = motion.end; // it flies on, through whatever is in its way
 
@@ -69,7 +72,7 @@ State one_frame(State now, Game game, double radius, double dt) {
         const double pictures = std::floor((now.ball.position[k] - about.low[k]) / width);
         if (pictures == 0 || !std::isfinite(pictures)) continue; // if it is nowhere, the page says so
         now.trail.clear();
-        if (game == bounces || game == has_a_size) now.ball.position = begin().ball.position;
+        if (game >= bounces_once_a_frame) now.ball.position = begin().ball.position;
         else now.ball.position[k] -= pictures * width;
     }
     return now;
@@ -95,7 +98,7 @@ State next(State now, const Input &in) {
         room[std::size_t(in.handle) - 1] = in.pointer.cwiseMax(about.low).cwiseMin(about.high);
         if (!walls_cross(walls_of(room))) now.room = room;
     }
-    const double dt = 1 / in["frames a second"];
+    const double dt = 1 / in["frames per second"];
     for (int due = demo::steps_due(now.spare, in, dt); due > 0; --due)
         now = one_frame(now, static_cast<Game>(in["The game"]), in["radius"], dt);
     return now;
@@ -104,7 +107,7 @@ State next(State now, const Input &in) {
 demo::Picture draw(const State &now, const Input &in) {
     const auto &[at, velocity] = now.ball;
     const auto game = static_cast<Game>(in["The game"]);
-    const double radius = game == asks_about_the_motion || game == bounces ? 0.07 : in["radius"]; // 0.07: a point
+    const double radius = game == asks_once_a_frame || game == has_a_size ? in["radius"] : 0.07; // as a point
     demo::Picture seen{{{Shape::area, Colour::line, 0, 0.3, now.room}}};
     const std::vector<Segment> walls = walls_of(now.room);
     for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -119,7 +122,7 @@ demo::Picture draw(const State &now, const Input &in) {
     seen.shapes.push_back({Shape::handle, Colour::blue, 0, 1, {tip}});
     seen.shapes.push_back({Shape::handle, Colour::green, 0, 1, now.room});
     seen.readouts = {{"speed", "m/s", velocity.norm(), 1},
-                     {"from frame to frame", "m", velocity.norm() / in["frames a second"], 2},
+                     {"from frame to frame", "m", velocity.norm() / in["frames per second"], 2},
                      {"walls noticed", "", double(now.noticed), 0},
                      {"walls missed", "", double(now.missed), 0}};
     return seen;

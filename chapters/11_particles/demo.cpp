@@ -9,6 +9,7 @@ using demo::Colour, demo::Input, demo::Shape;
 
 enum Burst { three, box, ring, disc, mistake_beside_disc };
 enum Trail { none, one_a_frame, at_a_rate };
+enum Loop { open_sky, among_walls, without_gaps };
 
 const demo::About about{
     "A rocket leaves a trail of sparks and bursts. It follows the pointer; a click is a burst.",
@@ -16,14 +17,19 @@ const demo::About about{
     {24, 14},
     {demo::choice("A burst",
                   {"three sparks", "a first try", "a ring (11.4)", "a disc (11.5)", "disc and usual mistake"}, disc),
-     demo::choice("The trail", {"none", "one a frame (11.6)", "30 a second (11.7)"}, at_a_rate),
+     demo::choice("The trail", {"none", "one a frame (11.6)", "30 per second (11.7)"}, at_a_rate),
+     demo::choice("The loop", {"open sky", "with walls (11.8)", "without gaps (11.9)"}, open_sky),
      {"gravity", "m/s²", -5, 15, 0.1, 4},
      {"wind", "m/s²", -5, 5, 0.1, 0.5},
-     {"frames a second", "", 5, 144, 1, 60}},
+     {"frames per second", "", 5, 144, 1, 60}},
     {{"x", "Burst"}}};
 
+constexpr int slots = 500;
+const std::vector<Wall> walls{{.start = {0, 1.5}, .end = {17, 1.5}}, {.start = {17, 1.5}, .end = {24, 7}}};
+
 struct State {
-    Pool pool = Pool(500);
+    Pool pool = Pool(slots);
+    std::vector<Particle> packed; // in place of the pool, if there are no gaps
     Particle rocket{.position = {12, 7}, .velocity = {0, 0}, .age = 0, .life = 1};
     Random random{11};
     Emission emission;
@@ -59,6 +65,11 @@ std::vector<Particle> sparks_of(Burst kind, State &now, const Vec2 &place) {
     return sparks;
 }
 
+void spawn_all(State &now, const std::vector<Particle> &newborn) {
+    for (const Particle &spark : newborn)
+        if (const auto after = spawn(now.pool, spark)) now.pool = *after;
+}
+
 void one_frame(State &now, const Input &in, double dt) {
     now.time += dt;
     const Vec2 before = now.rocket.position;
@@ -76,39 +87,69 @@ void one_frame(State &now, const Input &in, double dt) {
             newborn.push_back(spark);
     }
     const World world{in["gravity"], in["wind"], about.high.x(), about.high.y()};
-    next_frame(now.pool, newborn, world, dt);
+    switch (static_cast<Loop>(in["The loop"])) {
+    case open_sky: return next_frame(now.pool, newborn, world, dt);
+    case without_gaps: return next_frame(now.packed, newborn, slots, world, dt);
+    case among_walls:
+        for (auto &slot : now.pool)
+            if (slot) slot = step(*slot, world, walls, dt);
+        spawn_all(now, newborn);
+    }
 }
 
 State next(State now, const Input &in) {
     now.touched = now.touched || in.inside || in.pressed || in.handle >= 0;
-    if (in.pressed || in.key == "x")
-        for (const Particle &spark :
-             sparks_of(static_cast<Burst>(in["A burst"]), now, in.pressed ? in.pointer : now.rocket.position))
-            if (const auto after = spawn(now.pool, spark)) now.pool = *after;
-    const double dt = 1 / in["frames a second"];
+    const bool gaps = static_cast<Loop>(in["The loop"]) != without_gaps;
+    if (gaps) { // if the loop was changed, the sparks go on in the other one
+        spawn_all(now, now.packed);
+        now.packed.clear();
+    } else {
+        for (auto &slot : now.pool)
+            if (slot) now.packed.push_back(*slot), slot.reset();
+    }
+    if (in.pressed || in.key == "x") {
+        const std::vector<Particle> sparks =
+            sparks_of(static_cast<Burst>(in["A burst"]), now, in.pressed ? in.pointer : now.rocket.position);
+        if (gaps) spawn_all(now, sparks);
+        else now.packed = compact_pool(now.packed, sparks, slots);
+    }
+    const double dt = 1 / in["frames per second"];
     for (int due = demo::steps_due(now.spare, in, dt); due > 0; --due) one_frame(now, in, dt);
     return now;
 }
 
-demo::Picture draw(const State &now, const Input &) {
+/// Two rows of dots, one for each slot: those that are taken, or those that are free.
+std::vector<Vec2> slots_that_are(bool taken, const State &now) {
+    std::vector<Vec2> dots;
+    for (int i = 0; i < slots; ++i)
+        if ((now.pool[std::size_t(i)] || std::size_t(i) < now.packed.size()) == taken)
+            dots.push_back({0.5 + 0.092 * (i % 250), i < 250 ? 0.7 : 0.4});
+    return dots;
+}
+
+demo::Picture draw(const State &now, const Input &in) {
     constexpr int shades = 8;
     constexpr Colour colours[]{Colour::amber, Colour::orange, Colour::pink, Colour::violet};
+    std::vector<Particle> alive = now.packed;
+    for (const auto &slot : now.pool)
+        if (slot) alive.push_back(*slot);
     std::vector<Vec2> sparks[shades];
-    double alive = 0;
-    for (const auto &slot : now.pool) {
-        if (!slot) continue;
-        ++alive;
-        const auto shade = shade_index(slot->age, slot->life, shades);
-        if (shade && *shade >= 0 && *shade < shades) sparks[*shade].push_back(slot->position);
+    for (const Particle &spark : alive) {
+        const auto shade = shade_index(spark.age, spark.life, shades);
+        if (shade && *shade >= 0 && *shade < shades) sparks[*shade].push_back(spark.position);
     }
-    demo::Picture seen;
+    demo::Picture seen{{{Shape::discs, Colour::line, 0.03, 1, slots_that_are(false, now)},
+                        {Shape::discs, Colour::blue, 0.035, 1, slots_that_are(true, now)}}};
+    if (static_cast<Loop>(in["The loop"]) == among_walls)
+        for (const Wall &wall : walls)
+            seen.shapes.push_back({Shape::line, Colour::dim, 2.5, 1, {wall.start, wall.end}});
     for (int i = shades - 1; i >= 0; --i) {
         if (i < 3) seen.shapes.push_back({Shape::discs, colours[i / 2], 0.2, 0.12, sparks[i]}); // a glow
         seen.shapes.push_back({Shape::discs, colours[i / 2], 0.1 - 0.005 * i, 1 - 0.07 * i, sparks[i]});
     }
     seen.shapes.push_back({Shape::handle, Colour::ink, 0, 1, {now.rocket.position}});
-    seen.readouts = {{"alive", "sparks", alive, 0},
-                     {"free", "slots", double(now.pool.size()) - alive, 0},
+    seen.readouts = {{"alive", "sparks", double(alive.size()), 0},
+                     {"free", "slots", double(slots) - double(alive.size()), 0},
                      {"time", "s", now.time, 1}};
     return seen;
 }

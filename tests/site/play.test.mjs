@@ -206,7 +206,7 @@ describe('07, the room', { concurrency: 2 }, () => {
     const missed = await demo.read('walls missed');
     assert.ok(missed > 0);
     assert.ok(Math.abs((await demo.read('from frame to frame')) - speed / 30) < 0.01);
-    await demo.slide('frames a second', 120);
+    await demo.slide('frames per second', 120);
     await demo.wait(100);
     assert.ok(Math.abs((await demo.read('from frame to frame')) - speed / 120) < 0.01);
     await demo.choose('asks 7.2');
@@ -216,6 +216,21 @@ describe('07, the room', { concurrency: 2 }, () => {
     await demo.wait(2000);
     assert.equal(await demo.read('walls missed'), 0);
     assert.ok((await demo.read('walls noticed')) > 0);
+    await demo.done();
+  });
+
+  test('one bounce a frame is enough as long as there is time for no more: then 7.4 is elsewhere', async () => {
+    const demo = await open(seven);
+    await demo.slide('frames per second', 5);
+    const after = async (game, steps) => {
+      await demo.choose(game);
+      await demo.throwAt(3.2, 4.2); // 13 m/s, so 2.6 m in a frame
+      for (let i = 0; i < steps; i++) await demo.button('Step').click();
+      return demo.canvas.evaluate((it) => it.toDataURL());
+    };
+    assert.equal(await after('bounces once a frame', 0), await after('bounces (7.4)', 0));
+    assert.notEqual(await after('bounces once a frame', 10), await after('bounces (7.4)', 10));
+    assert.equal(await demo.said(), '');
     await demo.done();
   });
 
@@ -256,21 +271,85 @@ describe('11, fireworks', { concurrency: 2 }, () => {
     await demo.done();
   });
 
-  test('with 11.7 the trail is as dense with 10 frames a second as with 144', async () => {
+  test('sparks outlast a change of the loop, and the pool keeps its size', async () => {
+    const demo = await open(eleven);
+    await demo.choose('none');
+    await demo.page.mouse.move(...(await demo.at(12, 9, [24, 14])));
+    await demo.wait(3000);
+    await demo.still();
+    for (const loop of ['with walls', 'without gaps', 'open sky', 'without gaps']) {
+      const before = await demo.read('alive');
+      await demo.choose(loop);
+      assert.equal(await demo.read('alive'), before);
+      await demo.button('Burst').click();
+      assert.equal((await demo.read('alive')) - before, 100, loop);
+      assert.equal((await demo.read('alive')) + (await demo.read('free')), 500);
+    }
+    await demo.button('Play').click();
+    await demo.page.mouse.move(...(await demo.at(13, 9, [24, 14])));
+    await demo.wait(3000);
+    assert.equal(await demo.read('alive'), 0, 'all went out');
+    assert.equal(await demo.said(), '');
+    await demo.done();
+  });
+
+  test('a floor keeps sparks that would have fallen out of the picture', async () => {
+    const demo = await open(eleven);
+    await demo.choose('none');
+    await demo.page.mouse.move(...(await demo.at(8, 3, [24, 14])));
+    await demo.wait(3000);
+    const left = async (loop) => {
+      await demo.choose(loop);
+      await demo.slide('gravity', 15);
+      await demo.button('Burst').click();
+      await demo.wait(1200);
+      const alive = await demo.read('alive');
+      await demo.wait(2000);
+      return alive;
+    };
+    const fallen = await left('open sky'), kept = await left('with walls');
+    assert.ok(kept > fallen, `${fallen} and ${kept}`);
+    await demo.done();
+  });
+
+  test('with 11.7 the trail is as dense with 10 frames per second as with 144', async () => {
     const demo = await open(eleven);
     await demo.page.mouse.move(...(await demo.at(12, 9, [24, 14]))); // so that it bursts no more
     const alive = [];
     for (const frames of [10, 144]) {
-      await demo.slide('frames a second', frames);
+      await demo.slide('frames per second', frames);
       await demo.wait(3500);
       alive.push(await demo.read('alive'));
     }
     assert.ok(Math.abs(alive[0] - alive[1]) < 8 && alive[0] > 8, alive.join(' and '));
     await demo.choose('one a frame');
     await demo.wait(3000);
-    assert.ok((await demo.read('alive')) > 35, 'one a frame is many, at 144 frames a second');
+    assert.ok((await demo.read('alive')) > 35, 'one a frame is many, at 144 frames per second');
     await demo.done();
   });
+});
+
+describe('demos in their chapters', { concurrency: 2 }, () => {
+  for (const name of [first, seven, eleven])
+    test(`${name}: each begins as its place says, and one that could be the reader's says how`, async () => {
+      const page = await browser.newPage(), troubles = [];
+      page.on('pageerror', (error) => troubles.push(error.message));
+      await page.goto(pathToFileURL(path.join(build, `site/chapter_${name}.html`)).href);
+      const figures = page.locator('.play');
+      await page.waitForFunction(() => [...document.querySelectorAll('.play')].every(({ dataset }) => 'ready' in dataset));
+      for (const figure of await figures.all())
+        for (const setting of (await figure.getAttribute('data-start'))?.split(', ') ?? []) {
+          const [title, chosen] = setting.split(': ');
+          if (await figure.getByRole('slider', { name: title }).count()) assert.equal(await figure.getByRole('slider', { name: title }).inputValue(), chosen);
+          else assert.ok(await figure.getByRole('group', { name: title }).getByRole('radio', { name: chosen, exact: true }).isChecked(), setting);
+        }
+      assert.ok((await figures.count()) > 1);
+      const command = `./course play ${parseInt(name, 10)} --mine`;
+      for (const figure of await figures.all())
+        assert.equal((await figure.locator('.answers').textContent()).includes(command), (await figure.getAttribute('data-mine')) !== null);
+      assert.deepEqual(troubles, []);
+      await page.close();
+    });
 });
 
 describe('01, flight', { concurrency: 2 }, () => {
@@ -288,7 +367,8 @@ describe('01, flight', { concurrency: 2 }, () => {
     await demo.button('Engine on or off').click();
     await step(6);
     assert.deepEqual(await demo.speeds(), [120, 130]);
-    await demo.slide('acceleration', 600);
+    for (let i = 0; i < 25; i++) await demo.button('More thrust').click();
+    assert.equal(await demo.read('thrust'), 600);
     await demo.button('Engine on or off').click();
     await step(6);
     assert.deepEqual(await demo.speeds(), [120, 190]);
@@ -296,6 +376,26 @@ describe('01, flight', { concurrency: 2 }, () => {
     await demo.button('Break the missile').click();
     assert.notEqual(await demo.picture(), whole);
     assert.equal((await demo.speeds())[1], Math.round(Math.hypot(220, 60)));
+    await demo.canvas.focus();
+    for (let i = 0; i < 2; i++) await demo.page.keyboard.press('ArrowDown');
+    assert.equal(await demo.read('thrust'), 560);
+    await demo.page.keyboard.press('ArrowUp');
+    assert.equal(await demo.read('thrust'), 580);
+    for (let i = 0; i < 30; i++) await demo.button('Less thrust').click();
+    assert.equal(await demo.read('thrust'), 0);
+    await demo.done();
+  });
+
+  test('the missile of the printed table is at 55 m after a second, and begins anew when it is fired', async () => {
+    const demo = await open(first);
+    await demo.choose('the printed table');
+    await demo.still();
+    await demo.button('Fire the missile').click();
+    assert.equal(await demo.read('missile'), 50);
+    for (let i = 0; i < 60; i++) await demo.button('Step').click();
+    assert.deepEqual([await demo.read('time'), await demo.read('missile')], [1, 55]);
+    await demo.button('Fire the missile').click();
+    assert.equal(await demo.read('missile'), 50);
     await demo.done();
   });
 

@@ -131,7 +131,9 @@ TEST_CASE("formulas keep every sign, and know their line") {
 
 TEST_CASE("a demo plays where the chapter marks its place, if its section keeps one; a task has formulas and words") {
     const SmallBook book;
-    const std::string marks = "<!-- demo: room | Try $x$, and `watch`. -->\n\n<!-- demo: room mine | Now yours. -->\n";
+    const std::string marks =
+        "<!-- demo: room | Try $x$, and `watch`. -->\n\n<!-- demo: room mine, The game: \"on\", radius: 2 | "
+        "Now yours. -->\n";
     book.write(book.chapter_file(), "# 7 Walls\n\n" + marks);
     CHECK(book.page(marks).find("figure") == std::string::npos);
     book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
@@ -139,7 +141,8 @@ TEST_CASE("a demo plays where the chapter marks its place, if its section keeps 
     CHECK_THAT(page, ContainsSubstring("<figure class=\"play\" id=\"demo-room\" data-demo=\"07_wall_meeting\">"
                                        "<figcaption>Try "
                                        + formula("x", 3) + ", and <code>watch</code>.</figcaption>"));
-    CHECK_THAT(page, ContainsSubstring("id=\"demo-room-2\" data-demo=\"07_wall_meeting\" data-mine>"));
+    CHECK_THAT(page, ContainsSubstring("id=\"demo-room-2\" data-demo=\"07_wall_meeting\" data-mine "
+                                       "data-start=\"The game: &quot;on&quot;, radius: 2\">"));
 }
 
 TEST_CASE("a formula in a picture's words is said in plain ones") {

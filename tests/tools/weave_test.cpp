@@ -720,15 +720,14 @@ TEST_CASE("a chapter with a fence without an end takes no row out of the glossar
 
 TEST_CASE("the place of a demo is a line of its own, with a name and what to try") {
     const Book book;
-    book.edit_chapter(
-        "# 7 Wall\n",
-        "# 7 Wall\n\n<!-- demo: room | throw the ball -->\n\n<!-- demo: room mine | throw it again -->\n");
+    book.edit_chapter("# 7 Wall\n", "# 7 Wall\n\n<!-- demo: room2 | throw the ball -->\n\n<!-- demo: room mine, The "
+                                    "game: on | throw it again -->\n");
     CHECK(book.check().code == all_well);
     const std::string wrong =
         GENERATE("<!-- demo: room -->", "<!-- demo: | throw -->", "<!-- demo: the room | throw -->",
                  "<!-- demo: room |\nthrow -->", "Text <!-- demo: room | throw -->", "<!-- demo: room | throw --> text",
-                 "<!-- demo room | throw -->");
-    book.edit_chapter("<!-- demo: room mine | throw it again -->", wrong);
+                 "<!-- demo room | throw -->", "<!-- demo: room, | throw -->");
+    book.edit_chapter("<!-- demo: room mine, The game: on | throw it again -->", wrong);
     CHECK(book.check().text
           == "chapters/07_wall/README.md:5: write a demo's place as `<!-- demo: name | what to try, and what to watch "
              "-->`, on a line of its own.\n");

@@ -163,14 +163,30 @@ std::vector<Hint> hints(std::string_view whole) {
     return result;
 }
 
+std::optional<DemoMark> demo_mark(const std::string &html) {
+    static const std::regex mark{R"(<!-- demo: ([a-z]\w*)( mine)?(?:, ([^|\n]*\S))? \| (\S.*) -->\s*)"};
+    std::smatch found;
+    if (!std::regex_match(html, found, mark)) return {};
+    return DemoMark{.name = found[1], .start = found[3], .task = found[4], .mine = found[2].matched};
+}
+
+std::vector<DemoMark> demo_marks(std::string_view chapter) {
+    const Document document = parse_markdown(without_byte_order_mark(chapter));
+    std::vector<DemoMark> marks;
+    each_node(document.get(), [&](cmark_node *node) {
+        if (!is_html(node)) return;
+        if (auto mark = demo_mark(literal(node))) marks.push_back(std::move(*mark));
+    });
+    return marks;
+}
+
 std::vector<Finding> misshapen_demos(std::string_view text, const std::filesystem::path &file) {
-    static const std::regex demo{R"(<!-- demo: [a-z]\w*( mine)? \| \S.* -->\s*)"};
     const Document document = parse_markdown(without_byte_order_mark(text));
     std::vector<Finding> findings;
     each_node(document.get(), [&](cmark_node *node) {
         if (!is_html(node) && cmark_node_get_type(node) != CMARK_NODE_HTML_INLINE) return;
         const std::string html = literal(node);
-        if (html.find("<!-- demo") == html.npos || (is_html(node) && std::regex_match(html, demo))) return;
+        if (html.find("<!-- demo") == html.npos || (is_html(node) && demo_mark(html))) return;
         findings.push_back({file, cmark_node_get_start_line(node),
                             "write a demo's place as `<!-- demo: name | what to try, and what to watch -->`, on a line "
                             "of its own."});

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,8 +43,19 @@ struct Hint {
 /// All hints of a chapter, in its order: an exercise's rungs one after the other.
 std::vector<Hint> hints(std::string_view chapter);
 
-/// Where a demo's place is not written as `<!-- demo: room | what to try, and what to watch -->`, on a line of its own;
-/// `room mine` is the same demo on the reader's code.
+/// The place of a demo, `<!-- demo: room mine, The game: asks 7.2 | what to try, and what to watch -->`.
+struct DemoMark {
+    std::string name;  ///< "room"
+    std::string start; ///< controls that begin with another value than the demo's own: "The game: asks 7.2"
+    std::string task;  ///< what to try, and what to watch: Markdown
+    bool mine = false; ///< begins with the reader's code, where there is some
+};
+/// The mark that this line or HTML block is; nothing if it is none.
+std::optional<DemoMark> demo_mark(const std::string &html);
+/// All of a chapter, in its order.
+std::vector<DemoMark> demo_marks(std::string_view chapter);
+
+/// Where a demo's place is not written as a DemoMark, on a line of its own.
 std::vector<Finding> misshapen_demos(std::string_view chapter, const std::filesystem::path &file);
 
 /// The chunks of the solution that belong to the exercise: those called `Solution 7.2` or `Solution 7.2: ...`, and the

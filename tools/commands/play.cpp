@@ -153,7 +153,7 @@ void play(const Tree &tree, const PlayOptions &options) {
         const auto demo =
             std::find_if(all.begin(), all.end(), [&](const Demo &d) { return d.section.name == section->name; });
         if (demo == all.end()) throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
-        page = page_name(tree, tree.chapter(*section)) + ".html#demo-" + demo->name;
+        page = page_name(tree, tree.chapter(*section)) + ".html#demo-" + demo->mark.name;
     }
     if (options.mine) need_compiler(tree, options.yes);
     bring_up_site(tree);

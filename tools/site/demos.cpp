@@ -5,33 +5,26 @@
 #include "site/html.hpp"
 
 #include <algorithm>
-#include <regex>
 
 namespace course {
 namespace fs = std::filesystem;
 
 std::string demo_file(const Section &section) { return "demos/" + section.name + ".js"; }
 
-std::optional<DemoMark> demo_mark(std::string_view html) {
-    static const std::regex mark{R"(<!-- demo: ([a-z_]+)( mine)?(?: \| ([\s\S]*?))? -->)"};
-    std::match_results<std::string_view::const_iterator> found;
-    if (!std::regex_search(html.begin(), html.end(), found, mark)) return {};
-    return DemoMark{found[1], found[3], found[2].matched};
-}
-
 std::vector<Demo> demos(const Tree &tree) {
     std::vector<Demo> all;
     for (const Section &section : tree.sections()) {
         if (!fs::exists(tree.root / demo_file(section))) continue;
-        if (const auto mark = demo_mark(read_file(tree.chapter(section))))
-            all.push_back({mark->name, section, mark->task});
+        const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
+        if (!marks.empty()) all.push_back({section, marks.front()});
     }
     return all;
 }
 
-std::string demo_figure(const Demo &demo, const std::string &id, const std::string &task, bool mine) {
+std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark &mark, const std::string &task) {
     return "<figure class=\"play\" id=\"" + id + "\" data-demo=\"" + demo.section.name + '"'
-           + (mine ? " data-mine" : "") + ">" + (task.empty() ? "" : "<figcaption>" + task + "</figcaption>")
+           + (mark.mine ? " data-mine" : "") + (mark.start.empty() ? "" : " data-start=\"" + escaped(mark.start) + '"')
+           + "><figcaption>" + task + "</figcaption>"
            + "<p class=\"without-js\">Here is a demo to play with, for a browser with JavaScript.</p></figure>\n";
 }
 
@@ -45,9 +38,9 @@ std::string play_page(const Tree &tree) {
         const auto row = std::find_if(rows.begin(), rows.end(),
                                       [&](const Entry &one) { return one.number == demo.section.number(); });
         const std::string title = row == rows.end() ? demo.section.slug() : row->title;
-        page += "\n## " + demo.section.short_number() + ' ' + title + "\n\n<!-- demo: " + demo.name
-                + (demo.task.empty() ? "" : " | " + demo.task) + " -->\n\nThis demo belongs to [section "
-                + demo.section.short_number() + "](chapters/" + demo.section.name + "/README.md).\n";
+        page += "\n## " + demo.section.short_number() + ' ' + title + "\n\n<!-- demo: " + demo.mark.name + " | "
+                + demo.mark.task + " -->\n\nThis demo belongs to [section " + demo.section.short_number()
+                + "](chapters/" + demo.section.name + "/README.md).\n";
     }
     return page;
 }

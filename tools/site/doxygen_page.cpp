@@ -370,7 +370,7 @@ class PageWriter {
             hint{R"(<details>(\s*<summary>\d+\.\d+, a hint: ))"};
         out = std::regex_replace(out, solution, "<details class=\"solution\">$1");
         out = std::regex_replace(out, hint, "<details class=\"hint\">$1");
-        if (const auto mark = demo_mark(out)) out = demo(*mark, cmark_node_get_start_line(node));
+        if (const auto mark = demo_mark(text)) out = demo(*mark, cmark_node_get_start_line(node));
         static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
         out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());
@@ -378,11 +378,12 @@ class PageWriter {
 
     /// A demo's place; nothing if its section keeps none in demos/.
     std::string demo(const DemoMark &mark, int line) {
-        for (const Demo &one : demos(tree)) {
-            if (one.name != mark.name) continue;
+        if (!all_demos) all_demos = demos(tree);
+        for (const Demo &one : *all_demos) {
+            if (one.mark.name != mark.name) continue;
             const int before = demos_so_far++;
             const std::string id = "demo-" + mark.name + (before > 0 ? '-' + std::to_string(before + 1) : "");
-            return demo_figure(one, id, markdown(mark.task, line), mark.mine);
+            return demo_figure(one, id, mark, markdown(mark.task, line));
         }
         return "";
     }
@@ -446,6 +447,7 @@ class PageWriter {
     std::string plain_title;
     bool lead_may_follow = false;
     std::size_t formulas_back = 0;
+    std::optional<std::vector<Demo>> all_demos; ///< read at the first mark
     int demos_so_far = 0;
     std::vector<std::string> listings; ///< put in last: they leave the HTML, where nothing else may
 };

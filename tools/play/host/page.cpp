@@ -46,7 +46,8 @@ void __cxa_free_exception(void *) noexcept {}
 [[noreturn]] void __cxa_throw(void *object, std::type_info *type, void (*)(void *)) {
     // Up to std::exception, if it is one: with single inheritance a type's base is the third word that describes it.
     const std::type_info *base = type;
-    while (*base != typeid(std::exception) && std::strstr(typeid(*base).name(), "__si_class_type_info"))
+    while (*base != typeid(std::exception)
+           && std::strcmp(typeid(*base).name(), "N10__cxxabiv120__si_class_type_infoE") == 0)
         base = reinterpret_cast<const std::type_info *const *>(base)[2];
     play_thrown(type->name(), *base == typeid(std::exception) ? static_cast<std::exception *>(object)->what() : "");
     __builtin_trap();
