@@ -23,6 +23,7 @@ struct Control {
     std::string_view name, unit;
     double low, high, step, value; ///< value: at the start, then in each frame
     std::vector<std::string_view> options{};
+    std::vector<std::string_view> only_with{}; ///< options of a choice: without one of them it is not shown
 };
 inline Control choice(std::string_view name, std::vector<std::string_view> options, int chosen) {
     return {name, "", 0, double(options.size()) - 1, 1, double(chosen), options};

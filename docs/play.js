@@ -93,7 +93,7 @@
       begin() {
         const { number, words, list, point } = read(exports.begin(branches));
         return { title: words(), low: point(), high: point(),
-          controls: list(() => ({ name: words(), unit: words(), low: number(), high: number(), step: number(), value: number(), options: list(words) })),
+          controls: list(() => ({ name: words(), unit: words(), low: number(), high: number(), step: number(), value: number(), options: list(words), onlyWith: list(words) })),
           keys: list(() => ({ key: words(), meaning: words() })) };
       },
       control: (i, value) => exports.control(i, value),
@@ -193,6 +193,11 @@
         controls.append(control.options.length > 0 ? choice(control, i) : slider(control, i));
       });
       about.keys.forEach(({ key, meaning }, i) => buttons.append(button(meaning, () => press(i))));
+      showWhatCounts();
+    }
+    function showWhatCounts() {
+      const chosen = about.controls.map(({ options }, i) => options[values[i]]);
+      about.controls.forEach(({ onlyWith }, i) => (controls.children[i].hidden = onlyWith.length > 0 && !onlyWith.some((option) => chosen.includes(option))));
     }
     function begins(title, chosen) {
       const control = about.controls.find((each) => each.name === title), { options = [] } = control ?? {};
@@ -203,6 +208,7 @@
     function set(i, value) {
       values[i] = value;
       world?.control(i, value);
+      showWhatCounts();
       rest();
     }
     function slider({ name: title, unit, low, high, step: each, value }, i) {

@@ -15,7 +15,7 @@ const demo::About about{
     {640, 200},
     {demo::choice("In the sky", {"helicopter and missile", "the printed table (1.3)", "three integrators (1.5)"},
                   helicopter_and_missile),
-     {"step", "s", 0.05, 1, 0.05, 0.5}},
+     {"step", "s", 0.05, 1, 0.05, 0.5, {}, {"three integrators (1.5)"}}},
     {{"s", "Start the helicopter"},
      {"f", "Fire the missile"},
      {"ArrowUp", "More thrust"},
@@ -96,8 +96,9 @@ void one_frame(State &now, double dt) {
 }
 
 void one_step(State &now, double dt) {
-    if (now.three.exact.position.x() > about.high.x()) fire(now);
-    now.three = step_all(now.three, {now.thrust, 0}, dt);
+    const Integrators after = step_all(now.three, {now.thrust, 0}, dt);
+    if (after.semi_implicit.position.x() > about.high.x()) return fire(now); // the one that is ahead
+    now.three = after;
     ++now.steps;
     now.three_marks[0].push_back(now.three.explicit_euler.position);
     now.three_marks[1].push_back(now.three.semi_implicit.position);

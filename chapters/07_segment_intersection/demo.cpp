@@ -17,7 +17,7 @@ const demo::About about{
                   {"asks once a frame", "asks 7.2", "bounces once a frame (7.2)", "bounces (7.4)", "has a size (7.5)"},
                   asks_once_a_frame),
      {"frames per second", "", 5, 120, 1, 30},
-     {"radius", "m", 0.1, 0.5, 0.01, 0.15}},
+     {"radius", "m", 0.1, 0.5, 0.01, 0.15, {}, {"asks once a frame", "has a size (7.5)"}}},
     {{"t", "Turn the ball"}}};
 
 /// The arrow is as long as the way of so many seconds.

@@ -29,7 +29,8 @@ inline void begin() {
     put(play::about.title), put(play::about.low), put(play::about.high);
     put_all(play::about.controls, [](const demo::Control &c) {
         put(c.name), put(c.unit), put(c.low), put(c.high), put(c.step), put(c.value);
-        put_all(c.options, [](std::string_view option) { put(option); });
+        for (const auto *list : {&c.options, &c.only_with})
+            put_all(*list, [](std::string_view option) { put(option); });
     });
     put_all(play::about.keys, [](const demo::Key &key) { put(key.key), put(key.meaning); });
 }
