@@ -257,13 +257,38 @@ has "$err" "$build/log/figures.log"
 has_not "$did" 'build book'
 has_not "$out" 'All is built'
 rm "$lab/fails.figures"
-echo 'chapters/07: line 3 differs' >"$lab/fails.book"
+echo 'no program was built' >"$lab/fails.book"
 course
 leaves_with 1
+has "$err" 'no program was built'
+has_not "$did" 'build site'
 echo 'write: No space left on device' >"$lab/fails.programs"
 course
 leaves_with 2
 has "$err" 'the disk is full'
+
+machine 'a book that differs from the code, as after a change that a chapter suggests, is told, and stops nothing'
+cat >"$lab/fails.book" <<'END'
+[1/2] Checking that the book says what the code says
+FAILED: book.stamp
+cd /somewhere && course-tool weave --check
+chapters/07/README.md:9: "A wall" differs here from chapters/07/wall.hpp:11.
+To keep the code as it is now, type ./course weave; to bring back how it was, git restore chapters/07/wall.hpp
+ninja: build stopped: subcommand failed.
+END
+course
+leaves_with 0
+has "$did" 'build site'
+has "$out" '  book                      differs from the code
+'
+has "$out" 'All is built and drawn. But the book and the code differ:
+chapters/07/README.md:9: "A wall" differs here from chapters/07/wall.hpp:11.
+To keep the code as it is now, type ./course weave; to bring back how it was, git restore chapters/07/wall.hpp
+
+'
+has_not "$out" 'checked'
+has_not "$out" FAILED
+has "$out" 'Next: type ./course open'
 
 machine 'an unwritable build folder is said in one sentence'
 : >"$lab/file"

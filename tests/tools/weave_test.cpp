@@ -23,6 +23,7 @@
 #include <unistd.h>
 
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 using namespace course;
 namespace fs = std::filesystem;
@@ -257,8 +258,9 @@ TEST_CASE("edited text is found, and woven back") {
     const Told told = book.check();
     CHECK(told.code == something_to);
     CHECK(told.text
-          == "chapters/07_wall/README.md:7: \"A wall\" differs here from chapters/07_wall/wall.hpp:9; "
-             "type ./course weave, or correct the code if the text is right.\n");
+          == "chapters/07_wall/README.md:7: \"A wall\" differs here from chapters/07_wall/wall.hpp:9.\n"
+             "To keep the code as it is now, type ./course weave, which writes it into the book; to bring back how it "
+             "was, type git restore chapters/07_wall/wall.hpp\n");
     CHECK(book.weave().text == "woven: chapters/07_wall/README.md, 1 block changed\n");
     CHECK(book.text() == chapter);
 }
@@ -283,12 +285,24 @@ TEST_CASE("edited code is found, and woven in") {
 
     const Told told = book.check();
     CHECK(told.code == something_to);
-    CHECK_THAT(told.text,
-               StartsWith("chapters/07_wall/README.md:9: \"A wall\" differs here from chapters/07_wall/wall.hpp:11;"));
+    CHECK_THAT(
+        told.text,
+        StartsWith("chapters/07_wall/README.md:9: \"A wall\" differs here from chapters/07_wall/wall.hpp:11.\n"));
     CHECK(book.text() == chapter); // a check changes nothing
     CHECK(book.weave().code == all_well);
     CHECK(book.text() == replaced(chapter, "    Vec2 start;\n", "    Vec2 start; ///< [m]\n    double width{};\n"));
     CHECK(book.check().code == all_well);
+}
+
+TEST_CASE("both ways are told once, whatever was changed, and in how many files") {
+    Book book;
+    book.edit("chapters/07_wall/wall.hpp", "    Vec2 start;\n", "    Vec2 begin;\n");
+    book.edit("chapters/07_wall/main.cpp", "int main() {}", "int main() { return 0; }");
+    book.program("echo length 6");
+
+    const std::string told = book.check().text;
+    CHECK(std::count(told.begin(), told.end(), '\n') == 4); // two listings, an output, and what to do
+    CHECK_THAT(told, EndsWith("type git restore chapters/07_wall/main.cpp chapters/07_wall/wall.hpp\n"));
 }
 
 TEST_CASE("a chunk that no chapter shows is found") {
@@ -503,8 +517,9 @@ TEST_CASE("what a program prints is woven; other commands are left alone") {
     book.program("echo length 6; echo; echo 'width 7'; echo; echo to nobody >&2");
 
     CHECK(book.check().text
-          == "chapters/07_wall/README.md:29: this output differs here from what ./course run 7 prints; "
-             "type ./course weave, or correct the code if the text is right.\n");
+          == "chapters/07_wall/README.md:29: this output differs here from what ./course run 7 prints.\n"
+             "To keep the code as it is now, type ./course weave, which writes it into the book; if the book is right, "
+             "correct the code.\n");
     CHECK(book.weave().code == all_well);
     CHECK(book.text() == replaced(chapter, "length 5\n", "length 6\n\nwidth 7\n"));
 }

@@ -54,6 +54,7 @@ namespace {
 struct Wanted {
     std::vector<std::string> lines;
     std::string title;                              ///< "the output", "A normal"
+    std::optional<fs::path> file;                   ///< of the code, if it is a listing
     std::function<std::string(std::size_t)> source; ///< where its n-th line comes from: "chapters/.../main.cpp:12"
 };
 
@@ -158,7 +159,7 @@ class Weaver {
                  fmt::format("the chunk \"{}\" is shown in line {} already; keep one of the two.", title,
                              first->second));
         const Chunk &found = chunk->second;
-        return Wanted{found.lines, '"' + title + '"',
+        return Wanted{found.lines, '"' + title + '"', found.file,
                       [this, found](std::size_t n) { return place(found.file, found.line + static_cast<int>(n)); }};
     }
 
@@ -167,9 +168,10 @@ class Weaver {
         std::smatch found;
         if (!std::regex_match(fence.content.front(), found, command)) return {};
         ++result.outputs;
-        Wanted wanted{{fence.content.front()}, "this output", [name = found[1].str() + found[2].str()](std::size_t) {
-                          return "what ./course run " + name + " prints";
-                      }};
+        Wanted wanted{
+            {fence.content.front()}, "this output", {}, [name = found[1].str() + found[2].str()](std::size_t) {
+                return "what ./course run " + name + " prints";
+            }};
         const std::string part = found[2].matched ? found[2].str().substr(1) : "";
         const std::string printed = output(tree.section(found[1].str()), part);
         for (const Line &line : lines_of(printed)) wanted.lines.emplace_back(line.text);
@@ -220,10 +222,10 @@ class Weaver {
             if (same_end && lines[opening + i].text == block[i]) continue;
             const std::size_t line = std::min(i, old_size - 1),
                               in_source = std::clamp<std::size_t>(i, 1, wanted.lines.size()) - 1;
-            result.differences.push_back({page.file, fence.line + static_cast<int>(line),
-                                          fmt::format("{} differs here from {}; type ./course weave, or correct the "
-                                                      "code if the text is right.",
-                                                      wanted.title, wanted.source(in_source))});
+            result.differences.push_back(
+                {page.file, fence.line + static_cast<int>(line),
+                 fmt::format("{} differs here from {}.", wanted.title, wanted.source(in_source))});
+            if (wanted.file) result.code.insert(*wanted.file);
             return;
         }
     }

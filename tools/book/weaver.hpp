@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +27,11 @@ Page page_of(const Tree &tree, const Section &section);
 Page page_of_book(const Tree &tree);
 
 struct Woven {
-    std::string text;                 ///< of the page, as it should be; as it is if `broken`
-    std::vector<Finding> differences; ///< listings and outputs that were not so
-    std::vector<Finding> findings;    ///< what weaving cannot put right
-    bool broken = false;              ///< a fence or fold without an end: nothing was woven
+    std::string text;                     ///< of the page, as it should be; as it is if `broken`
+    std::vector<Finding> differences;     ///< listings and outputs that were not so
+    std::set<std::filesystem::path> code; ///< files whose listings those are
+    std::vector<Finding> findings;        ///< what weaving cannot put right
+    bool broken = false;                  ///< a fence or fold without an end: nothing was woven
     int listings = 0, outputs = 0;
 };
 

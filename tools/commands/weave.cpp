@@ -14,6 +14,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -94,6 +95,7 @@ class Command {
         std::sort(findings.begin(), findings.end());
         for (const Finding &finding : findings)
             std::cout << tree.shown(finding.file) << ':' << finding.line << ": " << finding.message << '\n';
+        if (differs) tell_both_ways();
         if (!findings.empty()) throw Leave{something_to};
         if (!changed)
             std::cout << counted(chapters, "chapter") << ", " << counted(listings, "listing") << ", "
@@ -101,6 +103,15 @@ class Command {
     }
 
   private:
+    /// The code may be right, or a student has only tried something in it.
+    void tell_both_ways() const {
+        std::string otherwise = changed_code.empty() ? "if the book is right, correct the code."
+                                                     : "to bring back how it was, type git restore";
+        for (const fs::path &file : changed_code) otherwise += ' ' + tree.shown(file);
+        std::cout << "To keep the code as it is now, type ./course weave, which writes it into the book; " << otherwise
+                  << '\n';
+    }
+
     void add(const std::vector<Finding> &more) { findings.insert(findings.end(), more.begin(), more.end()); }
 
     /// Whether the page could be read, with all its fences.
@@ -117,6 +128,8 @@ class Command {
         if (check) {
             add(others);
             add(woven.differences);
+            changed_code.insert(woven.code.begin(), woven.code.end());
+            differs = differs || !woven.differences.empty();
             add(dead_links(page.file, text, tree.root));
         } else if (write_file(page.file, woven.text)) {
             changed = true;
@@ -132,8 +145,9 @@ class Command {
     const bool check;
     std::map<std::pair<std::string, std::string>, std::string> printed; ///< by section and part: each runs once
     std::vector<Finding> findings;
+    std::set<fs::path> changed_code; ///< whose listings are not so in the book
     int chapters = 0, listings = 0, outputs = 0;
-    bool changed = false, broken = false;
+    bool changed = false, broken = false, differs = false;
 };
 
 } // namespace

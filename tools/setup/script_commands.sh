@@ -41,18 +41,30 @@ everything() {
     target 3 'programs' programs
     target 3 'tests of the sections' section-tests
     target 3 'figures' figures
-    target 1 'book' book
+    check_the_book
     target 1 'site' site
     leave_build_folder
     short=${build#"$root"/}
+    echo
+    if [ "$unlike" ]; then
+        printf 'All is built and drawn. But the book and the code differ:\n%s\n\n' "$unlike"
+    else
+        echo 'All is built, drawn and checked.'
+    fi
     cat <<END
-
-All is built, drawn and checked.
   the book        $short/site/index.html, in your browser: ./course open
   the figures     $short/plots
   the exercises   exercises/, one file a section: they are yours to change
 Next: type ./course open, open the first exercise in your editor, and type ./course check
 END
+}
+
+# If the book does not show a chapter's code as it is, a student may have tried something there, as the chapters suggest.
+# That is told at the end, in $unlike, and stops nothing; ./course weave --check is strict.
+check_the_book() {
+    unlike=
+    try book cmake --build "$build" --target book && return
+    unlike=$(differences) || give_up 1
 }
 
 # The tests of the sections and of what a student reads; with --all, those of the course program and of this script

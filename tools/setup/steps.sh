@@ -63,11 +63,15 @@ try() {
     stop_ticker
     took=$(seconds $(($(date +%s) - started)))
     [ "$code" = 0 ] || took="failed after $took"
+    [ -z "$(differences)" ] || took='differs from the code'
     grep -q '^ninja: no work to do' "$log" && took='up to date'
     if animated; then printf '\r\033[K  %-26s' "$step" >&3; fi
     say "$took"
     return "$code"
 }
+
+# What the check of the book has found, if that is the step: places, and how they can be put right.
+differences() { [ "$step" != book ] || grep -E '^[^ :]+:[0-9]+: |^To keep the code as it is' "$log"; }
 
 # must CODE STEP COMMAND...: the same; if it fails, the end of its log is shown, and we leave with CODE.
 must() {
