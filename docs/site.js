@@ -52,7 +52,8 @@
   const here = one('#site-contents [aria-current]');
   if (here) here.closest('nav').scrollTop = here.offsetTop - 100;
 
-  // The part that is being read: the last one whose heading has been passed.
+  // The part that is being read: the last one whose heading has been passed. Where the contents are hidden, the bar says it.
+  const part = one('#site-part');
   const parts = all('#site-contents .parts a').map((link) => ({ link, heading: document.getElementById(link.hash.slice(1)) }));
   function markPart() {
     const passed = parts.filter(({ heading }) => heading.getBoundingClientRect().top < innerHeight / 3).at(-1);
@@ -60,6 +61,7 @@
       if (link === passed?.link) link.setAttribute('aria-current', 'location');
       else link.removeAttribute('aria-current');
     }
+    part.textContent = passed?.link.closest('.parts > li').firstElementChild.firstChild.textContent ?? '';
   }
   if (parts.length > 0) {
     // All that is above the line a third down the window counts as seen, so that a jump past a heading is noticed.

@@ -318,7 +318,7 @@ describe('reading', () => {
     const summary = (fold) => fold.querySelector('summary').textContent;
     const kinds = {
       solutions: folds.filter((fold) => summary(fold).startsWith('Our solution of ')),
-      hints: folds.filter((fold) => /^\d+\.\d+, a hint: /.test(summary(fold))),
+      hints: folds.filter((fold) => /^Hint \d+ of \d+: /.test(summary(fold))),
     };
     kinds.code = folds.filter((fold) => fold.querySelector('pre') && !kinds.solutions.includes(fold) && !kinds.hints.includes(fold));
     return Object.fromEntries(Object.entries(kinds).map(([kind, all]) => {

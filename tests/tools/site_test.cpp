@@ -3,10 +3,12 @@
 #include "site/doxygen_page.hpp"
 #include "site/html.hpp"
 #include "site/interface.hpp"
+#include "site/progress_script.hpp"
 #include "site/reachable.hpp"
 #include "small_course.hpp"
 
 #include "ground/complaint.hpp"
+#include "loop/memory.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -173,8 +175,14 @@ TEST_CASE("a fold keeps its paragraphs, lists and folds within it") {
 
 TEST_CASE("a fold says whether it holds a hint or our solution") {
     const SmallBook book;
-    CHECK_THAT(book.page("<details>\n<summary>7.1, a hint: it is red</summary>\n\nz\n</details>\n"),
-               ContainsSubstring("<details class=\"hint\">\n<summary>7.1, a hint: it is red</summary>"));
+    const std::string other = "<details><summary>7.2, a hint: it is not</summary>\n\nz\n</details>\n\n";
+    const std::string hints =
+        book.page("<details>\n<summary>7.1, a hint: it is $x$</summary>\n\nz\n</details>\n\n" + other
+                  + "<details><summary>7.1, a hint: it is red</summary>\n\nz\n</details>\n");
+    CHECK_THAT(hints, ContainsSubstring("<details class=\"hint\">\n<summary>Hint 1 of 2: it is " + formula("x", 3)
+                                        + "</summary>"));
+    CHECK_THAT(hints, ContainsSubstring("<details class=\"hint\"><summary>Hint 2 of 2: it is red</summary>")
+                          && ContainsSubstring("<summary>Hint 1 of 1: it is not</summary>"));
     CHECK_THAT(book.page("<details><summary>Our solution of 7.1</summary>\n\nz\n</details>\n"),
                ContainsSubstring("<details class=\"solution\"><summary>Our solution of 7.1</summary>"));
     CHECK_THAT(book.page("<details><summary>How 7.1 is tested</summary>\n\nz\n</details>\n"),
@@ -184,7 +192,10 @@ TEST_CASE("a fold says whether it holds a hint or our solution") {
 TEST_CASE("the box of an exercise and the remark on the printed book are no quotations; others are") {
     const SmallBook book;
     CHECK_THAT(book.page("> ### Your turn: 7.1 `f` (5 minutes)\n>\n> Write $x$.\n"),
-               ContainsSubstring("<article class=\"turn\">\n<h3 id=\"your-turn-71-f-5-minutes\">"));
+               ContainsSubstring("<article class=\"turn\" id=\"exercise-7.1\" data-exercise=\"7.1\">\n<h3 "
+                                 "id=\"your-turn-71-f-5-minutes\">"));
+    CHECK_THAT(book.page("> ### Your turn: 7.1 `f`, first try\n\n> ### Your turn: 7.1, second try\n"),
+               ContainsSubstring("id=\"exercise-7.1-2\" data-exercise=\"7.1\""));
     CHECK_THAT(book.page("> ### Your turn\n>\n> Write $x$.\n"),
                ContainsSubstring("<p>Write " + formula("x", 5) + ".</p>\n</article>"));
     CHECK_THAT(book.page("> **In print, and in truth.** $x$\n"),
@@ -497,4 +508,183 @@ TEST_CASE("play says what it needs before it builds anything") {
     const Finished without_compiler = book({"play", "7", "--mine"});
     CHECK(without_compiler.code == 2);
     CHECK_THAT(without_compiler.err, ContainsSubstring("Without --mine the demo runs on ours"));
+}
+
+// What is done
+
+TEST_CASE("the pages know what is done, and where to go on: in the section that was judged last") {
+    const SmallBook book;
+    const auto progress = [&] { return progress_script(book.tree); };
+    CHECK_THAT(progress(), ContainsSubstring(R"({"number":"7","page":"chapter_07_wall_meeting.html","exercises":[)"
+                                             R"({"number":"7.1","function":"first","done":false},)"));
+    CHECK(progress().find("next") == std::string::npos);
+
+    for (const Section &section : book.tree.sections()) book.write(book.tree.exercise(section), "begun");
+    remember(book.tree, book.tree.section("6"), {{"6.1", "passed"}});
+    CHECK_THAT(progress(), ContainsSubstring(R"("next":{"number":"6.2","function":"second_bounce",)"
+                                             R"("address":"chapter_06_reflection.html#exercise-6.2"})"));
+    book.write(".course/progress.json",
+               R"({"06_reflection": {"6.1": {"state": "passed", "when": "2026-11-20T10:00:00Z"}},
+        "07_wall_meeting": {"7.1": {"state": "passed", "when": "2026-11-21T10:00:00Z"}}})");
+    CHECK_THAT(progress(), ContainsSubstring(R"({"number":"7.1","function":"first","done":true})")
+                               && ContainsSubstring(R"("next":{"number":"7.2")"));
+    remember(book.tree, book.seven(), {{"7.2", "passed"}});
+    CHECK_THAT(progress(), ContainsSubstring(R"("next":{"number":"6.2")")); // all of section 7 is done
+    remember(book.tree, book.seven(), {{"7.1", "crashed"}});
+    CHECK_THAT(progress(), ContainsSubstring(R"({"number":"7.1","function":"first","done":false})"));
+}
+
+TEST_CASE("a site is told what is done when it is made, and by check and reset") {
+    const SmallBook book;
+    book.write(book.tree.exercise(book.seven()), "begun");
+    remember(book.tree, book.seven(), {{"7.1", "passed"}});
+    CHECK(book({"check", "7"}).code != 0); // without a site nothing is told
+    CHECK_FALSE(fs::exists(book.tree.build / "site"));
+
+    remember(book.tree, book.seven(), {{"7.1", "passed"}});
+    REQUIRE(book.make().code == 0);
+    const std::string first = R"("number":"7.1","function":"first","done":)";
+    CHECK_THAT(book.made("progress.js"), ContainsSubstring(first + "true"));
+    CHECK_THAT(book.made("index.html"),
+               ContainsSubstring("<script src=\"progress.js\"></script>\n<script src=\"done.js\"></script>"));
+
+    book.write(book.tree.exercise(book.seven()), "");
+    CHECK_THAT(book({"check", "7"}).out, ContainsSubstring("is empty"));
+    CHECK_THAT(book.made("progress.js"), ContainsSubstring(first + "false"));
+
+    remember(book.tree, book.seven(), {{"7.1", "passed"}});
+    book.write(book.tree.build / "mine" / "site" / "progress.js", "");
+    CHECK(book({"reset", "7", "--yes"}).code == 0);
+    for (const char *site : {"site/progress.js", "mine/site/progress.js"})
+        CHECK_THAT(book.read(book.tree.build / site), ContainsSubstring(first + "false"));
+}
+
+// The student's own site
+
+namespace {
+
+/// A small book with a figure that has a place for the student's curve, and a demo; section 7 is begun.
+struct OwnBook : SmallBook {
+    OwnBook() {
+        const std::string figure = "07_wall_meeting_room";
+        write("plots/style.gp", read_file(fs::path{COURSE_ROOT} / "plots/style.gp"));
+        write("plots/" + figure + ".gp",
+              "#> Figure: a room\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange [0:5]\n"
+              "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n"
+              "plot ARG1 using 1:2 with lines title 'ours', @yours\n");
+        write(tree.build / "traces/07_wall_meeting" / (figure + ".tsv"), "# t[s]\tx[m]\n0\t1\n2\t3\n");
+        write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
+        write(tree.build / "play/07_wall_meeting_mine.js", "self.playable['07_wall_meeting/mine'] = '';\n");
+        write(tree.exercise(seven()), "begun");
+        const Finished made = make("![Room](../../plots/07_wall_meeting_room.svg)\n\n<!-- demo: room | Throw. -->\n");
+        if (made.code != 0) throw std::runtime_error{made.err};
+    }
+
+    /// `./course` with these words, where the build does this, and the student's program that.
+    Finished with(const std::vector<std::string> &words, const std::string &build,
+                  const std::string &program = "exit 0") const {
+        write("build/default/mine/07_wall_meeting", "#!/bin/sh\n" + program + '\n');
+        fs::permissions(tree.build / "mine/07_wall_meeting", fs::perms::all);
+        return (*this)(words, {instead_of("cmake", build), "DISPLAY=", "WAYLAND_DISPLAY="});
+    }
+    void can_compile_for_pages() const { write(tree.build / "play/can_compile", ""); }
+    std::string own(const std::string &file) const { return read(tree.build / "mine/site" / file); }
+
+    static constexpr const char *chapter = "chapter_07_wall_meeting.html", *room = "plots/07_wall_meeting_room.svg",
+                                *own_demo = "demos/07_wall_meeting_mine.js";
+    static constexpr const char *good_program =
+        "printf '# t[s]\\tx[m]\\n0\\t1\\n2\\t4\\n' > \"$2/07_wall_meeting_room.tsv\"";
+};
+
+} // namespace
+
+TEST_CASE("the student's own site has figures with their curve, demos that begin with their code, and our pages") {
+    const OwnBook book;
+    book.can_compile_for_pages();
+    const Finished site = book.with({"site", "--mine"}, "exit 0", OwnBook::good_program);
+    CHECK(site.code == 0);
+    CHECK(site.out
+          == "Section 6: not started, so figures and demo are ours\n"
+             "Section 7: one figure shows your curve; the demo runs your code\n"
+             "Your copy of the book is build/default/mine/site/index.html\n"
+             "Type ./course open --mine, or ./course open 7 --mine for a section\n");
+    const std::string chapter = book.own(OwnBook::chapter);
+    CHECK_THAT(chapter,
+               ContainsSubstring("<p class=\"own\">One figure shows your curve; the demo runs your code.</p>"));
+    CHECK_THAT(chapter, ContainsSubstring("<figcaption><strong class=\"own\">With your curve.</strong> "));
+    CHECK_THAT(chapter, ContainsSubstring("data-demo=\"07_wall_meeting\" data-mine>"));
+    CHECK_THAT(chapter, ContainsSubstring("<script src=\"demos/07_wall_meeting.js\"></script>\n"
+                                          "<script src=\"demos/07_wall_meeting_mine.js\"></script>"));
+    CHECK_THAT(book.own(OwnBook::room), ContainsSubstring(">yours</"));
+    CHECK_THAT(book.own(OwnBook::own_demo), ContainsSubstring("07_wall_meeting/mine"));
+    CHECK_THAT(book.own("index.html"), ContainsSubstring("This copy of the book is yours"));
+
+    CHECK(book.made(OwnBook::room) == book.read("plots/07_wall_meeting_room.svg")); // the plain site stays ours
+    CHECK(book.made(OwnBook::chapter).find("own") == std::string::npos);
+    CHECK_FALSE(fs::exists(book.tree.build / "site" / OwnBook::own_demo));
+
+    book.write(book.tree.exercise(book.seven()), book.read(book.tree.stub(book.seven())));
+    CHECK_THAT(book.with({"site", "--mine"}, "exit 0").out, ContainsSubstring("Section 7: not started"));
+    CHECK(book.own(OwnBook::room) == book.made(OwnBook::room));
+    CHECK(book.own(OwnBook::own_demo).empty());
+}
+
+TEST_CASE("whatever is wrong with a student's file, their site is made, says so in one sentence, and keeps ours") {
+    const OwnBook book;
+    book.can_compile_for_pages();
+    book.write(book.tree.build / "plots/mine/07_wall_meeting_room.svg", "of yesterday");
+    const std::string no_compiling = "case \"$*\" in *07_wall_meeting_mine) echo "
+                                     "'exercises/07_wall_meeting.cpp:1:1: error: expected a wall'; exit 1;; esac";
+    const std::string no_demo = "case \"$*\" in *_play_mine) echo "
+                                "'exercises/07_wall_meeting.cpp:1:1: error: expected a page'; exit 1;; esac";
+    const auto [build, program, sentence] = GENERATE_COPY(table<std::string, std::string, std::string>({
+        {no_compiling, "exit 0", "expected a wall; figures and demo stay ours"},
+        {no_demo, "exit 1", "cpp:1: expected a page"},
+        {"exit 0", "kill -SEGV $$", "your program crashed"},
+        {"exit 0", "printf '# t[s]\\tx[m]\\n0\\tnan\\n' > \"$2/07_wall_meeting_room.tsv\"",
+         "07_wall_meeting_room stays ours: your functions gave nan where x[m] should stand"},
+        {"exit 0", "echo 'not started: 07_wall_meeting_room.tsv: the wall' >&2; exit 1",
+         "one figure waits for functions that are not started"},
+    }));
+    const Finished site = book.with({"site", "--mine"}, build, program);
+    INFO(site.out + site.err);
+    CHECK(site.code == 0);
+    CHECK_THAT(site.out, ContainsSubstring(sentence));
+    CHECK_THAT(book.own(OwnBook::chapter),
+               ContainsSubstring(sentence.substr(1)) && !ContainsSubstring("With your curve"));
+    CHECK(book.own(OwnBook::room) == book.made(OwnBook::room));
+    CHECK(book.own(OwnBook::own_demo).empty() == (build != "exit 0"));
+}
+
+TEST_CASE("without the student's file, or a compiler for pages, their site says so, and what to type") {
+    const OwnBook book;
+    const Finished site = book.with({"site", "--mine"}, "exit 0", OwnBook::good_program);
+    CHECK_THAT(site.out, ContainsSubstring("Section 7: one figure shows your curve\n")
+                             && ContainsSubstring("The demos run on our code, since this machine has no compiler for "
+                                                  "pages; ./course play 7 --mine offers to install one\n"));
+    CHECK(book.own(OwnBook::own_demo).empty());
+    fs::remove(book.tree.exercise(book.seven()));
+    CHECK_THAT(book.with({"site", "--mine"}, "exit 0").out,
+               ContainsSubstring("exercises/07_wall_meeting.cpp is not there, so all stays ours; `./course reset 7`"));
+    CHECK_THAT(book.own(OwnBook::chapter), ContainsSubstring("<code class=\"long\">./course reset 7</code>"));
+}
+
+TEST_CASE("open --mine leads into the student's own site, and the plain one is never theirs") {
+    const OwnBook book;
+    CHECK_THAT(book.with({"open", "7", "--mine"}, "exit 0").out,
+               ContainsSubstring("Open this file in your browser: "
+                                 + (book.tree.build / "mine/site/chapter_07_wall_meeting.html").string() + '\n'));
+    CHECK_THAT(book.with({"open", "7"}, "exit 0").out,
+               StartsWith("Open this file in your browser: " + (book.tree.build / "site/chapter_07").string()));
+}
+
+TEST_CASE("play --mine keeps what else is the student's in their own site") {
+    const OwnBook book;
+    book.can_compile_for_pages();
+    REQUIRE(book.with({"site", "--mine"}, "exit 0", OwnBook::good_program).code == 0);
+    const Finished played = book.with({"play", "7", "--mine"}, "exit 0");
+    CHECK_THAT(played.out, ContainsSubstring("Your code is in the demo")
+                               && ContainsSubstring("mine/site/chapter_07_wall_meeting.html#demo-room"));
+    CHECK_THAT(book.own(OwnBook::room), ContainsSubstring(">yours</"));
+    CHECK_THAT(book.own(OwnBook::own_demo), ContainsSubstring("07_wall_meeting/trouble'] = \"\""));
 }

@@ -9,6 +9,7 @@
 #include "loop/junit.hpp"
 #include "loop/memory.hpp"
 #include "loop/progress.hpp"
+#include "site/progress_script.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -259,6 +260,7 @@ class Check {
             for (const auto &exercise : catalogue(tree, section))
                 states.push_back({exercise.number, std::string{name_of(of_all)}});
         remember(tree, section, states);
+        tell_pages(tree);
     }
 
     /// What changes when the file does.

@@ -1,21 +1,19 @@
 // `course play`: a chapter's demo in the browser, with our functions or with the student's.
 
 #include "commands/commands.hpp"
-#include "ground/files.hpp"
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "ground/terminal.hpp"
-#include "loop/programs.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 #include "site/demos.hpp"
+#include "site/own_site.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <thread>
 
@@ -37,9 +35,6 @@ struct PlayOptions {
 
 // The compiler for pages
 
-/// cmake/Play.cmake puts this here as soon as it has found one.
-bool can_compile(const Tree &tree) { return fs::exists(tree.build / "play" / "can_compile"); }
-
 /// "need to get 3,391 kB, 17.3 MB on the disk", as apt-get counts it; "" if it does not say.
 std::string sizes(const std::string &printed) {
     static const std::regex get{R"(Need to get (?:[^/\n]*/)?([0-9.,]+ [kMG]?B) of)"},
@@ -51,9 +46,9 @@ std::string sizes(const std::string &printed) {
 
 /// @throws Complaint that says what to do, unless there is a compiler for pages in the end.
 void need_compiler(const Tree &tree, bool yes) {
-    if (can_compile(tree)) return;
+    if (can_compile_demos(tree)) return;
     run({"cmake", tree.build.string()}); // it may have been installed since
-    if (can_compile(tree)) return;
+    if (can_compile_demos(tree)) return;
     const std::vector<std::string> packages{
         "clang-14", "lld-14", "libclang-rt-14-dev-wasm32", "libc++-14-dev-wasm32", "libc++abi-14-dev-wasm32",
         "wasi-libc"};
@@ -82,47 +77,20 @@ void need_compiler(const Tree &tree, bool yes) {
     command.insert(command.end(), packages.begin(), packages.end());
     if (run(command, {.quiet = false}).code != 0) throw Complaint{"apt-get could not install it; it says why above"};
     run({"cmake", tree.build.string()});
-    if (!can_compile(tree))
+    if (!can_compile_demos(tree))
         throw Complaint{"the compiler for WebAssembly is installed, but does not work; please report what "
                         "clang++-14 --target=wasm32-wasi --version prints"};
 }
 
 // The student's demo
 
-fs::path own_site(const Tree &tree) { return tree.build / "mine" / "site"; }
-
-std::string own_file(const Section &section) { return "demos/" + section.name + "_mine.js"; }
-
-/// A copy of the site whose pages with this demo read the student's as well.
-void copy_site(const Tree &tree, const Section &section) {
-    const fs::path from = site_folder(tree), to = own_site(tree);
-    fs::remove_all(to);
-    fs::copy(from, to, fs::copy_options::recursive);
-    const std::string ours = "<script src=\"" + demo_file(section) + "\"></script>\n";
-    for (const auto &entry : fs::directory_iterator{to}) {
-        if (entry.path().extension() != ".html") continue;
-        std::string text = read_file(entry.path());
-        const auto at = text.find(ours);
-        if (at == text.npos) continue;
-        write_file(entry.path(),
-                   text.insert(at + ours.size(), "<script src=\"" + own_file(section) + "\"></script>\n"));
-    }
-}
-
 /// Compiles the student's file into the demo; a file that cannot be compiled becomes a sentence, there and here.
 /// @return whether it could be compiled
 bool build_own(const Tree &tree, const Section &section) {
     const Lock lock{tree};
-    tree.written_exercise(section);
     const auto began = std::chrono::steady_clock::now();
-    const Finished built = build_target(tree, section.name + "_play_mine");
+    const std::string trouble = build_own_demo(tree, section);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-    std::string script, trouble;
-    if (built.code == 0) script = read_file(tree.build / "play" / (section.name + "_mine.js"));
-    else trouble = student_error(tree, section, built.out + '\n' + built.err);
-    script += "self.playable = self.playable || {};\nself.playable['" + section.name
-              + "/trouble'] = " + nlohmann::json(trouble).dump() + ";\n";
-    write_file(own_site(tree) / own_file(section), script);
     if (trouble.empty()) std::cout << fmt::format("Your code is in the demo ({:.1f} s).\n", took.count()) << std::flush;
     else std::cout << "Your code is not in the demo: " << trouble << '\n' << std::flush;
     return trouble.empty();
@@ -159,10 +127,10 @@ void play(const Tree &tree, const PlayOptions &options) {
     bring_up_site(tree);
     bool fine = true;
     if (options.mine) {
-        copy_site(tree, *section);
+        copy_own_site(tree);
         fine = build_own(tree, *section);
     }
-    const std::string address = ((options.mine ? own_site(tree) : site_folder(tree)) / page).string();
+    const std::string address = ((options.mine ? own_site_folder(tree) : site_folder(tree)) / page).string();
     std::cout << (show(address) ? "Opening " : "Open this address in your browser: ") << "file://" << address << '\n';
     if (options.watch) watch(tree, *section);
     if (!fine) throw Leave{something_to};

@@ -1,13 +1,10 @@
 // `course plot`: a section's figures, from the reference's traces or with the student's curve over them.
 
 #include "commands/commands.hpp"
-#include "figures/figure.hpp"
+#include "figures/own_figures.hpp"
 #include "figures/section_figures.hpp"
-#include "figures/trace.hpp"
-#include "ground/files.hpp"
 #include "ground/lock.hpp"
 #include "ground/text.hpp"
-#include "loop/programs.hpp"
 
 #include <iostream>
 #include <memory>
@@ -27,53 +24,19 @@ void say_drawn(const Tree &tree, const fs::path &svg, const Figure &figure) {
     std::cout << tree.shown(svg) << "  " << figure_title(figure.script) << '\n';
 }
 
-/// Why a student's trace cannot be drawn, for the student.
-std::string in_student_words(const TraceFault &fault, const Ran &ran, const Figure &figure) {
-    const std::string said = said_of(ran.finished, figure.trace.filename().string());
-    if (said.starts_with("error: ")) return "one of your functions threw: " + said.substr(7);
-    if (fault.kind == TraceFault::not_finite)
-        return "your functions gave " + fault.value.substr(fault.value.find_first_not_of('-')) + " where "
-               + fault.column + " should stand";
-    if (!ran.trouble.empty()) return "your program did not get as far as this figure";
-    if (fault.kind == TraceFault::malformed) return fault.what();
-    return "your program ended before this figure was written; does one of your functions end the program?";
-}
-
-/// Draws one figure with the student's curve; returns why not, or "".
-std::string draw_mine(const Tree &tree, const Figure &figure, const fs::path &svg, const Ran &ran) {
-    try {
-        read_trace(figure.student, "your trace " + figure.student.filename().string());
-        write_file(svg, draw(figure));
-        return "";
-    } catch (const TraceFault &fault) {
-        return in_student_words(fault, ran, figure);
-    } catch (const FigureFault &) {
-        return "your values lie outside the axes, or cannot be drawn; they are in " + tree.shown(figure.student);
-    }
-}
-
 /// @return whether each figure could be drawn, or one at least and the others need functions that are not started
 bool plot_mine(const Tree &tree, const Section &section) {
-    const fs::path traces = student_traces(tree, section);
-    const Ran ran = run_program(tree, section, Whose::student, traces);
+    const auto [ran, figures] = draw_own_figures(tree, section);
     bool all = ran.started, any = false;
     std::string left_out; // the names of figures that need functions which are not started
-    if (ran.started)
-        for (Figure figure : figures_of(tree, section)) {
-            if (figure.is_measured() || !draws_student(figure.script)) continue; // nothing in it is the student's
-            const fs::path svg = tree.build / "plots" / "mine" / (figure.name() + ".svg");
-            figure.student = traces / figure.trace.filename();
-            fs::remove(svg); // an older one would be taken for today's
-            if (said_of(ran.finished, figure.trace.filename().string()).starts_with("not started: ")) {
-                left_out += (left_out.empty() ? "" : ", ") + figure.name();
-                continue;
-            }
-            const std::string why_not = draw_mine(tree, figure, svg, ran);
-            any = any || why_not.empty();
-            if (why_not.empty()) say_drawn(tree, svg, figure);
-            else std::cout << figure.name() << " is not drawn: " << why_not << '\n';
-            all = all && why_not.empty();
-        }
+    for (const OwnFigure &own : figures) {
+        const auto &[figure, not_started, why_not] = own;
+        any = any || own.drawn();
+        all = all && why_not.empty();
+        if (not_started) left_out += (left_out.empty() ? "" : ", ") + figure.name();
+        else if (own.drawn()) say_drawn(tree, own_drawing(tree, figure), figure);
+        else std::cout << figure.name() << " is not drawn: " << why_not << '\n';
+    }
     if (!left_out.empty()) {
         const char *why = contains(left_out, ",") ? "they need" : "it needs";
         std::cout << "left out: " << left_out << " (" << why << " functions that are not started)\n";

@@ -4,6 +4,7 @@
 #include "ground/files.hpp"
 #include "ground/terminal.hpp"
 #include "loop/memory.hpp"
+#include "site/progress_script.hpp"
 
 #include <iostream>
 #include <memory>
@@ -52,7 +53,10 @@ void add_reset(CLI::App &app, const Tree &tree) {
     command->add_option("section", options->section, "its number, name or file")->required();
     command->add_flag("--yes", options->yes, "do not ask");
     command->footer("The copy goes to .course/kept/, under a name with date and time.\n\nExample: ./course reset 7");
-    command->callback([&tree, options] { reset(tree, options->section, options->yes); });
+    command->callback([&tree, options] {
+        reset(tree, options->section, options->yes);
+        tell_pages(tree);
+    });
 }
 
 } // namespace course

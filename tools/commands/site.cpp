@@ -5,6 +5,9 @@
 #include "loop/programs.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
+#include "site/demos.hpp"
+#include "site/own_site.hpp"
+#include "site/progress_script.hpp"
 
 #include <iostream>
 #include <memory>
@@ -36,34 +39,62 @@ fi
 
 namespace {
 
-fs::path page(const Tree &tree, const std::string &section) {
-    const fs::path file = section.empty() ? tree.root / "book.md" : tree.chapter(tree.section(section));
-    return site_folder(tree) / (page_name(tree, file) + ".html");
+constexpr const char *about_mine = R"(
+With --mine it is your own copy: figures show your curve over ours, and demos begin with your code, where you have
+begun with a section. What cannot be built is said in one sentence, and stays ours. The copy lies in the build folder
+beside the plain site; nothing publishes it.
+
+Example: )";
+
+/// Brings the student's own copy up to date, and says what is theirs in it.
+void bring_up_own_site(const Tree &tree) {
+    {
+        const Lock lock{tree};
+        for (const Section &section : tree.sections())
+            std::cout << "Section " << section.short_number() << ": " << renew_own_section(tree, section) << std::endl;
+    }
+    if (!can_compile_demos(tree) && !demos(tree).empty())
+        std::cout << "The demos run on our code, since this machine has no compiler for pages; ./course play "
+                  << demos(tree).front().section.short_number() << " --mine offers to install one\n";
+    copy_own_site(tree);
 }
 
-void open(const Tree &tree, const std::string &section) {
-    const fs::path file = page(tree, section);
+/// Makes the site, or the student's own copy of it; returns its folder.
+fs::path bring_up(const Tree &tree, bool mine) {
     bring_up_site(tree);
-    std::cout << (show(file.string()) ? "Opening " : "Open this file in your browser: ") << file.string() << '\n';
+    if (mine) bring_up_own_site(tree);
+    tell_pages(tree);
+    return mine ? own_site_folder(tree) : site_folder(tree);
+}
+
+void open(const Tree &tree, const std::string &section, bool mine) {
+    const fs::path chapter = section.empty() ? tree.root / "book.md" : tree.chapter(tree.section(section));
+    const std::string file = (bring_up(tree, mine) / (page_name(tree, chapter) + ".html")).string();
+    std::cout << (show(file) ? "Opening " : "Open this file in your browser: ") << file << '\n';
 }
 
 void add_site_command(CLI::App &app, const Tree &tree) {
+    const auto mine = std::make_shared<bool>(false);
     CLI::App *command =
         app.add_subcommand("site", "Build the book as a site, to be read in a browser without a network");
-    command->footer("Example: ./course site");
-    command->callback([&tree] {
-        bring_up_site(tree);
-        std::cout << "The book is " << tree.shown(page(tree, ""))
-                  << "\nType ./course open, or ./course open 7 for a section\n";
+    command->add_flag("--mine", *mine, "your own copy: your figures, your code in the demos");
+    command->footer(std::string{about_mine} + "./course site");
+    command->callback([&tree, mine] {
+        const std::string option = *mine ? " --mine" : "";
+        const fs::path folder = bring_up(tree, *mine); // which says something, too
+        std::cout << (*mine ? "Your copy of the book is " : "The book is ") << tree.shown(folder / "index.html")
+                  << "\nType ./course open" << option << ", or ./course open 7" << option << " for a section\n";
     });
 }
 
 void add_open_command(CLI::App &app, const Tree &tree) {
     const auto section = std::make_shared<std::string>();
+    const auto mine = std::make_shared<bool>(false);
     CLI::App *command = app.add_subcommand("open", "Open the book, or a chapter, in your browser");
     command->add_option("section", *section, "its number, name or file; the front page without it");
-    command->footer("Example: ./course open 7");
-    command->callback([&tree, section] { open(tree, *section); });
+    command->add_flag("--mine", *mine, "your own copy: your figures, your code in the demos");
+    command->footer(std::string{about_mine} + "./course open 7");
+    command->callback([&tree, section, mine] { open(tree, *section, *mine); });
 }
 
 void add_make_command(CLI::App &app, const Tree &tree) {

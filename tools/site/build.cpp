@@ -8,6 +8,7 @@
 #include "site/doxygen_page.hpp"
 #include "site/draft.hpp"
 #include "site/page_template.hpp"
+#include "site/progress_script.hpp"
 #include "site/reachable.hpp"
 #include "site/search.hpp"
 
@@ -32,6 +33,7 @@ class Builder {
         const std::vector<std::string> typeset = typeset_formulas();
         SiteFiles files;
         files["search-index.js"] = search_index();
+        files["progress.js"] = progress_script(tree);
         add_pages(files, typeset);
         add_assets(files);
         keep_reachable(files);

@@ -16,6 +16,9 @@ struct SiteTools {
 /// Where the site is.
 inline std::filesystem::path site_folder(const Tree &tree) { return tree.build / "site"; }
 
+/// Where the student's own site is, which `./course site --mine` makes of it.
+inline std::filesystem::path own_site_folder(const Tree &tree) { return tree.build / "mine" / "site"; }
+
 /// Makes the whole site anew; files that stay the same keep their date.
 /// @throws Complaint naming what is wrong and where: a formula that cannot be read, a warning of Doxygen's, a dead link.
 void build_site(const Tree &tree, const SiteTools &tools);

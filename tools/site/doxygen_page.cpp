@@ -153,13 +153,29 @@ class PageWriter {
         cmark_node *first = cmark_node_first_child(node);
         const bool heading = first && cmark_node_get_type(first) == CMARK_NODE_HEADING;
         const bool turn = heading && words_of(first).starts_with("Your turn");
+        const std::string exercise = turn ? exercise_of(words_of(first)) : "";
         const bool remark = first && !heading && words_of(first).starts_with("In print, and in truth.");
         blocks(node);
         if (!turn && !remark) return;
-        cmark_node *box = turn ? raw(CMARK_NODE_CUSTOM_BLOCK, "<article class=\"turn\">", "</article>")
+        cmark_node *box = turn ? raw(CMARK_NODE_CUSTOM_BLOCK, box_of(exercise), "</article>")
                                : raw(CMARK_NODE_CUSTOM_BLOCK, "<aside class=\"remark\" role=\"note\">", "</aside>");
         move_children(node, box);
         replace(node, box);
+    }
+
+    /// "7.2" in "Your turn: 7.2 segments_intersect (15 minutes)"; "" if it names none.
+    static std::string exercise_of(const std::string &heading) {
+        static const std::regex number{R"(^Your turn: (\d+\.\d+))"};
+        std::smatch found;
+        return std::regex_search(heading, found, number) ? found[1].str() : "";
+    }
+
+    /// The box of an exercise, which may have several: #exercise-7.2, #exercise-7.2-2.
+    std::string box_of(const std::string &exercise) {
+        if (exercise.empty()) return "<article class=\"turn\">";
+        const int before = boxes_so_far[exercise]++;
+        return "<article class=\"turn\" id=\"exercise-" + exercise
+               + (before > 0 ? '-' + std::to_string(before + 1) : "") + "\" data-exercise=\"" + exercise + "\">";
     }
 
     static std::string without_line_end(std::string text) {
@@ -367,13 +383,23 @@ class PageWriter {
         }
         out.append(from, text.end());
         static const std::regex solution{R"(<details>(\s*<summary>Our solution of ))"},
-            hint{R"(<details>(\s*<summary>\d+\.\d+, a hint: ))"};
+            hint{R"(<details>(\s*<summary>)(\d+\.\d+), a hint: )"};
         out = std::regex_replace(out, solution, "<details class=\"solution\">$1");
-        out = std::regex_replace(out, hint, "<details class=\"hint\">$1");
+        for (std::smatch found; std::regex_search(out, found, hint);)
+            out = found.prefix().str() + "<details class=\"hint\">" + found[1].str() + rung(found[2]) + ": "
+                  + found.suffix().str();
         if (const auto mark = demo_mark(text)) out = demo(*mark, cmark_node_get_start_line(node));
         static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
         out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());
+    }
+
+    /// "Hint 1 of 4": the next of an exercise's hints.
+    std::string rung(const std::string &exercise) {
+        const std::string beginning = "<summary>" + exercise + ", a hint: ";
+        int all = 0;
+        for (std::size_t at = 0; (at = taken.text.find(beginning, at)) != taken.text.npos; ++at) ++all;
+        return "Hint " + std::to_string(++hints_so_far[exercise]) + " of " + std::to_string(all);
     }
 
     /// A demo's place; nothing if its section keeps none in demos/.
@@ -449,7 +475,8 @@ class PageWriter {
     std::size_t formulas_back = 0;
     std::optional<std::vector<Demo>> all_demos; ///< read at the first mark
     int demos_so_far = 0;
-    std::vector<std::string> listings; ///< put in last: they leave the HTML, where nothing else may
+    std::map<std::string, int> boxes_so_far, hints_so_far; ///< by exercise
+    std::vector<std::string> listings;                     ///< put in last: they leave the HTML, where nothing else may
 };
 
 } // namespace

@@ -6,6 +6,8 @@
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
 
+#include <regex>
+
 namespace course {
 namespace {
 
@@ -84,11 +86,23 @@ std::string PageTemplate::item(const Draft &draft, const std::string &page, cons
            + (here ? outline(draft) : "") + "</li>\n";
 }
 
-/// The parts of the page, below its entry.
+/// The parts of the page, below its entry, and what each has in it.
 std::string PageTemplate::outline(const Draft &draft) const {
-    std::string parts;
-    for (const Heading &heading : draft.headings())
-        if (heading.level == 2) parts += "<li>" + link("#" + escaped(heading.id), escaped(heading.words)) + "</li>\n";
+    static const std::regex minutes{R"( \(\d+ minutes?\)$)"};
+    std::string parts, inside;
+    const auto end_part = [&] {
+        if (!parts.empty()) parts += (inside.empty() ? "" : "\n<ul>\n" + inside + "</ul>") + "</li>\n";
+        inside.clear();
+    };
+    for (const Heading &heading : draft.headings()) {
+        const std::string entry =
+            "<li>" + link("#" + escaped(heading.id), escaped(std::regex_replace(heading.words, minutes, "")));
+        if (heading.level == 2) {
+            end_part();
+            parts += entry;
+        } else if (heading.level == 3 && !parts.empty()) inside += entry + "</li>\n";
+    }
+    end_part();
     return parts.empty() ? "" : "\n<ul class=\"parts\">\n" + parts + "</ul>";
 }
 

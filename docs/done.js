@@ -1,0 +1,105 @@
+// What the reader has done: `./course check` writes progress.js, and by it each page marks the boxes of exercises, the
+// contents, and what else asks for a mark:
+//   <span data-progress="7"></span>   becomes "2 of 6 done", or "Done"
+//   <a data-go-on hidden></a>         becomes "Go on: 7.2", with its address
+// Without it nothing is marked, and all can be read.
+(function () {
+  'use strict';
+  const all = (selector) => [...document.querySelectorAll(selector)];
+  const make = (name, className, ...inside) => {
+    const element = document.createElement(name);
+    element.className = className;
+    element.append(...inside);
+    return element;
+  };
+  const sections = () => self.progress?.sections ?? [];
+  const isDone = ({ done }) => done;
+
+  // A tick and its word, of which there may be no room for all to see.
+  const tick = (words, hidden = false) => make('span', 'done', '✓ ', hidden ? make('span', 'hidden', words) : words);
+
+  // A box that is done shows its heading alone, until one opens it.
+  function fold(box, folded) {
+    box.classList.toggle('folded', folded);
+    const button = box.querySelector('.unfold');
+    button.setAttribute('aria-expanded', String(!folded));
+    button.textContent = folded ? 'Show' : 'Hide';
+    box.dispatchEvent(new Event('toggle')); // as other folds say it
+  }
+  function markBox(box, done) {
+    const header = box.querySelector(':scope > header');
+    if (done === Boolean(header)) return;
+    if (!done) {
+      header.replaceWith(header.firstElementChild);
+      box.classList.remove('folded');
+      return;
+    }
+    const heading = box.firstElementChild, button = make('button', 'unfold');
+    button.type = 'button';
+    button.addEventListener('click', () => fold(box, !box.classList.contains('folded')));
+    const head = make('header', '');
+    heading.replaceWith(head);
+    head.append(heading, tick('Done'), button);
+    fold(box, false);
+  }
+  function unfoldFor(id) {
+    const box = id && document.getElementById(id)?.closest('.turn.folded');
+    if (box) fold(box, false);
+  }
+  const linked = () => unfoldFor(decodeURIComponent(location.hash.slice(1)));
+
+  // The contents: each section's entry, and the parts of this page whose boxes are all done.
+  const boxes = all('.turn[data-exercise]');
+  function markContents(done) {
+    for (const mark of all('#site-contents .done')) mark.remove();
+    for (const { page, exercises } of sections()) {
+      const count = exercises.filter(isDone).length, entry = document.querySelector(`#site-contents a[href="${page}"]`);
+      if (count === exercises.length) entry?.append(tick('done', true));
+      else if (count > 0) entry?.append(make('span', 'done', `${count}/${exercises.length}`, make('span', 'hidden', ' done')));
+    }
+    const headings = all('main h2[id]');
+    for (const link of all('#site-contents .parts > li > a')) {
+      const heading = document.getElementById(link.hash.slice(1)), next = headings[headings.indexOf(heading) + 1];
+      const follows = (one, other) => Boolean(one.compareDocumentPosition(other) & Node.DOCUMENT_POSITION_FOLLOWING);
+      const inside = boxes.filter((box) => follows(heading, box) && !(next && follows(next, box)));
+      if (inside.length > 0 && inside.every(({ dataset }) => done.has(dataset.exercise))) link.append(tick('done', true));
+    }
+  }
+
+  // Whatever else asks for it
+  function markOthers() {
+    for (const place of all('[data-progress]')) {
+      const exercises = sections().find(({ number }) => number === place.dataset.progress)?.exercises ?? [], count = exercises.filter(isDone).length;
+      place.replaceChildren(...(count === 0 ? [] : [tick(count === exercises.length ? 'Done' : `${count} of ${exercises.length} done`)]));
+    }
+    for (const link of all('[data-go-on]')) {
+      const next = self.progress?.next;
+      link.hidden = !next;
+      if (!next) continue;
+      link.href = next.address;
+      link.textContent = `Go on: ${next.number}`;
+    }
+  }
+
+  function show() {
+    const done = new Set(sections().flatMap(({ exercises }) => exercises.filter(isDone).map(({ number }) => number)));
+    for (const box of boxes) markBox(box, done.has(box.dataset.exercise));
+    markContents(done);
+    markOthers();
+  }
+  show();
+  for (const box of boxes) if (box.querySelector('.unfold')) fold(box, true);
+  linked();
+  addEventListener('hashchange', linked);
+
+  // Whoever comes back from a terminal may have done more. What is done now stays open: it is being read.
+  addEventListener('focus', () => {
+    const script = document.createElement('script');
+    script.src = `progress.js?${Date.now()}`;
+    script.onload = script.onerror = () => {
+      script.remove();
+      show();
+    };
+    document.head.append(script);
+  });
+})();

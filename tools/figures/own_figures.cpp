@@ -1,0 +1,59 @@
+#include "figures/own_figures.hpp"
+
+#include "figures/section_figures.hpp"
+#include "figures/trace.hpp"
+#include "ground/files.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+/// Why a student's trace cannot be drawn, for the student.
+std::string in_student_words(const TraceFault &fault, const Ran &ran, const Figure &figure) {
+    const std::string said = said_of(ran.finished, figure.trace.filename().string());
+    if (said.starts_with("error: ")) return "one of your functions threw: " + said.substr(7);
+    if (fault.kind == TraceFault::not_finite)
+        return "your functions gave " + fault.value.substr(fault.value.find_first_not_of('-')) + " where "
+               + fault.column + " should stand";
+    if (!ran.trouble.empty()) return "your program did not get as far as this figure";
+    if (fault.kind == TraceFault::malformed) return fault.what();
+    return "your program ended before this figure was written; does one of your functions end the program?";
+}
+
+/// Draws one figure with the student's curve; returns why not, or "".
+std::string draw_mine(const Tree &tree, const Figure &figure, const Ran &ran) {
+    try {
+        read_trace(figure.student, "your trace " + figure.student.filename().string());
+        write_file(own_drawing(tree, figure), draw(figure));
+        return "";
+    } catch (const TraceFault &fault) {
+        return in_student_words(fault, ran, figure);
+    } catch (const FigureFault &) {
+        return "your values lie outside the axes, or cannot be drawn; they are in " + tree.shown(figure.student);
+    }
+}
+
+} // namespace
+
+fs::path own_drawing(const Tree &tree, const Figure &figure) {
+    return tree.build / "plots" / "mine" / (figure.name() + ".svg");
+}
+
+OwnFigures draw_own_figures(const Tree &tree, const Section &section) {
+    OwnFigures own;
+    for (Figure &figure : figures_of(tree, section)) {
+        if (figure.is_measured() || !draws_student(figure.script)) continue; // nothing in it is the student's
+        fs::remove(own_drawing(tree, figure));                               // an older one would be taken for today's
+        figure.student = student_traces(tree, section) / figure.trace.filename();
+        own.figures.push_back({figure, false, ""});
+    }
+    own.ran = run_program(tree, section, Whose::student, student_traces(tree, section));
+    if (!own.ran.started) own.figures.clear();
+    for (auto &[figure, not_started, why_not] : own.figures) {
+        not_started = said_of(own.ran.finished, figure.trace.filename().string()).starts_with("not started: ");
+        if (!not_started) why_not = draw_mine(tree, figure, own.ran);
+    }
+    return own;
+}
+
+} // namespace course

@@ -1,0 +1,188 @@
+#include "site/own_site.hpp"
+
+#include "figures/own_figures.hpp"
+#include "figures/section_figures.hpp"
+#include "ground/files.hpp"
+#include "ground/text.hpp"
+#include "loop/memory.hpp"
+#include "loop/programs.hpp"
+#include "site/addresses.hpp"
+#include "site/build.hpp"
+#include "site/demos.hpp"
+#include "site/html.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+/// "demos/07_lines_mine.js" beside "demos/07_lines.js".
+std::string own_demo_script(std::string_view ours) { return std::string{ours.substr(0, ours.size() - 3)} + "_mine.js"; }
+
+std::string own_demo_file(const Section &section) { return own_demo_script(demo_file(section)); }
+
+bool has_demo(const Tree &tree, const Section &section) { return fs::exists(tree.root / demo_file(section)); }
+
+void write_own_demo(const Tree &tree, const Section &section, const std::string &script) {
+    write_file(own_site_folder(tree) / own_demo_file(section), script);
+}
+
+/// Where the sentence about a section is kept, for its chapter.
+fs::path note_file(const Tree &tree, const Section &section) {
+    return tree.build / "mine" / "notes" / (section.name + ".txt");
+}
+
+// What is the student's in a section
+
+std::string count_of(std::ptrdiff_t count, const char *one) {
+    return count == 1 ? std::string{"one "} + one : std::to_string(count) + ' ' + one + 's';
+}
+
+/// So that the sentence can go on.
+std::string without_stop(std::string sentence) {
+    while (sentence.ends_with('.')) sentence.pop_back();
+    return sentence;
+}
+
+/// "3 figures show your curve; one figure waits for functions that are not started".
+std::string about_figures(const OwnFigures &own) {
+    const auto drawn =
+        std::count_if(own.figures.begin(), own.figures.end(), [](const auto &one) { return one.drawn(); });
+    const auto waiting =
+        std::count_if(own.figures.begin(), own.figures.end(), [](const auto &one) { return one.not_started; });
+    const auto failed =
+        std::find_if(own.figures.begin(), own.figures.end(), [](const auto &one) { return !one.why_not.empty(); });
+    std::string said = drawn == 0 ? "" : count_of(drawn, "figure") + (drawn == 1 ? " shows" : " show") + " your curve";
+    const auto add = [&](const std::string &more) { said += (said.empty() ? "" : "; ") + more; };
+    if (waiting > 0)
+        add(count_of(waiting, "figure") + (waiting == 1 ? " waits" : " wait") + " for functions that are not started");
+    if (!own.ran.trouble.empty() && !is_only_unfinished(own.ran.finished)) add(without_stop(own.ran.trouble));
+    else if (failed != own.figures.end()) add(failed->figure.name() + " stays ours: " + without_stop(failed->why_not));
+    return said;
+}
+
+std::string renewed(const Tree &tree, const Section &section) {
+    const std::string file = tree.shown(tree.exercise(section)), number = section.short_number();
+    if (!fs::exists(tree.exercise(section)))
+        return file + " is not there, so all stays ours; `./course reset " + number + "` brings the empty one back";
+    if (fingerprint(tree.exercise(section)) == fingerprint(tree.stub(section)))
+        return "not started, so figures and demo are ours";
+    draw_figures(tree, section); // our curves
+    const OwnFigures own = draw_own_figures(tree, section);
+    if (!own.ran.started) return without_stop(own.ran.trouble) + "; figures and demo stay ours";
+    std::string said = about_figures(own);
+    if (!has_demo(tree, section) || !can_compile_demos(tree)) return said.empty() ? "all stays ours" : said;
+    const std::string trouble = build_own_demo(tree, section);
+    if (!trouble.empty()) write_own_demo(tree, section, ""); // the demo is ours, rather than a sentence
+    return (said.empty() ? "" : said + "; ")
+           + (trouble.empty() ? "the demo runs your code" : "the demo stays ours: " + trouble);
+}
+
+// Pages
+
+/// The sentence as HTML, with what is to be typed as code.
+std::string paragraph(std::string sentence) {
+    static const std::regex typed{"`([^`]*)`"};
+    sentence = std::regex_replace(escaped(sentence), typed, "<code class=\"long\">$1</code>");
+    if (!sentence.ends_with('.') && !sentence.ends_with('?')) sentence += '.';
+    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+    return "\n<p class=\"own\">" + sentence + "</p>";
+}
+
+/// What the own copy of a page says of itself; "" if it is like ours.
+std::string note_on(const Tree &tree, const std::string &page) {
+    if (page == "index")
+        return paragraph("This copy of the book is yours: figures and demos run on what you have written, where you "
+                         "have begun; `./course site --mine` brings it up to date");
+    for (const Section &section : tree.sections())
+        if (page == page_name(tree, tree.chapter(section)) && fs::exists(note_file(tree, section)))
+            return paragraph(read_file(note_file(tree, section)));
+    return "";
+}
+
+/// Whether a picture has a drawing with the student's curve.
+bool is_own(const Tree &tree, const Element &picture) {
+    const fs::path file{std::string{picture.attribute("src")}};
+    return file.parent_path() == "plots" && fs::exists(own_drawing(tree, {file, {}, {}}));
+}
+
+std::string own_page(const Tree &tree, const std::string &page, const std::string &text) {
+    Html html{text};
+    html.each([&](const Element &e) {
+        if (e.name() == "main") html.replace(e.opening(), std::string{e.opening()} + note_on(tree, page));
+        if (e.has_class("book-name")) html.replace(e.inner(), std::string{e.inner()} + " <small>your copy</small>");
+        if (e.name() == "figure" && e.has_class("play") && !e.has("data-mine")) {
+            std::string opening{e.opening()};
+            html.replace(e.opening(), opening.insert(opening.size() - 1, " data-mine"));
+        }
+        if (e.name() == "figure" && e.has_class("picture")) {
+            const std::vector<Element> inside = e.children();
+            if (inside.size() == 2 && is_own(tree, inside[0]))
+                html.replace(inside[1].opening(), "<figcaption><strong class=\"own\">With your curve.</strong> ");
+        }
+        if (const std::string_view of = e.attribute("src"); e.name() == "script" && of.starts_with("demos/"))
+            html.replace(e.outer(), std::string{e.outer()} + "\n<script src=\"" + own_demo_script(of) + "\"></script>");
+        return true;
+    });
+    return html.changed();
+}
+
+/// The own copy of one of the site's files.
+std::string own_copy(const Tree &tree, const fs::path &name) {
+    if (name.parent_path() == "plots")
+        if (const fs::path own = own_drawing(tree, {name, {}, {}}); fs::exists(own)) return read_file(own);
+    const std::string text = read_file(site_folder(tree) / name);
+    return name.extension() == ".html" ? own_page(tree, name.stem().string(), text) : text;
+}
+
+} // namespace
+
+bool can_compile_demos(const Tree &tree) { return fs::exists(tree.build / "play" / "can_compile"); }
+
+std::string build_own_demo(const Tree &tree, const Section &section) {
+    tree.written_exercise(section);
+    const Finished built = build_target(tree, section.name + "_play_mine");
+    std::string script, trouble;
+    if (built.code == 0) script = read_file(tree.build / "play" / (section.name + "_mine.js"));
+    else trouble = student_error(tree, section, built.out + '\n' + built.err);
+    script += "self.playable = self.playable || {};\nself.playable['" + section.name
+              + "/trouble'] = " + nlohmann::json(trouble).dump() + ";\n";
+    write_own_demo(tree, section, script);
+    return trouble;
+}
+
+std::string renew_own_section(const Tree &tree, const Section &section) {
+    for (const Figure &figure : figures_of(tree, section)) fs::remove(own_drawing(tree, figure));
+    if (has_demo(tree, section)) write_own_demo(tree, section, "");
+    const std::string said = renewed(tree, section);
+    write_file(note_file(tree, section), said);
+    return said;
+}
+
+void copy_own_site(const Tree &tree) {
+    const fs::path from = site_folder(tree), to = own_site_folder(tree);
+    std::set<fs::path> known;
+    for (const auto &entry : fs::recursive_directory_iterator{from}) {
+        if (!entry.is_regular_file()) continue;
+        const fs::path name = entry.path().lexically_relative(from);
+        write_file(to / name, own_copy(tree, name));
+        known.insert(name);
+    }
+    for (const Section &section : tree.sections()) {
+        if (!has_demo(tree, section)) continue;
+        known.insert(own_demo_file(section));
+        if (!fs::exists(to / own_demo_file(section))) write_own_demo(tree, section, "");
+    }
+    std::vector<fs::path> old;
+    for (const auto &entry : fs::recursive_directory_iterator{to})
+        if (entry.is_regular_file() && !known.contains(entry.path().lexically_relative(to)))
+            old.push_back(entry.path());
+    for (const fs::path &file : old) fs::remove(file);
+}
+
+} // namespace course
