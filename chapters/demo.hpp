@@ -2,6 +2,7 @@
 // A demo: a small world that a reader may touch. Values in, values out: no clock, no random device, no printing.
 // chapters/NN_slug/demo.cpp has, in namespace play:
 //     const demo::About about{...};                              what the page must know before it begins
+//     const demo::Still still{...};                              the moment of its still picture
 //     State begin();                                             the world at the start, and after a reset
 //     State next(State, const demo::Input &);                    one frame later
 //     demo::Picture draw(const State &, const demo::Input &);    what is seen
@@ -36,6 +37,12 @@ struct About {
     Vec2 low, high;         ///< the part of the world that is seen [m]
     std::vector<Control> controls;
     std::vector<Key> keys;
+};
+
+/// When the picture is taken that stands for the demo on paper, on a forge and in a browser without JavaScript.
+struct Still {
+    double time;            ///< after the start [s]
+    std::string_view key{}; ///< one of the demo's own, pressed at the start
 };
 
 /// What somebody does in one frame.

@@ -1,7 +1,7 @@
 # The book as a site: $BUILD/site/index.html. Included after the last section.
 get_property(pages GLOBAL PROPERTY course_book)
 list(FILTER pages EXCLUDE REGEX "/traces/") # the chapters show what programs print
-file(GLOB more LIST_DIRECTORIES false CONFIGURE_DEPENDS *.md chapters/*.hpp chapters/*/*.[ch]pp plots/*.svg docs/* docs/fonts/* demos/*.js)
+file(GLOB more LIST_DIRECTORIES false CONFIGURE_DEPENDS *.md chapters/*.hpp chapters/*/*.[ch]pp plots/*.svg docs/* docs/fonts/* demos/*)
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/site.stamp
   COMMAND course-tool make-site --doxygen ${DOXYGEN} --node ${NODE} --katex ${KATEX} --lunr ${LUNR}
   COMMAND ${CMAKE_COMMAND} -E touch ${PROJECT_BINARY_DIR}/site.stamp

@@ -19,6 +19,7 @@ const demo::About about{
      {"frames per second", "", 5, 120, 1, 30},
      {"radius", "m", 0.1, 0.5, 0.01, 0.15, {}, {"asks once a frame", "has a size (7.5)"}}},
     {{"t", "Turn the ball"}}};
+const demo::Still still{1.1};
 
 /// The arrow is as long as the way of so many seconds.
 constexpr double arrow_time = 0.1;

@@ -151,7 +151,7 @@ describe('listings', () => {
 describe('reading', () => {
   test('from page to page, forwards and back', async () => {
     const { page, context } = await open('index.html');
-    const order = await page.$$eval('main td a[href^=chapter_]:not([href*="#"])', (links) => links.map((link) => link.getAttribute('href')));
+    const order = await page.$$eval('.card a', (links) => links.map((link) => link.getAttribute('href')));
     const turn = async (rel) => {
       const way = [];
       for (let link; (link = page.locator(`.turning a[rel=${rel}]`)), await link.count(); ) {
@@ -161,9 +161,28 @@ describe('reading', () => {
       }
       return way;
     };
-    assert.deepEqual([...new Set(order)].sort(), chapters);
-    assert.deepEqual(await turn('next'), chapters);
-    assert.deepEqual(await turn('prev'), ['index.html', ...chapters].reverse().slice(1));
+    assert.deepEqual(order, chapters);
+    const book = ['index.html', 'preface.html', ...chapters, 'notation_and_units.html', 'glossary.html', 'errata.html'];
+    await page.goto(address(book[1]));
+    assert.deepEqual(await turn('next'), book.slice(2));
+    assert.deepEqual(await turn('prev'), book.reverse().slice(1));
+    await context.close();
+  });
+
+  test('the front page begins the first section, and has a card for each', async () => {
+    const { page, context } = await open('index.html');
+    assert.match(await page.textContent('.begin'), /^Begin with 1 Motion \d+\u00a0min$/);
+    for (const card of await page.locator('.card').all()) {
+      assert.match(await card.textContent(), /^\d+ [\s\S]+\d+ \+ \d+\u00a0minutes$/);
+      await card.click({ position: { x: 5, y: 5 }, trial: true }); // all of it is its link
+    }
+    assert.equal(await page.locator('#site-contents').isVisible(), false, 'they are in the menu');
+    await page.getByRole('button', { name: 'Contents' }).click();
+    await page.locator('#site-contents').getByRole('link', { name: 'Glossary' }).click();
+    await page.waitForURL(/\/glossary\.html$/);
+    await page.goto(address('index.html'));
+    await page.locator('.begin').click();
+    await page.waitForURL(new RegExp(`${chapters[0]}$`));
     await context.close();
   });
 
@@ -247,8 +266,8 @@ describe('reading', () => {
     assert.equal(await contents.isVisible(), false, 'a tap outside closes them');
     await page.getByRole('button', { name: 'Contents' }).click();
     await contents.getByRole('link', { name: 'Errata' }).click();
+    await page.waitForURL(/\/errata\.html$/);
     assert.equal(await contents.isVisible(), false);
-    assert.match(page.url(), /#errata$/);
     await context.close();
   });
 
@@ -446,17 +465,17 @@ describe('search', () => {
 
   test('forgives an ending, a half-written word and a slip of the pen, and asks for all words', async () => {
     const { page, context } = await open('index.html');
-    const errata = (found) => found.includes('index.html#errata');
+    const errata = (found) => found.includes('errata.html');
     assert.ok(errata(await search(page, 'erratum')));
     assert.ok(errata(await search(page, 'errat')));
-    assert.ok((await search(page, 'rolling')).includes('index.html#preface'), 'it says "roll to a stop"');
-    assert.ok((await search(page, 'argument')).includes('index.html#notation-and-units'), 'std::invalid_argument is three words');
-    assert.deepEqual(await search(page, 'lamotte'), ['index.html#preface']);
+    assert.ok((await search(page, 'rolling')).includes('preface.html'), 'it says "roll to a stop"');
+    assert.ok((await search(page, 'argument')).includes('notation_and_units.html'), 'std::invalid_argument is three words');
+    assert.deepEqual(await search(page, 'lamotte'), ['preface.html']);
     assert.deepEqual(await search(page, 'xylophone'), []);
     assert.equal(await page.textContent('#site-found'), 'Nothing found.');
     assert.ok(errata(await search(page, 'errata xylophone')), 'what has most of the words');
     assert.match(await page.textContent('#site-found'), /^No place has all these words/);
-    assert.deepEqual((await search(page, 'LaMothe joules')).sort(), ['index.html#notation-and-units', 'index.html#preface']);
+    assert.deepEqual((await search(page, 'LaMothe joules')).sort(), ['notation_and_units.html', 'preface.html']);
     assert.ok((await search(page, 'require')).some((link) => /^namespacecourse\.html#/.test(link)), 'a function of an interface');
     await context.close();
   });
@@ -464,7 +483,7 @@ describe('search', () => {
   // What readers type, and the place that must come first: a part, by the beginning of its address.
   const questions = {
     'how to bounce off a wall': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
-    'the normal of a wall': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
+    'the normal of a wall': 'chapter_07_segment_intersection.html#at-a-wall-that-leans',
     'ball in a box': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
     'collision response': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
     'collision detection': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
@@ -509,7 +528,7 @@ describe('search', () => {
 
   test('works with the keyboard alone, and shows the words found', async () => {
     const { page, context } = await open('index.html', { width: 390 });
-    assert.deepEqual(await search(page, 'lamothe'), ['index.html#preface']);
+    assert.deepEqual(await search(page, 'lamothe'), ['preface.html']);
     assert.equal(await page.textContent('#site-results mark'), 'LaMothe');
     assert.deepEqual(await inaccessible(page, 'dialog'), []);
     await page.keyboard.press('Escape');
@@ -524,7 +543,7 @@ describe('search', () => {
     assert.equal(await page.evaluate(() => document.activeElement.id), 'site-words');
     await search(page, 'lamothe');
     await page.keyboard.press('Enter');
-    await page.waitForURL(/#preface$/);
+    await page.waitForURL(/\/preface\.html$/);
     assert.equal(await page.locator('#site-search').isVisible(), false);
     await context.close();
   });

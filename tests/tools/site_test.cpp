@@ -46,7 +46,8 @@ struct SmallBook : SmallCourse {
         write("plots/07_wall_meeting_room.gp", "#> Figure\nplot 'x'\n");
         write("plots/07_wall_meeting_room.svg",
               R"(<svg width="640" height="400" xmlns="http://www.w3.org/2000/svg"></svg>)");
-        write("README.md", "# A small course\n");
+        write("README.md", "# A small course\n\n## I want to learn\n\n## I want to teach\n");
+        write("CONTRIBUTING.md", "# Contributing\n");
         write("LICENSE", "do as you like\n");
         write("book.md", book);
     }
@@ -55,7 +56,7 @@ struct SmallBook : SmallCourse {
 
     /// What Doxygen gets to read if the chapter says this below its title.
     std::string page(const std::string &markdown) const {
-        return doxygen_page(tree, chapter_file(), "# 7 Walls\n\n" + markdown);
+        return doxygen_page(tree, chapter_file(), "# 7 Walls\n\n" + markdown, "chapter_07_wall_meeting");
     }
 
     /// Makes the site, with this below the chapter's title.
@@ -68,11 +69,27 @@ struct SmallBook : SmallCourse {
 
     static constexpr const char *book = R"(# Small
 
+## Preface
+
+Of $x$, see [what is wrong](#wrong-signs) and [what there is](#contents).
+
+## Contents
+
 | | section | about | minutes |
 |--:|:--|:--|--:|
 | 6 | [Reflection](chapters/06_reflection/README.md) | mirrors | 20 |
 | 7 | [Walls](chapters/07_wall_meeting/README.md) | walls | 30 + 5 |
 | 8 | Springs | *to come* | |
+
+## Notation and units
+
+## Glossary
+
+## Errata
+
+### Wrong signs
+
+They are [here](chapters/07_wall_meeting/README.md).
 )";
 };
 
@@ -90,9 +107,9 @@ TEST_CASE("a page is one piece of HTML for Doxygen, under a title that it can li
     CHECK(book.page("Words.\n")
           == "# 7 Walls {#chapter_07_wall_meeting}\n\n\\htmlonly[block]\n<h1>\n7 "
              "Walls\n</h1>\n<p>Words.</p>\n\n\\endhtmlonly\n");
-    CHECK_THAT(doxygen_page(book.tree, book.tree.root / "book.md", SmallBook::book),
+    CHECK_THAT(doxygen_page(book.tree, book.tree.root / "docs" / "front.md", "# Small\n", "index"),
                StartsWith("# Small {#mainpage}\n"));
-    CHECK_THAT(doxygen_page(book.tree, book.tree.root / "README.md", "\xEF\xBB\xBF# Read\r\n\r\nme\r\n"),
+    CHECK_THAT(doxygen_page(book.tree, book.tree.root / "README.md", "\xEF\xBB\xBF# Read\r\n\r\nme\r\n", "readme"),
                StartsWith("# Read {#readme}\n"));
 }
 
@@ -259,7 +276,11 @@ TEST_CASE("links lead to pages of the site, and stay plain text where there is n
         {"../06_reflection/README.md", "<a href=\"chapter_06_reflection.html\">x</a>"},
         {"../06_reflection/", "<a href=\"chapter_06_reflection.html\">x</a>"},
         {"../06_reflection/README.md#by-hand", "<a href=\"chapter_06_reflection.html#by-hand\">x</a>"},
-        {"../../book.md#errata", "<a href=\"index.html#errata\">x</a>"},
+        {"../../book.md#errata", "<a href=\"errata.html\">x</a>"},
+        {"../../book.md#wrong-signs", "<a href=\"errata.html#wrong-signs\">x</a>"},
+        {"../../book.md#notation-and-units", "<a href=\"notation_and_units.html\">x</a>"},
+        {"../../book.md#contents", "<a href=\"index.html#contents\">x</a>"},
+        {"../../book.md", "<a href=\"index.html\">x</a>"},
         {"../../README.md", "<a href=\"readme.html\">x</a>"},
         {"wall_meeting.hpp", "<a href=\"source_chapters_07_wall_meeting_wall_meeting_hpp.html\">x</a>"},
         {"../../tests/07_wall_meeting.cpp", "<a href=\"source_tests_07_wall_meeting_cpp.html\">x</a>"},
@@ -373,8 +394,7 @@ TEST_CASE("a small course becomes a site") {
     CHECK_THAT(chapter, ContainsSubstring("<a class=\"code\" href=\"namespacewall__meeting.html#"));
     CHECK_THAT(chapter, ContainsSubstring("</span> reflection = 1;\n")); // a variable is not the namespace of its name
     CHECK_THAT(chapter, ContainsSubstring("rel=\"prev\" href=\"chapter_06_reflection.html\""));
-    CHECK(chapter.find("rel=\"next\"") == chapter.npos);
-    CHECK_THAT(index, ContainsSubstring("rel=\"next\" href=\"chapter_06_reflection.html\""));
+    CHECK_THAT(chapter, ContainsSubstring("rel=\"next\" href=\"notation_and_units.html\""));
     CHECK_THAT(index, ContainsSubstring("<li class=\"to-come\"><span class=\"number\">8</span> Springs"));
     CHECK_THAT(book.made("source_chapters_07_wall_meeting_wall_meeting_hpp.html"),
                ContainsSubstring("<span class=\"line\" id=\"L8\"><span class=\"keyword\">struct </span>"
@@ -387,6 +407,50 @@ TEST_CASE("a small course becomes a site") {
     CHECK(wall.find("More...") == wall.npos);
     CHECK(wall.find("Detailed Description") == wall.npos);
     CHECK_THAT(book.made("search-index.js"), ContainsSubstring(R"("text":"With x². )"));
+}
+
+TEST_CASE("the front page leads to the first section, and has a card for each section that is there") {
+    const SmallBook book;
+    REQUIRE(book.make().code == 0);
+    const std::string front = book.made("index.html");
+    CHECK_THAT(front,
+               ContainsSubstring("<a class=\"begin\" href=\"chapter_06_reflection.html\">Begin with 6 Reflection "
+                                 "<small>20&nbsp;min</small></a>"));
+    CHECK_THAT(front, ContainsSubstring("<a href=\"chapter_07_wall_meeting.html\"><span class=\"number\">7</span> "
+                                        "Walls</a><p>walls</p><p class=\"minutes\">30 + 5&nbsp;minutes</p>"));
+    CHECK_THAT(front,
+               ContainsSubstring("<ul class=\"coming\">\n<li><span class=\"number\">8</span> Springs</li>\n</ul>"));
+    CHECK(front.find("{{") == front.npos);
+    book.write("docs/front.md", "# Small\n\n{{beginning}}\n");
+    CHECK_THAT(book.make().err, ContainsSubstring("docs/front.md has a gap that nothing fills: {{beginning}}"));
+}
+
+TEST_CASE("each part of book.md but its contents is a page, in the contents and between the others") {
+    const SmallBook book;
+    REQUIRE(book.make().code == 0);
+    const std::string preface = book.made("preface.html"), errata = book.made("errata.html");
+    CHECK_THAT(preface, ContainsSubstring("<title>Preface · Frame by Frame</title>")
+                            && ContainsSubstring("<h1>\nPreface\n</h1>")
+                            && ContainsSubstring("<span class=\"katex\">"));
+    CHECK_THAT(preface, ContainsSubstring("<a href=\"errata.html#wrong-signs\">what is wrong</a>")
+                            && ContainsSubstring("<a href=\"index.html#contents\">what there is</a>"));
+    CHECK_THAT(preface, ContainsSubstring("rel=\"prev\" href=\"index.html\"")
+                            && ContainsSubstring("rel=\"next\" href=\"chapter_06_reflection.html\""));
+    CHECK_THAT(errata, ContainsSubstring("<h2 id=\"wrong-signs\">")
+                           && ContainsSubstring("<a href=\"chapter_07_wall_meeting.html\">here</a>"));
+    CHECK(errata.find("rel=\"next\"") == errata.npos);
+    CHECK_FALSE(book.has(book.tree.build / "site" / "contents.html"));
+    const auto at = [&](const char *page) { return errata.find("<li><a href=\"" + std::string{page} + ".html\""); };
+    CHECK((at("index") < at("preface") && at("preface") < at("chapter_06_reflection")));
+    CHECK((at("chapter_07_wall_meeting") < at("glossary") && at("glossary") < at("namespacecourse")));
+}
+
+TEST_CASE("a formula that cannot be read in a part of book.md is named with its line there") {
+    const SmallBook book;
+    std::string text = SmallBook::book;
+    text.replace(text.find("$x$"), 3, "$\\nonsense$");
+    book.write("book.md", text);
+    CHECK_THAT(book.make().err, ContainsSubstring("book.md:5: the formula $\\nonsense$ cannot be read: "));
 }
 
 TEST_CASE("unchanged pages keep their date, and pages without a source are removed") {
@@ -494,7 +558,8 @@ TEST_CASE("pages with a demo have its scripts, and one page has all demos") {
     CHECK_THAT(book.made("chapter_07_wall_meeting.html"), ContainsSubstring(scripts));
     CHECK_THAT(book.made("play.html"), ContainsSubstring(scripts) && ContainsSubstring("Throw the ball.")
                                            && ContainsSubstring("href=\"chapter_07_wall_meeting.html\""));
-    CHECK(book.made("index.html").find("play.js") == std::string::npos);
+    CHECK_THAT(book.made("index.html"), ContainsSubstring(scripts)); // the front page plays it, too
+    CHECK(book.made("preface.html").find("play.js") == std::string::npos);
     CHECK_THAT(book.made("demos/07_wall_meeting.js"), ContainsSubstring("playable"));
 }
 

@@ -37,8 +37,8 @@ std::vector<Entry> contents(std::string_view book) {
         std::vector<Entry> entries;
         for (const auto &[line, cells] : table)
             if (const auto number = number_in(cells[0].words); number && cells.size() > 1)
-                entries.push_back({line, *number, cells[1].words, cells[1].link, cells.size() > 3 ? cells[3].words : "",
-                                   cells.size()});
+                entries.push_back({line, *number, cells[1].words, cells[1].link, cells.size() > 2 ? cells[2].words : "",
+                                   cells.size() > 3 ? cells[3].words : "", cells.size()});
         if (!entries.empty()) return entries;
     }
     return {};

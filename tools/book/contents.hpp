@@ -15,6 +15,7 @@ struct Entry {
     int number = 0;
     std::string title;
     std::string chapter; ///< what the title links to; "" for a section to come
+    std::string about;   ///< "what it is about"; "" if there is no such column
     std::string minutes; ///< "" if there is no such column
     std::size_t columns = 0;
 };

@@ -1,6 +1,7 @@
 // `course publish`: what a maintainer does after looking at the figures, and the check that CI makes.
 
 #include "commands/commands.hpp"
+#include "figures/demo_picture.hpp"
 #include "figures/section_figures.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
@@ -9,6 +10,7 @@
 #include "site/demos.hpp"
 
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -19,13 +21,15 @@ namespace {
 constexpr const char *about_publish = R"(
 Copies each drawn figure to plots/*.svg, where the chapters show it, and the trace that it was drawn
 from to plots/*.tsv, with six significant digits. Look at the figures first: ./course plot
-Where there is a compiler for WebAssembly, each demo is compiled, too, and kept in demos/.
+A picture of each demo is kept in demos/*.svg, and where there is a compiler for WebAssembly, the demo
+itself beside it.
 
 --check compares the kept traces with what the programs write today. Header, rows and gaps must be
 equal, and each number within one unit of its sixth digit (half of it is the rounding), or within
 1e-12 of the largest in its column (a zero with its rounding errors). It also names a figure that is
 not published, and a published one that has lost its script. The SVGs are not compared: another
-gnuplot draws the same figure in other bytes. A kept demo must be, byte for byte, what its sources give.
+gnuplot draws the same figure in other bytes. A kept demo must be, byte for byte, what its sources
+give; its picture may differ by a tenth of a pixel.
 
 Example: ./course publish --check)";
 
@@ -52,6 +56,30 @@ std::vector<Section> changed_demos(const Tree &tree, const std::vector<Section> 
     return changed;
 }
 
+/// The still picture of the section's demo, as an SVG; "" if it has no demo.
+std::string draw_demo(const Tree &tree, const Section &section) {
+    if (!fs::exists(tree.chapter(section).parent_path() / "demo.cpp")) return "";
+    if (const Finished built = build_target(tree, section.name + "_demo"); built.code != 0)
+        throw Complaint{"the demo of section " + section.short_number()
+                        + " cannot be compiled: " + first_error(built.out + built.err)};
+    const Finished played = run({(tree.build / "demo" / section.name).string(), "--picture"}, {.deadline = 60});
+    if (played.code != 0)
+        throw Complaint{"the demo of section " + section.short_number() + " cannot be drawn: " + played.err};
+    return demo_picture(played.out, read_colours(read_file(tree.root / "plots" / "style.gp")),
+                        "the demo of section " + section.short_number());
+}
+
+/// The pictures of demos that are not what the demos show today, by the file in which each is kept.
+std::map<fs::path, std::string> changed_pictures(const Tree &tree, const std::vector<Section> &sections) {
+    std::map<fs::path, std::string> changed;
+    for (const Section &section : sections) {
+        const std::string now = draw_demo(tree, section);
+        const fs::path kept = tree.root / demo_picture_file(section);
+        if (!now.empty() && !(fs::exists(kept) && show_the_same(read_file(kept), now))) changed[kept] = now;
+    }
+    return changed;
+}
+
 void publish_all(const Tree &tree, const std::vector<Section> &sections) {
     std::size_t count = 0;
     for (const Section &section : sections)
@@ -64,6 +92,11 @@ void publish_all(const Tree &tree, const std::vector<Section> &sections) {
         std::cout << demo_file(section) << '\n';
         ++count;
     }
+    for (const auto &[file, picture] : changed_pictures(tree, sections)) {
+        write_file(file, picture);
+        std::cout << tree.shown(file) << '\n';
+        ++count;
+    }
     if (count == 0) std::cout << "What is published is up to date.\n";
 }
 
@@ -73,6 +106,8 @@ void check_all(const Tree &tree, const std::vector<Section> &sections) {
         for (const std::string &text : outdated(tree, section)) found.push_back(text);
     for (const Section &section : changed_demos(tree, sections))
         found.push_back(demo_file(section) + " is not what its sources give today.");
+    for (const auto &[file, picture] : changed_pictures(tree, sections))
+        found.push_back(tree.shown(file) + " is not what its demo shows today.");
     for (const std::string &text : found) std::cout << text << '\n';
     if (found.empty()) {
         std::cout << "The published figures agree with the programs.\n";

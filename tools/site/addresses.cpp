@@ -2,6 +2,8 @@
 
 #include "book/links.hpp"
 #include "book/weaver.hpp"
+#include "ground/files.hpp"
+#include "site/book_parts.hpp"
 
 #include <algorithm>
 #include <set>
@@ -42,9 +44,11 @@ std::string page_name(const Tree &tree, const fs::path &file) {
 }
 
 std::optional<std::string> address(const Tree &tree, const fs::path &file, const std::string &url) {
-    if (is_on_the_web(url) || url.starts_with('#')) return url;
+    const fs::path book = tree.root / "book.md";
+    if (is_on_the_web(url) || (url.starts_with('#') && file != book)) return url;
     const auto hash = std::min(url.find('#'), url.size());
-    fs::path target = (file.parent_path() / unescaped(url.substr(0, hash))).lexically_normal();
+    fs::path target = hash == 0 ? file : (file.parent_path() / unescaped(url.substr(0, hash))).lexically_normal();
+    if (target == book) return book_address(read_file(book), url.substr(std::min(hash + 1, url.size())));
     if (!target.has_filename()) target = target.parent_path();
     if (fs::is_directory(target)) target /= "README.md"; // which a forge shows there
     const auto among = [&](const std::vector<fs::path> &pages) {

@@ -23,7 +23,7 @@ std::vector<std::filesystem::path> source_pages(const Tree &tree);
 /// "source_chapters_course_hpp" for code.
 std::string page_name(const Tree &tree, const std::filesystem::path &file);
 
-/// Where a link of a Markdown file leads within the site: "index.html#errata", or "plots/room.svg" for a picture.
+/// Where a link of a Markdown file leads within the site: "errata.html", or "plots/room.svg" for a picture.
 /// A link into the web or within the page stays what it is. Nothing if it leads to what the site does not have.
 std::optional<std::string> address(const Tree &tree, const std::filesystem::path &file, const std::string &url);
 

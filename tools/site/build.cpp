@@ -11,6 +11,7 @@
 #include "site/progress_script.hpp"
 #include "site/reachable.hpp"
 #include "site/search.hpp"
+#include "site/written_pages.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -67,13 +68,12 @@ class Builder {
             write_file(work / name, text);
             input += " \\\n    " + name;
         };
-        const auto page = [&](const fs::path &file) { return "pages/" + page_name(tree, file) + ".markdown"; };
-        for (const fs::path &file : markdown_pages(tree)) add(page(file), doxygen_page(tree, file, read_file(file)));
-        if (const std::string all = play_page(tree); !all.empty())
-            add("pages/play.markdown", doxygen_page(tree, tree.root / "play.md", all));
+        const auto page = [](const std::string &name) { return "pages/" + name + ".markdown"; };
+        for (const WrittenPage &each : written)
+            add(page(each.name), doxygen_page(tree, each.file, each.text, each.name));
         for (const fs::path &file : source_pages(tree)) {
             const std::string name = tree.shown(file), text = read_file(file);
-            add(page(file), doxygen_source(tree, file, text));
+            add(page(page_name(tree, file)), doxygen_source(tree, file, text));
             if (file.extension() == ".hpp" && name.starts_with("chapters/")) add(name, text); // an interface
         }
         write_file(work / "layout.xml", read_file(tree.root / "docs" / "layout.xml"));
@@ -86,9 +86,7 @@ class Builder {
 
     /// The pages that Doxygen has written, without its index pages.
     void read_drafts() {
-        static const std::regex wanted{R"(index|play|(chapter|source)_.*|(namespace|struct|class|union).*)"};
-        std::vector<std::string> names;
-        for (const fs::path &file : markdown_pages(tree)) names.push_back(page_name(tree, file));
+        static const std::regex wanted{R"(source_.*|(namespace|struct|class|union).*)"};
         std::vector<fs::path> files;
         for (const auto &entry : fs::directory_iterator{work / "html"}) files.push_back(entry.path());
         std::sort(files.begin(), files.end());
@@ -96,7 +94,8 @@ class Builder {
             const std::string name = file.stem().string();
             const bool is_list = name == "namespaces" || name.starts_with("namespacemembers") || name == "classes"
                                  || name.ends_with("-members");
-            const bool own = std::find(names.begin(), names.end(), name) != names.end();
+            const bool own =
+                std::any_of(written.begin(), written.end(), [&](const auto &page) { return page.name == name; });
             if (file.extension() == ".html" && !is_list && (own || std::regex_match(name, wanted)))
                 drafts.emplace_back(name, read_file(file));
         }
@@ -161,8 +160,11 @@ class Builder {
                 files[entry.path().filename().string()] = read_file(entry.path());
         for (const auto &entry : fs::directory_iterator{tree.root / "plots"})
             if (entry.path().extension() == ".svg") files[tree.shown(entry.path())] = read_file(entry.path());
-        for (const Demo &demo : demos(tree))
+        for (const Demo &demo : demos(tree)) {
             files[demo_file(demo.section)] = read_file(tree.root / demo_file(demo.section));
+            if (!demo.about.empty())
+                files[demo_picture_file(demo.section)] = read_file(tree.root / demo_picture_file(demo.section));
+        }
         files["lunr.js"] = read_file(fs::path{tools.lunr}.replace_extension(".min.js"));
         // Of its three formats every browser of the last ten years takes the first.
         static const std::regex older{R"(,url\([^)]*\.(woff|ttf)\) format\([^)]*\))"};
@@ -187,6 +189,7 @@ class Builder {
     const Tree &tree;
     const SiteTools &tools;
     const fs::path work = tree.build / "site.work";
+    const std::vector<WrittenPage> written = written_pages(tree);
     std::map<std::string, Interface> known;
     std::vector<Draft> drafts;
 };

@@ -11,12 +11,26 @@ namespace fs = std::filesystem;
 
 std::string demo_file(const Section &section) { return "demos/" + section.name + ".js"; }
 
+std::string demo_picture_file(const Section &section) { return "demos/" + section.name + ".svg"; }
+
+namespace {
+
+/// The title of the demo's picture, still with its entities; "" if there is no picture.
+std::string title_of_picture(const Tree &tree, const Section &section) {
+    const fs::path file = tree.root / demo_picture_file(section);
+    const std::string svg = fs::exists(file) ? read_file(file) : "";
+    const auto from = svg.find("<title>"), to = svg.find("</title>");
+    return from == svg.npos || to == svg.npos ? "" : svg.substr(from + 7, to - from - 7);
+}
+
+} // namespace
+
 std::vector<Demo> demos(const Tree &tree) {
     std::vector<Demo> all;
     for (const Section &section : tree.sections()) {
         if (!fs::exists(tree.root / demo_file(section))) continue;
         const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
-        if (!marks.empty()) all.push_back({section, marks.front()});
+        if (!marks.empty()) all.push_back({section, marks.front(), title_of_picture(tree, section)});
     }
     return all;
 }
@@ -25,6 +39,8 @@ std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark 
     return "<figure class=\"play\" id=\"" + id + "\" data-demo=\"" + demo.section.name + '"'
            + (mark.mine ? " data-mine" : "") + (mark.start.empty() ? "" : " data-start=\"" + escaped(mark.start) + '"')
            + "><figcaption>" + task + "</figcaption>"
+           + (demo.about.empty() ? ""
+                                 : "<img src=\"" + demo_picture_file(demo.section) + "\" alt=\"" + demo.about + "\">")
            + "<p class=\"without-js\">Here is a demo to play with, for a browser with JavaScript.</p></figure>\n";
 }
 

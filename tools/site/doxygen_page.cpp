@@ -89,7 +89,7 @@ class PageWriter {
     PageWriter(const Tree &tree_, const fs::path &file_, std::string_view text, std::map<std::string, Chunk> chunks_)
         : tree{tree_}, file{file_}, chunks{std::move(chunks_)}, taken{take_out_formulas(text)} {}
 
-    std::string write() {
+    std::string write(const std::string &name) {
         const Document document = parse_markdown(taken.text, CMARK_OPT_SMART);
         blocks(document.get());
         // Doxygen stops at this word wherever it is.
@@ -99,7 +99,6 @@ class PageWriter {
             const std::string mark = listing_mark(at);
             html.replace(html.find(mark), mark.size(), listings[at]);
         }
-        const std::string name = page_name(tree, file);
         return "# " + plain_title + " {#" + (name == "index" ? "mainpage" : name) + "}\n" + std::string{html_begins}
                + html + std::string{html_ends};
     }
@@ -481,9 +480,9 @@ class PageWriter {
 
 } // namespace
 
-std::string doxygen_page(const Tree &tree, const fs::path &file, std::string_view text) {
+std::string doxygen_page(const Tree &tree, const fs::path &file, std::string_view text, const std::string &name) {
     text.remove_prefix(byte_order_mark(text).size());
-    return PageWriter{tree, file, text, chunks_for(tree, file)}.write();
+    return PageWriter{tree, file, text, chunks_for(tree, file)}.write(name);
 }
 
 std::string doxygen_source(const Tree &tree, const fs::path &file, std::string_view code) {

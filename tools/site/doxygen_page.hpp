@@ -15,8 +15,11 @@ namespace course {
 ///
 /// A formula becomes `<span class="math" data-from="chapters/07_.../README.md:12">t</span>` (class "math display"), to
 /// be typeset later. A listing that is a chunk of a file is headed by its title, and by file and line.
+/// @param file  where the text is from: links are seen from there
+/// @param name  of the page, without ".html"
 /// @throws Complaint naming the line of what cannot be shown.
-std::string doxygen_page(const Tree &tree, const std::filesystem::path &file, std::string_view text);
+std::string doxygen_page(const Tree &tree, const std::filesystem::path &file, std::string_view text,
+                         const std::string &name);
 
 /// A code file as a page of its own.
 std::string doxygen_source(const Tree &tree, const std::filesystem::path &file, std::string_view code);

@@ -1,28 +1,15 @@
 #include "site/page_template.hpp"
 
 #include "book/contents.hpp"
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
+#include "site/gaps.hpp"
 
 #include <regex>
 
 namespace course {
 namespace {
-
-std::string filled(std::string text, const std::map<std::string, std::string> &gaps) {
-    std::string out;
-    for (std::size_t at; (at = text.find("{{")) != text.npos;) {
-        const std::size_t end = text.find("}}", at);
-        const auto gap = gaps.find(text.substr(at + 2, end - at - 2));
-        if (end == text.npos || gap == gaps.end())
-            throw Complaint{"docs/page.html has a gap that nothing fills: " + text.substr(at, 20)};
-        out += text.substr(0, at) + gap->second;
-        text.erase(0, end + 2);
-    }
-    return out + text;
-}
 
 std::string capital(std::string word) {
     word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
@@ -41,7 +28,9 @@ PageTemplate::PageTemplate(const Tree &tree_, const std::map<std::string, Interf
       page_template{std::move(page)},
       sections{tree.sections()},
       has_demos{!demos(tree).empty()} {
-    for (const auto &row : contents(read_file(tree.root / "book.md")))
+    const std::string book = read_file(tree.root / "book.md");
+    book_pages = book_parts(book);
+    for (const auto &row : contents(book))
         entries.push_back({std::to_string(row.number), row.title, row.minutes,
                            row.chapter.empty() ? "" : page_name(tree, tree.root / row.chapter)});
     for (const auto &file : markdown_pages(tree))
@@ -51,16 +40,18 @@ PageTemplate::PageTemplate(const Tree &tree_, const std::map<std::string, Interf
 
 std::string PageTemplate::around(const Draft &draft, const std::string &body) const {
     const bool first = draft.name() == "index";
-    return filled(page_template, {{"title", escaped(draft.title()) + (first ? "" : " · Frame by Frame")},
-                                  {"kind", first                                 ? "book"
-                                           : draft.is_interface()                ? "interface"
-                                           : draft.name().starts_with("source_") ? "source"
-                                                                                 : "chapter"},
-                                  {"contents", sidebar(draft)},
-                                  {"above", above(draft)},
-                                  {"body", body},
-                                  {"turning", turning(draft)},
-                                  {"demos", demo_scripts(body)}});
+    return filled(page_template,
+                  {{"title", escaped(draft.title()) + (first ? "" : " · Frame by Frame")},
+                   {"kind", first                                 ? "front"
+                            : draft.is_interface()                ? "interface"
+                            : draft.name().starts_with("source_") ? "source"
+                                                                  : "chapter"},
+                   {"contents", sidebar(draft)},
+                   {"above", above(draft)},
+                   {"body", body},
+                   {"turning", turning(draft)},
+                   {"demos", demo_scripts(body)}},
+                  "docs/page.html");
 }
 
 /// What the demos of a page need, if it has some.
@@ -106,13 +97,24 @@ std::string PageTemplate::outline(const Draft &draft) const {
     return parts.empty() ? "" : "\n<ul class=\"parts\">\n" + parts + "</ul>";
 }
 
+/// The parts of book.md before its sections, or those after them.
+std::string PageTemplate::part_items(const Draft &draft, bool before) const {
+    std::string items;
+    for (const BookPart &part : book_pages)
+        if (part.before_contents == before) items += item(draft, part.name + ".html", part.title);
+    return items;
+}
+
 std::string PageTemplate::sidebar(const Draft &draft) const {
     std::string html = "<ul>\n" + item(draft, "index.html", "Frame by Frame")
-                       + (has_demos ? item(draft, "play.html", "Play") : "") + "</ul>\n<p>Sections</p>\n<ul>\n";
+                       + (has_demos ? item(draft, "play.html", "Play") : "") + part_items(draft, true)
+                       + "</ul>\n<p>Sections</p>\n<ul>\n";
     for (const Entry &entry : entries)
         html += entry.page.empty() ? "<li class=\"to-come\"><span class=\"number\">" + entry.number + "</span> "
                                          + escaped(entry.title) + " <span class=\"hidden\">(to come)</span></li>\n"
                                    : item(draft, entry.page + ".html", entry.title, entry.number);
+    if (const std::string more = part_items(draft, false); !more.empty())
+        html += "</ul>\n<p>To look things up</p>\n<ul>\n" + more;
     html += "</ul>\n<p>Interfaces</p>\n<ul>\n";
     for (const Section &section : sections)
         if (const auto found = known.find(section.slug()); found != known.end() && !found->second.page.empty())
@@ -148,9 +150,16 @@ std::string PageTemplate::above(const Draft &draft) const {
 
 /// The page before and the page after, in the order of the book.
 std::string PageTemplate::turning(const Draft &draft) const {
+    if (draft.name() == "index") return ""; // which says where to begin
     std::vector<Entry> order{{"", "Frame by Frame", "", "index"}};
+    const auto add_parts = [&](bool before) {
+        for (const BookPart &part : book_pages)
+            if (part.before_contents == before) order.push_back({"", part.title, "", part.name});
+    };
+    add_parts(true);
     for (const Entry &entry : entries)
         if (!entry.page.empty()) order.push_back(entry);
+    add_parts(false);
     const auto turn = [](const Entry &to, const char *rel, const char *word) {
         return "<a rel=\"" + std::string{rel} + "\" href=\"" + to.page + ".html\"><span>" + word + "</span> "
                + (to.number.empty() ? "" : to.number + " ") + escaped(to.title)

@@ -1,4 +1,5 @@
 #pragma once
+#include "site/book_parts.hpp"
 #include "site/draft.hpp"
 
 #include <map>
@@ -25,6 +26,7 @@ class PageTemplate {
         std::string page;    ///< "chapter_07_segment_intersection"; "" if it is to come
     };
 
+    std::string part_items(const Draft &draft, bool before) const;
     std::string sidebar(const Draft &draft) const;
     std::string above(const Draft &draft) const;
     std::string turning(const Draft &draft) const;
@@ -36,6 +38,7 @@ class PageTemplate {
 
     const Tree &tree;
     const std::map<std::string, Interface> &known;
+    std::vector<BookPart> book_pages;
     std::vector<Entry> entries;
     std::string page_template;
     std::vector<Section> sections;

@@ -1,0 +1,68 @@
+#include "site/front.hpp"
+
+#include "book/contents.hpp"
+#include "ground/files.hpp"
+#include "site/addresses.hpp"
+#include "site/demos.hpp"
+#include "site/gaps.hpp"
+#include "site/html.hpp"
+
+#include <algorithm>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+std::string page_for(const Tree &tree, const Entry &entry) {
+    return page_name(tree, tree.root / entry.chapter) + ".html";
+}
+
+/// "75 + 155" is 75 minutes for what everybody does.
+std::string core_minutes(const Entry &entry) { return entry.minutes.substr(0, entry.minutes.find(" +")); }
+
+std::string begin_link(const Tree &tree, const std::vector<Entry> &entries) {
+    const auto first = std::find_if(entries.begin(), entries.end(), [](const Entry &e) { return !e.chapter.empty(); });
+    if (first == entries.end()) return "";
+    const std::string minutes = core_minutes(*first);
+    return "<a class=\"begin\" href=\"" + page_for(tree, *first) + "\">Begin with " + std::to_string(first->number)
+           + ' ' + escaped(first->title) + (minutes.empty() ? "" : " <small>" + escaped(minutes) + "&nbsp;min</small>")
+           + "</a>";
+}
+
+/// The picture of the section's demo; "" if there is none.
+std::string picture_of(const std::vector<Demo> &all, int number) {
+    const auto demo = std::find_if(all.begin(), all.end(), [&](const Demo &d) { return d.section.number() == number; });
+    if (demo == all.end() || demo->about.empty()) return "";
+    return "<img src=\"" + demo_picture_file(demo->section) + "\" alt=\"\">";
+}
+
+std::string card(const Tree &tree, const Entry &entry, const std::vector<Demo> &all) {
+    const std::string number = std::to_string(entry.number);
+    return "<li class=\"card\">" + picture_of(all, entry.number) + "<div><a href=\"" + page_for(tree, entry)
+           + "\"><span class=\"number\">" + number + "</span> " + escaped(entry.title) + "</a><p>"
+           + escaped(entry.about) + "</p>"
+           + (entry.minutes.empty() ? "" : "<p class=\"minutes\">" + escaped(entry.minutes) + "&nbsp;minutes</p>")
+           + "</div></li>\n";
+}
+
+std::string cards(const Tree &tree, const std::vector<Entry> &entries) {
+    const std::vector<Demo> all = demos(tree);
+    std::string here, to_come;
+    for (const Entry &entry : entries)
+        if (entry.chapter.empty())
+            to_come += "<li><span class=\"number\">" + std::to_string(entry.number) + "</span> " + escaped(entry.title)
+                       + "</li>\n";
+        else here += card(tree, entry, all);
+    return "<ol class=\"cards\">\n" + here + "</ol>"
+           + (to_come.empty() ? "" : "\n<p class=\"coming\">To come</p>\n<ul class=\"coming\">\n" + to_come + "</ul>");
+}
+
+} // namespace
+
+std::string front_page(const Tree &tree) {
+    const std::vector<Entry> entries = contents(read_file(tree.root / "book.md"));
+    return filled(read_file(tree.root / "docs" / "front.md"),
+                  {{"begin", begin_link(tree, entries)}, {"sections", cards(tree, entries)}}, "docs/front.md");
+}
+
+} // namespace course
