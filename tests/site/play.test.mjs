@@ -1,6 +1,7 @@
 // Plays each demo as a reader would, from disk: by mouse, finger and keys, with our code and with code that goes wrong.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
+import http from 'node:http';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -328,6 +329,37 @@ describe('11, fireworks', { concurrency: 2 }, () => {
     await demo.wait(3000);
     assert.ok((await demo.read('alive')) > 35, 'one a frame is many, at 144 frames per second');
     await demo.done();
+  });
+});
+
+describe('the site from a server', () => {
+  const kinds = { html: 'text/html', js: 'text/javascript', css: 'text/css', svg: 'image/svg+xml' };
+  let server, address;
+  before(() => new Promise((done) => {
+    server = http.createServer(({ url }, answer) => {
+      const file = path.join(build, 'site', new URL(url, 'http://localhost').pathname);
+      if (!fs.existsSync(file)) return answer.writeHead(404).end();
+      answer.writeHead(200, { 'Content-Type': kinds[path.extname(file).slice(1)] ?? 'application/octet-stream' }).end(fs.readFileSync(file));
+    }).listen(0, '127.0.0.1', () => (address = `http://127.0.0.1:${server.address().port}/`, done()));
+  }));
+  after(() => server.close());
+
+  test('every demo starts and moves, and nothing is asked for that is not there', async () => {
+    const page = await browser.newPage(), troubles = [];
+    page.on('console', (message) => troubles.push(message.text()));
+    page.on('pageerror', (error) => troubles.push(error.message));
+    page.on('response', (response) => response.ok() || troubles.push(`${response.status()} ${response.url()}`));
+    await page.route(/favicon/, (route) => route.fulfill({ status: 204 })); // asked for by the browser, not by a page
+    await page.goto(`${address}play.html`);
+    for (const figure of await page.locator('.play').all()) {
+      await figure.locator('canvas').evaluate((it) => it.scrollIntoView({ block: 'center' }));
+      await figure.evaluate((it) => new Promise((done) => { const look = () => ('ready' in it.dataset ? done() : setTimeout(look, 50)); look(); }));
+      const before = await figure.locator('canvas').evaluate((it) => it.toDataURL());
+      await page.waitForTimeout(800);
+      assert.notEqual(await figure.locator('canvas').evaluate((it) => it.toDataURL()), before);
+    }
+    assert.deepEqual(troubles, []);
+    await page.close();
   });
 });
 
