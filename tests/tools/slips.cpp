@@ -69,7 +69,8 @@ double semicolons(double x, double y) {
     x += y                                     // A ; is missing at the end of this line.
     y += 2;
     double c = x + y) * 2;                     // nothing
-    double d = 2 x;                            // nothing
+    double d = 2 x;                            // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
+    y = x return y;                            // nothing
     return a
 }
 double operands(Vec2 a, Vec2 b, double t) {
@@ -127,6 +128,30 @@ void struct_as_a_vector(const Spark &spark, Vec2 v, double t) {
     if (spark == v) return;                    // nothing
     v = w + spark.position();                  // A field has no parentheses: write a.position, not a.position().
     v = spark.position;
+}
+Vec2 missing_stars(Vec2 start, Vec2 velocity, double t) {
+    start = 0.5(start + velocity);             // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
+    t = (t + 1)(t - 1);                        // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
+    start = (start + velocity)0.5;             // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
+    return start + velocity t;                 // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
+}
+Spark two_in_parentheses(Vec2 a, double b) {
+    if (b > 0) return (a + 2 * (a - a), b);    // Two values need braces: return {a, b};
+    return 2 * (a + a), b;                     // Two values need braces: return {a, b};
+}
+Vec2 unknown_names(const Spark &spark, const std::vector<Spark> &pool) {
+    Vec2 sum = position + spark.position;      // A field needs its struct, as in start.velocity; a variable is known only inside the braces it is declared in.
+    for (const Spark &body : pool) sum += body.position;
+    sum += body.position;                      // A field needs its struct, as in start.velocity; a variable is known only inside the braces it is declared in.
+    cout << sum;                               // Write std::cout, and #include <iostream> at the top of your file.
+    return sum;
+}
+std::optional<Vec2> list_for_an_optional(bool none) {
+    if (none) return {0, 0};                   // Write its type before the braces, Vec2{…}; to answer nothing, write return {};
+    return {};
+}
+void single_quotes(double t) {
+    course::require(t > 0, 't', t);            // Text needs double quotes: "like this".
 }
 bool warnings(double t, const std::vector<Spark> &pool) {
     for (int i = 0; i < pool.size(); ++i) t += 1;  // The size of a list is a std::size_t: for (std::size_t i = 0; …).

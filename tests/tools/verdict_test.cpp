@@ -719,3 +719,20 @@ TEST_CASE("code below a throw that should have gone is never reached, and told")
               "07.cpp:3: this `throw` is still above your code, which is therefore never reached: "
               "delete this line"});
 }
+
+TEST_CASE("code below a return is never reached, and told, unless the return is conditional") {
+    const auto body = [](const std::string &lines) { return "int f(int x) {\n" + lines + "}\n"; };
+    const auto unreached = [&](const std::string &lines) { return find_unreached(body(lines), "01.cpp"); };
+    const std::vector<std::string> third{
+        "01.cpp:3: this line comes after a `return`, and is never reached: move it up"};
+    CHECK(unreached("    return x;\n    require(x > 0);\n") == third);
+    CHECK(unreached("    return {x}; // done\n    ++x;\n") == third);
+    CHECK(unreached("    return x;\n    // require(x > 0);\n\n").empty());
+    CHECK(unreached("    if (x > 0)\n        return x;\n    return -x;\n").empty());
+    CHECK(unreached("    if (x > 0) return x;\n    else\n        return 0;\n    ++x;\n").empty());
+    CHECK(unreached("    if (x > 0) {\n        return x;\n    }\n    return -x;\n").empty());
+    CHECK(unreached("    if (x > 0) {\n        return x; }\n    return -x;\n").empty());
+    CHECK(unreached("    switch (x) {\n    case 1:\n        return x;\n    default:\n        return 2;\n    }\n")
+              .empty());
+    CHECK(unreached("    return x\n           + 1;\n").empty());
+}

@@ -3,7 +3,9 @@
 #include "ground/lines.hpp"
 #include "ground/text.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,7 @@ constexpr const char *two_components = "A Vec2 has two components: write Vec2{x,
 constexpr const char *same_result = "The header gives this function another result: copy its line from there.";
 constexpr const char *no_call = "A field has no parentheses: write a.position, not a.position().";
 constexpr const char *answer_nothing = "To answer nothing, write return {};";
+constexpr const char *double_quotes = "Text needs double quotes: \"like this\".";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
 /// A slip that the compiler's words alone give away, or together with a word of its notes.
@@ -56,6 +59,8 @@ constexpr std::array slips{
     Slip{"function definition is not allowed here", "", "Is a } missing above this line?"},
     Slip{"ambiguating new declaration", "", same_result},
     Slip{"functions that differ only in their return type", "", same_result},
+    Slip{"to 'const char*'", "", double_quotes},
+    Slip{"of type 'const char *' with an rvalue", "", double_quotes},
     Slip{"of different signedness", "", count_in_size},
     Slip{"of different signs", "", count_in_size},
     Slip{"push_back", "expects 1 argument", "push_back takes one value: put braces round it, push_back({a, b})."},
@@ -106,15 +111,26 @@ std::string about_fields(const std::string &name) {
     return (vowel ? "An " : "A ") + name + " is a struct: use its fields, one at a time.";
 }
 
+/// a, b or (a, b): a comma that is in no inner brackets.
+bool has_comma(std::string_view answer) {
+    if (answer.starts_with('(') && answer.ends_with(')')) answer = answer.substr(1, answer.size() - 2);
+    int open = 0;
+    for (const char c : answer) {
+        if (contains("([{<", {&c, 1})) ++open;
+        if (contains(")]}>", {&c, 1})) --open;
+        if (c == ',' && open == 0) return true;
+    }
+    return false;
+}
+
 /// return a, b; and return none;
 std::string about_return(const Said &said) {
     const std::string_view code = without_blanks(said.code);
     const std::size_t back = code.find("return ");
     if (back == code.npos) return {};
     const std::string_view answer = code.substr(back + 7, code.find(';', back) - back - 7);
-    const bool is_list = contains(answer, ",") && answer.find_first_of("({[<") == answer.npos;
     const bool is_about_it = contains(said.words, "conver") || contains(said.words, "left operand of comma");
-    if (is_list && is_about_it) return "Two values need braces: return {a, b};";
+    if (has_comma(answer) && is_about_it) return "Two values need braces: return {a, b};";
     for (const char *none : {"nothing", "none", "None", "null"})
         if (answer == none && (contains(said.words, "was not declared") || contains(said.words, "undeclared")))
             return answer_nothing;
@@ -131,6 +147,27 @@ std::string about_semicolon(const Said &said) {
     const std::size_t caret = said.caret.find('^');
     const bool at_the_end = caret != said.caret.npos && caret >= code.size();
     return at_the_end ? "A ; is missing at the end of this line." : "";
+}
+
+/// 0.5(a + b), 2 t
+std::string about_missing_star(const Said &said) {
+    constexpr const char *star = "Is a * missing? A product needs it: 2 * t, 2 * (a + b).";
+    const auto names = in_quotes(said.words);
+    if (contains(said.words, "expression cannot be used as a function")
+        || (said.words.starts_with("called object type '") && is_number(names[0])))
+        return star;
+    if (!said.words.starts_with("expected") || !contains(said.words, "';'")) return {};
+    const std::size_t caret = said.caret.find('^');
+    if (caret >= said.code.size()) return {};
+    const std::string_view left = without_blanks_behind(std::string_view{said.code}.substr(0, caret)),
+                           right = without_blanks(std::string_view{said.code}.substr(caret));
+    const auto is_in_a_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    if (left.empty() || right.empty() || !(is_in_a_name(left.back()) || left.ends_with(')'))) return {};
+    const std::string_view word = right.substr(
+        0, static_cast<std::size_t>(std::find_if_not(right.begin(), right.end(), is_in_a_name) - right.begin()));
+    for (const char *statement : {"", "return", "if", "for", "while", "else", "const", "auto", "double", "int"})
+        if (word == statement) return {};
+    return star;
 }
 
 /// 2 * {x, y}: Clang names the operator, GCC stops at the brace, as it does elsewhere too.
@@ -182,18 +219,48 @@ std::string about_operands(const Said &said) {
     return {};
 }
 
-/// A call of a function that is defined further below, or not at all.
-std::string about_unknown_function(const Said &said) {
+/// A name of the standard library, and its header.
+struct Standard {
+    const char *name;
+    const char *header;
+};
+constexpr std::array standards{
+    Standard{"cout", "iostream"},      Standard{"cerr", "iostream"},     Standard{"cin", "iostream"},
+    Standard{"endl", "iostream"},      Standard{"sort", "algorithm"},    Standard{"count_if", "algorithm"},
+    Standard{"clamp", "algorithm"},    Standard{"find_if", "algorithm"}, Standard{"ranges", "algorithm"},
+    Standard{"accumulate", "numeric"}, Standard{"numbers", "numbers"},   Standard{"optional", "optional"},
+    Standard{"array", "array"},        Standard{"set", "set"},           Standard{"map", "map"}};
+
+/// A name that the compiler does not know and has no guess at: of the standard library, of a function that is defined
+/// further below or not at all, of a field, or of a variable whose braces have ended.
+std::string about_unknown_name(const Said &said) {
     const bool unknown = contains(said.words, "was not declared in this scope")
                          || said.words.starts_with("use of undeclared identifier");
     const auto names = in_quotes(said.words);
-    if (!unknown || names.empty() || contains(said.words, "std::") || !contains(said.code, names[0] + '(')) return {};
-    return "If " + names[0] + " is a function of yours, put it above the one that calls it.";
+    if (!unknown || names.empty() || contains(said.words, "std::")) return {};
+    for (const auto &[name, header] : standards)
+        if (names[0] == name && names[0] != header) // a list of your own may be called `numbers`
+            return "Write std::" + names[0] + ", and #include <" + header + "> at the top of your file.";
+    if (contains(said.code, names[0] + '('))
+        return "If " + names[0] + " is a function of yours, put it above the one that calls it.";
+    if (contains(said.words, "did you mean")) return {};
+    return "A field needs its struct, as in start.velocity; a variable is known only inside the braces it is declared "
+           "in.";
+}
+
+/// return {x, y}; where the answer may be nothing
+std::string about_optional_list(std::string_view optional) {
+    std::string inside{between(optional, "std::optional<", ">").value_or("Vec2")};
+    if (const std::size_t colon = inside.rfind(':'); colon != inside.npos) inside.erase(0, colon + 1);
+    return "Write its type before the braces, " + inside + "{…}; to answer nothing, write return {};";
 }
 
 /// A value of one type where another is wanted.
 std::string about_conversion(const Said &said) {
     const auto names = in_quotes(said.words);
+    if (said.words.starts_with("no matching constructor for initialization of 'std::optional<")
+        && contains(said.code, "return {"))
+        return about_optional_list(names[0]);
     if (names.size() < 2
         || !(contains(said.words, "convert") || contains(said.words, "conversion")
              || contains(said.words, "incompatible type")))
@@ -201,6 +268,7 @@ std::string about_conversion(const Said &said) {
     const bool clang_assigns = said.words.starts_with("assigning to '"); // 'double' from incompatible type 'Vec2'
     const std::string &from = names[names.size() - (clang_assigns ? 1 : 2)],
                       &to = names[names.size() - (clang_assigns ? 2 : 1)];
+    if (is_optional(to) && from.starts_with("<brace-enclosed")) return about_optional_list(to);
     if (is_optional(to) && (is_number(from) || from == "bool" || contains(from, "nullptr_t"))) return answer_nothing;
     if (is_optional(from) && !is_optional(to))
         return "It may be nothing: ask first, if (found), and then write *found.";
@@ -230,22 +298,7 @@ std::string about_header(const Said &said) {
     };
     if (const auto header = between(said.notes, "did you forget to '#include <", ">")) return write(*header);
     if (!said.words.starts_with("no member named '") || !contains(said.words, "in namespace 'std'")) return {};
-    constexpr std::array<std::pair<const char *, const char *>, 15> headers{{{"cout", "iostream"},
-                                                                             {"cerr", "iostream"},
-                                                                             {"cin", "iostream"},
-                                                                             {"endl", "iostream"},
-                                                                             {"sort", "algorithm"},
-                                                                             {"count_if", "algorithm"},
-                                                                             {"clamp", "algorithm"},
-                                                                             {"find_if", "algorithm"},
-                                                                             {"ranges", "algorithm"},
-                                                                             {"accumulate", "numeric"},
-                                                                             {"numbers", "numbers"},
-                                                                             {"optional", "optional"},
-                                                                             {"array", "array"},
-                                                                             {"set", "set"},
-                                                                             {"map", "map"}}};
-    for (const auto &[name, header] : headers)
+    for (const auto &[name, header] : standards)
         if (in_quotes(said.words).front() == name) return write(header);
     return {};
 }
@@ -264,8 +317,8 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
 } // namespace
 
 std::string advice(const Said &said) {
-    for (const auto about : {about_return, about_semicolon, about_braces, about_member, about_operands,
-                             about_conversion, about_two_types, about_header, about_unknown_function})
+    for (const auto about : {about_return, about_semicolon, about_missing_star, about_braces, about_member,
+                             about_operands, about_conversion, about_two_types, about_header, about_unknown_name})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;

@@ -218,18 +218,44 @@ std::vector<std::string> warnings_about(const std::vector<std::string> &warnings
     return about;
 }
 
+namespace {
+
+/// A line of code without its blanks and what is behind its `//`.
+std::string_view bare(std::string_view line) {
+    return without_blanks_behind(without_blanks(line.substr(0, line.find("//"))));
+}
+
+/// Whether this line is a `return` that the line before it does not make conditional.
+bool always_returns(std::string_view code, std::string_view before) {
+    return code.starts_with("return ") && code.ends_with(';')
+           && std::count(code.begin(), code.end(), '{') == std::count(code.begin(), code.end(), '}')
+           && !before.ends_with(')') && !before.ends_with("else");
+}
+
+bool may_follow_return(std::string_view code) {
+    return contains("}#/", code.substr(0, 1)) || code.starts_with("case ") || code.ends_with(':');
+}
+
+} // namespace
+
 std::vector<std::string> find_unreached(std::string_view text, const std::string &name) {
     std::vector<std::string> found;
+    const auto tell = [&](int line, const char *what) { found.push_back(name + ':' + std::to_string(line) + what); };
     int line = 0, thrown = 0; // where the last NotYet stands, until its braces end
+    std::string_view before;  // the last line with code
+    bool returned = false;
     for (const Line &each : lines_of(text)) {
         ++line;
-        const std::string_view code = without_blanks(each.text);
+        const std::string_view code = bare(each.text);
+        if (code.empty()) continue;
+        if (returned && !may_follow_return(code))
+            tell(line, ": this line comes after a `return`, and is never reached: move it up");
+        returned = always_returns(code, before);
+        before = code;
         if (code.starts_with("throw course::NotYet") || code.starts_with("throw NotYet")) thrown = line;
         else if (code.starts_with('}')) thrown = 0;
-        else if (thrown != 0 && !code.empty() && !code.starts_with("//") && !code.starts_with('"')) {
-            found.push_back(
-                name + ':' + std::to_string(thrown)
-                + ": this `throw` is still above your code, which is therefore never reached: delete this line");
+        else if (thrown != 0 && !code.starts_with('"')) {
+            tell(thrown, ": this `throw` is still above your code, which is therefore never reached: delete this line");
             thrown = 0;
         }
     }

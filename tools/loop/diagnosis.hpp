@@ -33,7 +33,7 @@ std::vector<std::string> find_warnings(std::string_view printed, const std::file
 std::vector<std::string> warnings_about(const std::vector<std::string> &warnings, std::string_view text,
                                         const std::string &shown_name, const std::vector<std::string> &others);
 
-/// Where code follows a `throw course::NotYet` in the same braces, and is never reached: one line each, as
+/// Where code follows a `throw course::NotYet` or a `return` in the same braces, and is never reached: one line each, as
 /// warnings are.
 std::vector<std::string> find_unreached(std::string_view text, const std::string &shown_name);
 
