@@ -1142,11 +1142,17 @@ TEST_CASE("a disc with its centre on the wall cannot get closer, so there is no 
     CHECK_THAT(time_of_impact({{5, 0}, {9, 0}}, 1, ground), IsNear(never));
 }
 
-TEST_CASE("a disc that overlaps an end of a wall is judged by its distance from that end", "[7.5]") {
+TEST_CASE("a disc that overlaps an end of a wall, or a post, is judged by its distance from that point", "[7.5]") {
     CHECK_THAT(time_of_impact({{20.3, 0.4}, {19, 0.4}}, 1, ground),
                IsNear(Impact{0, {20.3, 0.4}, {20, 0}}, rounding)); // nearer
     CHECK_THAT(time_of_impact({{20.3, 0.4}, {24, -0.4}}, 1, ground),
                IsNear(never)); // down, but away: 0.3 · 3.7 > 0.4 · 0.8
+
+    const Segment post{{5, 5}, {5, 5}};
+    CHECK_THAT(time_of_impact({{4, 5}, {6, 5}}, 2, post), IsNear(Impact{0, {4, 5}, {5, 5}}, rounding)); // overlaps
+    CHECK_THAT(time_of_impact({{4, 5}, {6, 5}}, 1, post), IsNear(Impact{0, {4, 5}, {5, 5}}, rounding)); // touches
+    CHECK_THAT(time_of_impact({{4, 5}, {3, 6}}, 2, post), IsNear(never));                               // leaves
+    CHECK_THAT(time_of_impact({{4, 5}, {4, 6}}, 1, post), IsNear(never));                               // slides
 }
 
 TEST_CASE("a post is touched from every side, and a disc of radius 0 is a point", "[7.5]") {
@@ -1233,7 +1239,7 @@ TEST_CASE("left is 1, right is -1, parallel is 0", "[7.6]") {
 
 //> Where rounding flips the sign
 TEST_CASE("where the rounded determinant has the wrong sign, the answer is 0 or the right sign", "[7.6]") {
-    // On paper both go (2.5, 2.9). In the computer 3.2 - 0.7 is not 2.5: the plain formula gives D = 8.9e-16, left,
+    // On paper both go (2.5, 2.9). In the computer 3.7 - 0.8 is not 2.9: the plain formula gives D = 8.9e-16, left,
     // but these eight numbers, as they are stored, have D = -8.9e-17 exactly: right.
     CHECK_THAT(orientation({{1, 1}, {3.5, 3.9}}, {{0.7, 0.8}, {3.2, 3.7}}), IsAtMost(0));
 }
