@@ -1,5 +1,5 @@
 // What the reader has done: `./course check` writes progress.js, and by it each page marks the boxes of exercises, the
-// contents, and what else asks for a mark:
+// contents, a chapter's table of exercises, and what else asks for a mark:
 //   <span data-progress="7"></span>   becomes "2 of 6 done", or "Done"
 //   <a data-go-on hidden></a>         becomes "Go on: 7.2", with its address
 // Without it nothing is marked, and all can be read.
@@ -66,8 +66,12 @@
     }
   }
 
-  // Whatever else asks for it
+  // A chapter's table of exercises, and whatever else asks for it
   function markOthers() {
+    for (const mark of all('td > .done')) mark.remove();
+    for (const { number, function: name } of sections().flatMap(({ exercises }) => exercises).filter(isDone))
+      for (const cell of all('main td:first-child')) // elsewhere 7.1 is a number like others
+        if (cell.textContent === number && cell.nextElementSibling?.querySelector('code')?.textContent === name) cell.append(tick('done', true));
     for (const place of all('[data-progress]')) {
       const exercises = sections().find(({ number }) => number === place.dataset.progress)?.exercises ?? [], count = exercises.filter(isDone).length;
       place.replaceChildren(...(count === 0 ? [] : [tick(count === exercises.length ? 'Done' : `${count} of ${exercises.length} done`)]));

@@ -26,7 +26,8 @@ after(async () => {
 
 // As if these exercises had passed.
 function done(...numbers) {
-  const exercises = ['7.1', '7.2', '7.3', '7.4', '7.5', '7.6'].map((number) => ({ number, function: 'f', done: numbers.includes(number) }));
+  const functions = ['intersect_lines', 'segments_intersect', 'common_points', 'move_and_bounce', 'time_of_impact', 'orientation'];
+  const exercises = functions.map((name, at) => ({ number: `7.${at + 1}`, function: name, done: numbers.includes(`7.${at + 1}`) }));
   const next = exercises.find((one) => !one.done);
   const known = { sections: [{ number: '7', page: seven, exercises }], ...(next && { next: { ...next, address: `${seven}#exercise-${next.number}` } }) };
   fs.writeFileSync(path.join(copy, 'progress.js'), `self.progress = ${JSON.stringify(known)};\n`);
@@ -76,13 +77,20 @@ describe('what is done', { concurrency: 1 }, () => {
     await context.close();
   });
 
-  test('is in the contents: how many, all, and the parts of this page', async () => {
+  test('is in the contents: how many, all, and the parts of this page; and in its table of exercises', async () => {
     done('7.1', '7.3');
     const { page, context } = await open(seven);
     const entry = page.locator(`#site-contents a[href="${seven}"]`);
     assert.match(await entry.textContent(), /2\/6 done$/);
     const parts = () => page.$$eval('#site-contents .parts > li > a:has(.done)', (links) => links.map((link) => link.hash));
     assert.deepEqual(await parts(), ['#where-two-lines-cross', '#a-detour-what-they-have-in-common']);
+    await page.evaluate(() => { // a number in another table is no exercise
+      document.querySelector('main').insertAdjacentHTML('beforeend', '<table><tr><td>7.1</td><td>7.2</td></tr></table>');
+      dispatchEvent(new Event('focus'));
+    });
+    await page.waitForTimeout(300);
+    const rows = await page.$$eval('main td:has(> .done)', (cells) => cells.map((cell) => cell.textContent));
+    assert.deepEqual(rows, ['7.1✓ done', '7.3✓ done']);
     done('7.1', '7.2', '7.3', '7.4', '7.5', '7.6');
     await page.goto(pathToFileURL(path.join(copy, 'readme.html')).href);
     assert.match(await entry.textContent(), /✓ done$/);

@@ -288,6 +288,23 @@ describe('reading', () => {
     await context.close();
   });
 
+  test('the contents list what is in the part that is being read, and on a phone the bar names that part', async () => {
+    const { page, context } = await open(chapters[0], { width: 390 });
+    const bar = page.locator('#site-part'), home = page.locator('.book-name');
+    assert.equal(await home.isVisible(), true);
+    const part = page.locator('#site-contents .parts > li:has(ul)').nth(1), inside = part.locator('ul a');
+    await page.evaluate((id) => document.getElementById(id).scrollIntoView(), (await inside.first().getAttribute('href')).slice(1));
+    await bar.waitFor();
+    assert.equal(await bar.textContent(), (await part.locator('> a').textContent()).trim());
+    assert.equal(await home.isVisible(), false);
+    assert.deepEqual(await page.evaluate(overflowing), []);
+    await page.getByRole('button', { name: 'Contents' }).click();
+    assert.equal(await inside.first().isVisible(), true);
+    assert.equal(await page.locator('#site-contents .parts > li:has(ul)').first().locator('ul a').first().isVisible(), false, 'of other parts nothing');
+    assert.ok((await page.$$eval('#site-contents .parts li', (items) => items.map(({ textContent }) => textContent))).every((words) => !/minutes/.test(words)));
+    await context.close();
+  });
+
   test('a name that is a link many times is one stop of the key Tab', async () => {
     const { page, context } = await open(chapters[0]);
     const stops = await page.$$eval('pre a.code', (links) => links.filter((link) => link.tabIndex === 0).map((link) => link.href));

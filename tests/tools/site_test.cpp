@@ -705,7 +705,7 @@ TEST_CASE("whatever is wrong with a student's file, their site is made, says so 
     const auto [build, program, sentence] = GENERATE_COPY(table<std::string, std::string, std::string>({
         {no_compiling, "exit 0", "expected a wall; figures and demo stay ours"},
         {no_demo, "exit 1", "cpp:1: expected a page"},
-        {"exit 0", "kill -SEGV $$", "your program crashed"},
+        {"exit 0", "kill -SEGV $$", "in which function; the figures stay ours; the demo runs your code"},
         {"exit 0", "printf '# t[s]\\tx[m]\\n0\\tnan\\n' > \"$2/07_wall_meeting_room.tsv\"",
          "07_wall_meeting_room stays ours: your functions gave nan where x[m] should stand"},
         {"exit 0", "echo 'not started: 07_wall_meeting_room.tsv: the wall' >&2; exit 1",

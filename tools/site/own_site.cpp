@@ -61,7 +61,11 @@ std::string about_figures(const OwnFigures &own) {
     const auto add = [&](const std::string &more) { said += (said.empty() ? "" : "; ") + more; };
     if (waiting > 0)
         add(count_of(waiting, "figure") + (waiting == 1 ? " waits" : " wait") + " for functions that are not started");
-    if (!own.ran.trouble.empty() && !is_only_unfinished(own.ran.finished)) add(without_stop(own.ran.trouble));
+    if (!own.ran.trouble.empty() && !is_only_unfinished(own.ran.finished))
+        add(without_stop(own.ran.trouble)
+            + (failed == own.figures.end() ? ""
+               : drawn == 0                ? "; the figures stay ours"
+                                           : "; the other figures stay ours"));
     else if (failed != own.figures.end()) add(failed->figure.name() + " stays ours: " + without_stop(failed->why_not));
     return said;
 }
@@ -86,7 +90,7 @@ std::string renewed(const Tree &tree, const Section &section) {
 // Pages
 
 /// The sentence as HTML, with what is to be typed as code.
-std::string paragraph(std::string sentence) {
+std::string own_paragraph(std::string sentence) {
     static const std::regex typed{"`([^`]*)`"};
     sentence = std::regex_replace(escaped(sentence), typed, "<code class=\"long\">$1</code>");
     if (!sentence.ends_with('.') && !sentence.ends_with('?')) sentence += '.';
@@ -97,16 +101,17 @@ std::string paragraph(std::string sentence) {
 /// What the own copy of a page says of itself; "" if it is like ours.
 std::string note_on(const Tree &tree, const std::string &page) {
     if (page == "index")
-        return paragraph("This copy of the book is yours: figures and demos run on what you have written, where you "
-                         "have begun; `./course site --mine` brings it up to date");
+        return own_paragraph(
+            "This copy of the book is yours: figures and demos run on what you have written, where you "
+            "have begun; `./course site --mine` brings it up to date");
     for (const Section &section : tree.sections())
         if (page == page_name(tree, tree.chapter(section)) && fs::exists(note_file(tree, section)))
-            return paragraph(read_file(note_file(tree, section)));
+            return own_paragraph(read_file(note_file(tree, section)));
     return "";
 }
 
 /// Whether a picture has a drawing with the student's curve.
-bool is_own(const Tree &tree, const Element &picture) {
+bool has_own_drawing(const Tree &tree, const Element &picture) {
     const fs::path file{std::string{picture.attribute("src")}};
     return file.parent_path() == "plots" && fs::exists(own_drawing(tree, {file, {}, {}}));
 }
@@ -122,7 +127,7 @@ std::string own_page(const Tree &tree, const std::string &page, const std::strin
         }
         if (e.name() == "figure" && e.has_class("picture")) {
             const std::vector<Element> inside = e.children();
-            if (inside.size() == 2 && is_own(tree, inside[0]))
+            if (inside.size() == 2 && has_own_drawing(tree, inside[0]))
                 html.replace(inside[1].opening(), "<figcaption><strong class=\"own\">With your curve.</strong> ");
         }
         if (const std::string_view of = e.attribute("src"); e.name() == "script" && of.starts_with("demos/"))
