@@ -7,7 +7,8 @@
 
 /// Section 1: where things are, how they move, and where they balance.
 /// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
-/// An answer is right to twelve digits of the largest term in its sum, unless its function says otherwise.
+/// An answer is right to twelve digits of the largest term in its sum, unless its function says otherwise;
+/// with numbers closer to 0 than 1e-100, other than 0 itself, it may be right to fewer.
 namespace motion {
 
 using course::Vec2;
@@ -73,7 +74,8 @@ Integrators step_all(const Integrators &before, const Vec2 &acceleration, double
 
 //> The centroid of a plate
 /// The centroid of a polygon [m]: the centre of mass of a plate that is equally thick everywhere.
-/// For a square with sides between 1 cm and 10 m it is right to 1e-9 m, even far from the origin; for a thin plate, to less.
+/// For a square with sides between 1 cm and 10 m it is right to 1e-9 m, even far from the origin; for a smaller one at the
+/// origin, to 1e-9 of its side; for a thin plate, to less.
 /// @param corners  in order, either way round [m]; they may repeat; that no sides cross is not checked
 /// @throws std::invalid_argument if there are fewer than three corners, if a number is not within ±1e5, or if the corners
 ///         lie on one line: if the area is some 1e-12 of the square of the longest distance between two of them, or less.
