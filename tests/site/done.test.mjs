@@ -121,6 +121,19 @@ describe('what is done', { concurrency: 1 }, () => {
     await context.close();
   });
 
+  test('is on the front page: how far in each section, and where to go on', async () => {
+    done('7.1');
+    const { page, troubles, context } = await open('index.html', { width: 390 });
+    assert.deepEqual(await page.$$eval('.card .foot > :last-child', (all) => all.map((one) => one.textContent)), ['', '✓ 1 of 6 done', '']);
+    assert.deepEqual(troubles, []);
+    await page.getByRole('link', { name: 'Go on: 7.2' }).click();
+    await page.waitForURL(/07_segment_intersection\.html#exercise-7\.2$/);
+    fs.rmSync(path.join(copy, 'progress.js'));
+    await page.goto(pathToFileURL(path.join(copy, 'index.html')).href);
+    assert.equal(await page.locator('.go a').last().isVisible(), false, 'nothing to go on with');
+    await context.close();
+  });
+
   test('is on paper as if it were open, and nothing is lost without scripts or without the file', async () => {
     done('7.1');
     const printed = await open(seven);

@@ -173,7 +173,7 @@ describe('reading', () => {
     const { page, context } = await open('index.html');
     assert.match(await page.textContent('.begin'), /^Begin with 1 Motion \d+\u00a0min$/);
     for (const card of await page.locator('.card').all()) {
-      assert.match(await card.textContent(), /^\d+ [\s\S]+\d+ \+ \d+\u00a0minutes$/);
+      assert.match(await card.textContent(), /^\d+ [\s\S]+\d+ \+ \d+\u00a0minutes\s*$/);
       await card.click({ position: { x: 5, y: 5 }, trial: true }); // all of it is its link
     }
     assert.equal(await page.locator('#site-contents').isVisible(), false, 'they are in the menu');

@@ -417,7 +417,8 @@ TEST_CASE("the front page leads to the first section, and has a card for each se
                ContainsSubstring("<a class=\"begin\" href=\"chapter_06_reflection.html\">Begin with 6 Reflection "
                                  "<small>20&nbsp;min</small></a>"));
     CHECK_THAT(front, ContainsSubstring("<a href=\"chapter_07_wall_meeting.html\"><span class=\"number\">7</span> "
-                                        "Walls</a><p>walls</p><p class=\"minutes\">30 + 5&nbsp;minutes</p>"));
+                                        "Walls</a><p>walls</p><p class=\"foot\"><span>30 + 5&nbsp;minutes</span> "
+                                        "<span data-progress=\"7\"></span></p>"));
     CHECK_THAT(front,
                ContainsSubstring("<ul class=\"coming\">\n<li><span class=\"number\">8</span> Springs</li>\n</ul>"));
     CHECK(front.find("{{") == front.npos);
@@ -556,8 +557,19 @@ TEST_CASE("pages with a demo have its scripts, and one page has all demos") {
     REQUIRE(made.code == 0);
     const std::string scripts = "<script src=\"demos/07_wall_meeting.js\"></script>\n<script src=\"play.js\"></script>";
     CHECK_THAT(book.made("chapter_07_wall_meeting.html"), ContainsSubstring(scripts));
-    CHECK_THAT(book.made("play.html"), ContainsSubstring(scripts) && ContainsSubstring("Throw the ball.")
-                                           && ContainsSubstring("href=\"chapter_07_wall_meeting.html\""));
+    CHECK_THAT(book.made("play.html"),
+               ContainsSubstring(scripts) && ContainsSubstring("Throw the ball.")
+                   && ContainsSubstring("<a href=\"chapter_07_wall_meeting.html\">section 7</a>: walls."));
+    CHECK_THAT(book.made("play.html"), ContainsSubstring("<li class=\"card\"><div><a href=\"#7-walls\">"));
+
+    book.write("demos/07_wall_meeting.svg",
+               "<svg width=\"640\" height=\"400\"><title>A ball &amp; walls</title></svg>\n");
+    REQUIRE(book.make("<!-- demo: room | Throw the ball. -->\n").code == 0);
+    const std::string picture = "<img src=\"demos/07_wall_meeting.svg\" alt=\"";
+    CHECK_THAT(book.made("chapter_07_wall_meeting.html"), ContainsSubstring(picture + "A ball &amp; walls\">"));
+    CHECK_THAT(book.made("play.html"), ContainsSubstring("<li class=\"card\">" + picture + "\"><div>")
+                                           && ContainsSubstring("<p>A ball &amp; walls</p>"));
+    CHECK_THAT(book.made("index.html"), ContainsSubstring("<li class=\"card\">" + picture + "\"><div>"));
     CHECK_THAT(book.made("index.html"), ContainsSubstring(scripts)); // the front page plays it, too
     CHECK(book.made("preface.html").find("play.js") == std::string::npos);
     CHECK_THAT(book.made("demos/07_wall_meeting.js"), ContainsSubstring("playable"));

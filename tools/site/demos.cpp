@@ -1,7 +1,9 @@
 #include "site/demos.hpp"
 
 #include "book/contents.hpp"
+#include "book/links.hpp"
 #include "ground/files.hpp"
+#include "site/card.hpp"
 #include "site/html.hpp"
 
 #include <algorithm>
@@ -15,12 +17,13 @@ std::string demo_picture_file(const Section &section) { return "demos/" + sectio
 
 namespace {
 
-/// The title of the demo's picture, still with its entities; "" if there is no picture.
+/// The title of the demo's picture; "" if there is no picture.
 std::string title_of_picture(const Tree &tree, const Section &section) {
     const fs::path file = tree.root / demo_picture_file(section);
     const std::string svg = fs::exists(file) ? read_file(file) : "";
-    const auto from = svg.find("<title>"), to = svg.find("</title>");
-    return from == svg.npos || to == svg.npos ? "" : svg.substr(from + 7, to - from - 7);
+    const Html page{svg};
+    const Element title = page.first([](const Element &e) { return e.name() == "title"; });
+    return title.node ? title.text() : "";
 }
 
 } // namespace
@@ -39,8 +42,9 @@ std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark 
     return "<figure class=\"play\" id=\"" + id + "\" data-demo=\"" + demo.section.name + '"'
            + (mark.mine ? " data-mine" : "") + (mark.start.empty() ? "" : " data-start=\"" + escaped(mark.start) + '"')
            + "><figcaption>" + task + "</figcaption>"
-           + (demo.about.empty() ? ""
-                                 : "<img src=\"" + demo_picture_file(demo.section) + "\" alt=\"" + demo.about + "\">")
+           + (demo.about.empty()
+                  ? ""
+                  : "<img src=\"" + demo_picture_file(demo.section) + "\" alt=\"" + escaped(demo.about) + "\">")
            + "<p class=\"without-js\">Here is a demo to play with, for a browser with JavaScript.</p></figure>\n";
 }
 
@@ -48,17 +52,26 @@ std::string play_page(const Tree &tree) {
     const std::vector<Demo> all = demos(tree);
     if (all.empty()) return "";
     const std::vector<Entry> rows = contents(read_file(tree.root / "book.md"));
-    std::string page = "# Play\n\n*All demos of the book in one place. Each runs on code that you will write in its "
-                       "chapter.*\n";
+    std::vector<Card> shelf;
+    std::string demos;
     for (const Demo &demo : all) {
         const auto row = std::find_if(rows.begin(), rows.end(),
                                       [&](const Entry &one) { return one.number == demo.section.number(); });
+        const std::string number = demo.section.short_number();
         const std::string title = row == rows.end() ? demo.section.slug() : row->title;
-        page += "\n## " + demo.section.short_number() + ' ' + title + "\n\n<!-- demo: " + demo.mark.name + " | "
-                + demo.mark.task + " -->\n\nThis demo belongs to [section " + demo.section.short_number()
-                + "](chapters/" + demo.section.name + "/README.md).\n";
+        const std::string words = number + ' ' + title;
+        shelf.push_back({.address = '#' + anchor_of(words),
+                         .picture = demo.about.empty() ? "" : demo_picture_file(demo.section),
+                         .number = number,
+                         .title = title,
+                         .about = demo.about,
+                         .foot = ""});
+        demos += "\n## " + words + "\n\n<!-- demo: " + demo.mark.name + " | " + demo.mark.task
+                 + " -->\n\nIts code is yours to write in [section " + number + "](chapters/" + demo.section.name
+                 + "/README.md)" + (row == rows.end() || row->about.empty() ? "" : ": " + row->about) + ".\n";
     }
-    return page;
+    return "# Play\n\n*All demos of the book in one place. Each runs on code that you will write in its chapter.*\n\n"
+           + in_a_row(shelf) + '\n' + demos;
 }
 
 } // namespace course

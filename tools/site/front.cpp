@@ -3,6 +3,7 @@
 #include "book/contents.hpp"
 #include "ground/files.hpp"
 #include "site/addresses.hpp"
+#include "site/card.hpp"
 #include "site/demos.hpp"
 #include "site/gaps.hpp"
 #include "site/html.hpp"
@@ -32,28 +33,30 @@ std::string begin_link(const Tree &tree, const std::vector<Entry> &entries) {
 /// The picture of the section's demo; "" if there is none.
 std::string picture_of(const std::vector<Demo> &all, int number) {
     const auto demo = std::find_if(all.begin(), all.end(), [&](const Demo &d) { return d.section.number() == number; });
-    if (demo == all.end() || demo->about.empty()) return "";
-    return "<img src=\"" + demo_picture_file(demo->section) + "\" alt=\"\">";
+    return demo == all.end() || demo->about.empty() ? "" : demo_picture_file(demo->section);
 }
 
-std::string card(const Tree &tree, const Entry &entry, const std::vector<Demo> &all) {
+Card card_of(const Tree &tree, const Entry &entry, const std::vector<Demo> &all) {
     const std::string number = std::to_string(entry.number);
-    return "<li class=\"card\">" + picture_of(all, entry.number) + "<div><a href=\"" + page_for(tree, entry)
-           + "\"><span class=\"number\">" + number + "</span> " + escaped(entry.title) + "</a><p>"
-           + escaped(entry.about) + "</p>"
-           + (entry.minutes.empty() ? "" : "<p class=\"minutes\">" + escaped(entry.minutes) + "&nbsp;minutes</p>")
-           + "</div></li>\n";
+    return {.address = page_for(tree, entry),
+            .picture = picture_of(all, entry.number),
+            .number = number,
+            .title = entry.title,
+            .about = entry.about,
+            .foot = (entry.minutes.empty() ? "" : "<span>" + escaped(entry.minutes) + "&nbsp;minutes</span> ")
+                    + "<span data-progress=\"" + number + "\"></span>"};
 }
 
-std::string cards(const Tree &tree, const std::vector<Entry> &entries) {
+std::string sections_of(const Tree &tree, const std::vector<Entry> &entries) {
     const std::vector<Demo> all = demos(tree);
-    std::string here, to_come;
+    std::vector<Card> here;
+    std::string to_come;
     for (const Entry &entry : entries)
         if (entry.chapter.empty())
             to_come += "<li><span class=\"number\">" + std::to_string(entry.number) + "</span> " + escaped(entry.title)
                        + "</li>\n";
-        else here += card(tree, entry, all);
-    return "<ol class=\"cards\">\n" + here + "</ol>"
+        else here.push_back(card_of(tree, entry, all));
+    return in_a_row(here)
            + (to_come.empty() ? "" : "\n<p class=\"coming\">To come</p>\n<ul class=\"coming\">\n" + to_come + "</ul>");
 }
 
@@ -62,7 +65,7 @@ std::string cards(const Tree &tree, const std::vector<Entry> &entries) {
 std::string front_page(const Tree &tree) {
     const std::vector<Entry> entries = contents(read_file(tree.root / "book.md"));
     return filled(read_file(tree.root / "docs" / "front.md"),
-                  {{"begin", begin_link(tree, entries)}, {"sections", cards(tree, entries)}}, "docs/front.md");
+                  {{"begin", begin_link(tree, entries)}, {"sections", sections_of(tree, entries)}}, "docs/front.md");
 }
 
 } // namespace course
