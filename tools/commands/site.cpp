@@ -40,8 +40,8 @@ fi
 namespace {
 
 constexpr const char *about_mine = R"(
-With --mine it is your own copy: figures show your curve over ours, and demos begin with your code, where you have
-begun with a section. What cannot be built is said in one sentence, and stays ours. The copy lies in the build folder
+With --mine it is your own copy: in each section that you have begun, figures show your curve over ours, and demos
+begin with your code. What cannot be built stays ours, and one sentence says why. The copy lies in the build folder
 beside the plain site; nothing publishes it.
 
 Example: )";
