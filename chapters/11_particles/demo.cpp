@@ -59,9 +59,9 @@ std::vector<Particle> sparks_of(Burst kind, State &now, const Vec2 &place) {
     case disc: return burst(at, disc_burst(now.random.many(200), 5.5), 1.6);
     case mistake_beside_disc: break;
     }
-    at.position = place - Vec2{4, 0};
+    at.position.x() = std::clamp(place.x(), 8.0, 16.0) - 4; // both are in the picture
     std::vector<Particle> sparks = burst(at, disc_burst(now.random.many(200), 3), 1.6);
-    at.position = place + Vec2{4, 0};
+    at.position.x() += 8;
     for (const Particle &spark : burst(at, mistaken_disc(now.random, 100, 3), 1.6)) sparks.push_back(spark);
     return sparks;
 }

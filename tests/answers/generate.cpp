@@ -11,6 +11,7 @@
 //
 // An entry says which lines of the solution go (-), which come (+), and, where more is needed to find the place, which
 // stay ( ). A blank line ends a change; an answer may have several. Indentation and comments are not compared.
+// With `7.2 meet_leaves_the_ends_open, 8 of 13: ...` exactly so many of the tests must pass: a chapter says so.
 
 #include <algorithm>
 #include <filesystem>
@@ -106,19 +107,19 @@ using Change = std::vector<std::pair<char, Line>>;
 
 struct Answer {
     Line head;
-    std::string exercise, name;
+    std::string exercise, name, count; ///< of passed tests, "8 of 13", if that matters
     std::vector<Change> changes;
 };
 
 std::vector<Answer> read_differences(const fs::path &file) {
-    static const std::regex head{R"((\d+\.\d+) ([a-z][a-z0-9_]*): (.+))"};
+    static const std::regex head{R"((\d+\.\d+) ([a-z][a-z0-9_]*)(?:, (\d+ of \d+))?: (.+))"};
     std::vector<Answer> answers;
     bool open = false; // a change that further lines belong to
     for (const Line &line : read(file)) {
         std::smatch found;
         const char sign = line.text.empty() ? '\n' : line.text[0];
         if (std::regex_match(line.text, found, head)) {
-            answers.push_back({line, found[1], found[2], {}});
+            answers.push_back({line, found[1], found[2], found[3], {}});
             open = false;
         } else if (code_of(line.text).empty() || sign == '#') {
             open = false;
@@ -215,7 +216,7 @@ class Unit {
             for (const Answer &answer : read_differences(differences)) {
                 Lines lines = solution.of(answer.exercise);
                 for (const Change &change : answer.changes) apply(change, answer, lines, solution_file);
-                add_lines(kind + '_' + answer.name, answer.exercise, lines, answer.head);
+                add_lines(kind + '_' + answer.name, answer.exercise, lines, answer.head, answer.count);
             }
         std::set<fs::path> files;
         if (fs::exists(folder))
@@ -225,14 +226,16 @@ class Unit {
     }
 
     std::string code_of_all() const { return "#include \"choose.hpp\"\n" + code.str(); }
-    const std::map<std::string, std::string> &exercises_of_answers() const { return exercise_of; }
+    /// How each answer is to be judged, by its name: "--exercise 7.2 --expect red".
+    const std::map<std::string, std::string> &options_of_answers() const { return options; }
 
   private:
-    void add_lines(const std::string &name, const std::string &exercise, const Lines &lines, const Line &head) {
+    void add_lines(const std::string &name, const std::string &exercise, const Lines &lines, const Line &head,
+                   const std::string &count = "") {
         code << "\nnamespace " << name << " {\nusing namespace " << slug << ";\n";
         write(code, lines);
         code << "}\n";
-        list(name, exercise, head);
+        list(name, exercise, head, count);
     }
 
     void add_file(const std::string &name, const fs::path &file) {
@@ -249,11 +252,12 @@ class Unit {
         list(name, found[1], lines[0]);
     }
 
-    void list(const std::string &name, const std::string &number, const Line &head) {
+    void list(const std::string &name, const std::string &number, const Line &head, const std::string &count = "") {
         const auto exercise = std::find_if(exercises.begin(), exercises.end(),
                                            [&](const Exercise &each) { return each.number == number; });
         if (exercise == exercises.end()) throw Complaint{head, "there is no exercise " + number + " in this section"};
-        if (!exercise_of.emplace(name, number).second)
+        const std::string expected = !name.starts_with("wrong_") ? "all" : count.empty() ? "red" : "[[" + count + "]]";
+        if (!options.emplace(name, "--exercise " + number + " --expect " + expected).second)
             throw Complaint{head, "there is an answer of this name already: choose another one"};
         code << "#line " << head.number << ' ' << *head.file << "\nconst Answer " << name << "_{\"" << name << "\", "
              << exercise - exercises.begin() << ", &" << slug << "::" << exercise->function << ", &" << name
@@ -266,7 +270,7 @@ class Unit {
     Solution solution;
     std::vector<Exercise> exercises;
     std::ostringstream code;
-    std::map<std::string, std::string> exercise_of; ///< each answer's
+    std::map<std::string, std::string> options;
 };
 
 } // namespace
@@ -281,10 +285,9 @@ int main(int argc, char **argv) try {
     for (int kind = 7; kind < argc; ++kind) unit.add(argv[kind]);
 
     std::ostringstream list; // ctest's own language
-    for (const auto &[answer, exercise] : unit.exercises_of_answers())
+    for (const auto &[answer, options] : unit.options_of_answers())
         list << "add_test([[" << section << '.' << answer << "]] [[" << tests << "]] [[" << subject << "]] --answer "
-             << answer << " --exercise " << exercise << " --expect " << (answer.starts_with("wrong_") ? "red" : "all")
-             << ")\n";
+             << answer << ' ' << options << ")\n";
     for (const auto &[file, text] : {std::pair{argv[3], unit.code_of_all()}, {argv[4], list.str()}})
         if (!(std::ofstream{file} << text << std::flush))
             throw std::runtime_error{std::string{file} + " cannot be written"};

@@ -79,7 +79,7 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
 +++i;
  return i;
 
-7.1 ends_twice: a line that has come is not the one that goes
+7.1 ends_twice, 8 of 13: a line that has come is not the one that goes
  int i = 0;
 +return i;
 
@@ -103,6 +103,7 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
     CHECK_THAT(course.read("list.cmake"),
                ContainsSubstring("add_test([[07_wall_meeting.wrong_starts_at_one]] [[tests]] [[subject]] --answer "
                                  "wrong_starts_at_one --exercise 7.1 --expect red)")
+                   && ContainsSubstring("--answer wrong_ends_twice --exercise 7.1 --expect [[8 of 13]])")
                    && ContainsSubstring("--answer right_solution_7_2 --exercise 7.2 --expect all)"));
 }
 
@@ -157,4 +158,6 @@ TEST_CASE("a wrong answer that passes is found out, a right one that does not, a
     CHECK(judged("wrong_nobody", "7.1", "red") == 1);
     CHECK(judged("right_nobody", "7.1", "all") == 1);
     CHECK(judged("right_solution_7_1", "7.9", "all") == 1);
+    CHECK(judged("right_solution_7_1", "7.1", "20 of 20") == 0);
+    CHECK(judged("right_solution_7_1", "7.1", "19 of 20") == 1);
 }

@@ -2,8 +2,10 @@
 #include "ground/process.hpp"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace {
@@ -70,4 +72,34 @@ TEST_CASE("the verdicts that chapter 1 shows for 1.1 are real ones, of the lines
     shows(in_box(first_lines(verdict_on(with(multiplies)), 5)) + ">         (and two more)\n> ```");
     shows("    " + refuses + '\n');
     shows('`' + first_lines(verdict_on(with(refuses + '\n' + multiplies)), 1) + '`');
+}
+
+TEST_CASE("the numbers of passed tests that a chapter names are those of its wrong answers, and each ✓ has all") {
+    const std::string section = GENERATE("11_particles");
+    const std::string tests = course::read_file(root / "tests" / (section + ".cpp"));
+    const auto tests_of = [&](const std::string &exercise) {
+        const std::regex tagged{R"("\[)" + exercise + R"(\]")"};
+        return std::to_string(std::distance(std::sregex_iterator{tests.begin(), tests.end(), tagged}, {}));
+    };
+
+    std::set<std::string> named, held;
+    const std::regex box{R"(Your turn: (\d+\.\d+))"}, count{R"((\d+) of (\d+))"}, red{"> {5}✗ (.+)"},
+        green{R"(✓ (\d+\.\d+) \w+, \w+: (\d+) tests passed)"};
+    std::istringstream lines{course::read_file(root / "chapters" / section / "README.md")};
+    std::string exercise;
+    for (std::string line; std::getline(lines, line);) {
+        INFO(line);
+        std::smatch found;
+        if (std::regex_search(line, found, box)) exercise = found[1];
+        if (std::regex_search(line, found, green)) CHECK(found[2] == tests_of(found[1]));
+        if (std::regex_match(line, found, red)) CHECK(tests.find('"' + found[1].str() + '"') != std::string::npos);
+        for (std::sregex_iterator at{line.begin(), line.end(), count}, end; at != end; ++at)
+            if (at->str(2) == tests_of(exercise)) named.insert(exercise + ", " + at->str());
+    }
+
+    const std::string wrong = course::read_file(root / "tests/wrong" / (section + ".diff"));
+    const std::regex head{R"(\n(\d+\.\d+) \w+, (\d+ of \d+): )"};
+    for (std::sregex_iterator at{wrong.begin(), wrong.end(), head}, end; at != end; ++at)
+        held.insert(at->str(1) + ", " + at->str(2));
+    CHECK(named == held);
 }
