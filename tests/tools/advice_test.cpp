@@ -63,8 +63,9 @@ TEST_CASE("the slips that are made most are explained, whatever the compiler cal
     if (run({"sh", "-c", "command -v " + compiler}).code != 0) SKIP("there is no " << compiler << " here");
     const std::string file = COURSE_ROOT "/tests/tools/slips.cpp";
     const std::string many = compiler == "g++" ? "-fmax-errors=0" : "-ferror-limit=0";
-    const auto compiled = run({compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-fdiagnostics-color=never",
-                               many, "-I" COURSE_ROOT "/chapters", "-isystem", COURSE_EIGEN, file});
+    const auto compiled =
+        run({compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wfloat-conversion",
+             "-fdiagnostics-color=never", many, "-I" COURSE_ROOT "/chapters", "-isystem", COURSE_EIGEN, file});
     const std::string printed = plain_output(compiled.err);
     int number = 0, explained = 0;
     const std::string text = read_file(file);

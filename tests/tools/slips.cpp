@@ -51,6 +51,10 @@ bool compared_optional(const std::optional<Spark> &found, const std::optional<do
     double x = t;                              // It may be nothing: ask first, if (found), and then write *found.
     return x > 0;
 }
+int whole_number(double fraction, int shades) {
+    int shade = fraction * shades;             // An int has no digits after the decimal point: to drop them, write int(…).
+    return shade;
+}
 double two_types(double t, const std::vector<Spark> &pool, int capacity) {
     t = std::min(t, 1);                        // All must be of one type: write 1.0, not 1.
     t = std::max(0, t);                        // All must be of one type: write 1.0, not 1.

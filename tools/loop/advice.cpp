@@ -13,6 +13,7 @@ namespace course {
 namespace {
 
 constexpr const char *call_it = "A call needs parentheses: a.x(), not a.x.";
+constexpr const char *whole_number = "An int has no digits after the decimal point: to drop them, write int(…).";
 constexpr const char *two_at_a_time = "Compare two at a time: a < b && b < c.";
 constexpr const char *no_way_back = "Some path through this function has no `return`.";
 constexpr const char *copy_it = "It is const, so it cannot be changed: copy it, and change the copy.";
@@ -63,6 +64,8 @@ constexpr std::array slips{
     Slip{"of type 'const char *' with an rvalue", "", double_quotes},
     Slip{"of different signedness", "", count_in_size},
     Slip{"of different signs", "", count_in_size},
+    Slip{"conversion from 'double' to 'int'", "", whole_number},
+    Slip{"number into integer: 'double' to 'int'", "", whole_number},
     Slip{"push_back", "expects 1 argument", "push_back takes one value: put braces round it, push_back({a, b})."},
     Slip{"push_back", "requires single argument", "push_back takes one value: put braces round it, push_back({a, b})."},
     Slip{"assignment of read-only", "", copy_it},
