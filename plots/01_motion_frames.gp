@@ -8,7 +8,7 @@ set xrange [33:112]; set yrange [3.85:-0.8]
 set xtics 50,10,80 textcolor rgb DIM; set xlabel 'x [m]' offset -7,0.6
 do for [frame = 0:3] {
     set object frame + 1 rectangle from 46,frame - 0.36 to 84.5,frame + 0.36 behind fillstyle empty border lc rgb DIM lw 1
-    set label sprintf('frame %d', frame + 1) at 44.5,frame right textcolor rgb DIM
+    set label sprintf('t = %d s', frame) at 44.5,frame right textcolor rgb DIM
 }
 set label 'handed on' at 99,-0.65 center textcolor rgb INK
 yours = with_yours("ARG3 using 2:1 with points lt 2 pt 6 ps 2 lw 2 title 'yours'")

@@ -147,7 +147,7 @@ demo::Picture table_and_missile(double time) {
 demo::Picture three_missiles(const State &now) {
     const Vec2 rows[]{{0, 40}, {0, 0}, {0, -40}};
     const char *const names[]{"explicit Euler", "semi-implicit Euler", "exact"};
-    const Colour colours[]{Colour::orange, Colour::green, Colour::blue};
+    const Colour colours[]{Colour::pink, Colour::green, Colour::blue};
     demo::Picture seen;
     for (int k : {0, 1, 2}) {
         std::vector<Vec2> marks = now.three_marks[k];

@@ -75,8 +75,8 @@ Integrators step_all(const Integrators &before, const Vec2 &acceleration, double
 //> The centroid of a plate
 /// The centroid of a polygon [m]: the centre of mass of a plate that is equally thick everywhere.
 /// For a square with sides between 1 cm and 10 m it is right to 1e-9 m, even far from the origin; for a smaller one at the
-/// origin, to 1e-9 of its side; for a thin plate, to less.
-/// @param corners  in order, either way round [m]; they may repeat; that no sides cross is not checked
+/// origin, to 1e-9 of its side; for a thin plate, fewer digits are right.
+/// @param corners  in order, either way round [m]; they may repeat. Sides must not cross, but this is not checked
 /// @throws std::invalid_argument if there are fewer than three corners, if a number is not within ±1e5, or if the corners
 ///         lie on one line: if the area is some 1e-12 of the square of the longest distance between two of them, or less.
 Vec2 centroid(const std::vector<Vec2> &corners);

@@ -230,6 +230,13 @@ TEST_CASE("only long code may break within a line") {
                ContainsSubstring("<code class=\"long\">const Vec2 a = motion.end &lt; motion.start;</code>"));
 }
 
+TEST_CASE("a number with a blank in it does not break within a line; others, and code, are left alone") {
+    const SmallBook book;
+    CHECK_THAT(book.page("From 3 to 310 000 steps, 2 000 000 in all, in $x$ 12 000 m; 7 100 m, 3 4567, `1 000`.\n"),
+               ContainsSubstring("From 3 to 310\u00A0000 steps, 2\u00A0000\u00A0000 in all, in ")
+                   && ContainsSubstring(" 12\u00A0000 m; 7\u00A0100 m, 3 4567, <code>1 000</code>."));
+}
+
 TEST_CASE("a listing leaves the HTML, so that Doxygen colours it, and comes back") {
     const SmallBook book;
     const std::string in_quote = book.page("> Before.\n>\n> ```cpp\n> int x; // $5 @see \\dot\n>\n> ```\n> After.\n");

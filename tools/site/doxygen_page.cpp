@@ -250,9 +250,15 @@ class PageWriter {
             replace(node, raw(CMARK_NODE_CUSTOM_INLINE, "<code class=\"long\">" + escaped(text) + "</code>"));
     }
 
+    /// "310 000" on one line.
+    static std::string with_whole_numbers(const std::string &text) {
+        static const std::regex thousands{R"((\d) (?=\d{3}(?!\d)))"};
+        return std::regex_replace(text, thousands, "$1\u00A0");
+    }
+
     /// Puts the formulas back, in the order in which they were taken out.
     void words(cmark_node *node, int line) {
-        const std::string text = literal(node);
+        const std::string text = with_whole_numbers(literal(node));
         std::size_t from = 0;
         for (std::size_t at; (at = text.find(WithoutFormulas::stand_in, from)) != text.npos;
              from = at + WithoutFormulas::stand_in.size()) {
@@ -260,9 +266,7 @@ class PageWriter {
             const auto &[tex, display] = next_formula();
             cmark_node_insert_before(node, raw(CMARK_NODE_CUSTOM_INLINE, formula(tex, display, line)));
         }
-        if (from == 0) return;
-        add_text(node, text.substr(from));
-        cmark_node_free(node);
+        cmark_node_set_literal(node, text.c_str() + from);
     }
 
     static void add_text(cmark_node *before, const std::string &text) {
