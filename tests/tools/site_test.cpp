@@ -727,6 +727,7 @@ TEST_CASE("whatever is wrong with a student's file, their site is made, says so 
         {"exit 0", "kill -SEGV $$", "in which function; the figures stay ours; the demo runs your code"},
         {"exit 0", "printf '# t[s]\\tx[m]\\n0\\tnan\\n' > \"$2/07_wall_meeting_room.tsv\"",
          "07_wall_meeting_room stays ours: your functions gave nan where x[m] should stand"},
+        {"exit 0", "exit 0", "does one of your functions end the program? The demo runs your code"},
         {"exit 0", "echo 'not started: 07_wall_meeting_room.tsv: the wall' >&2; exit 1",
          "one figure waits for functions that are not started"},
     }));

@@ -49,25 +49,45 @@ std::string without_stop(std::string sentence) {
     return sentence;
 }
 
+std::string with_capital(std::string words) {
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return words;
+}
+
+/// One sentence of what may be several parts; a question among them ends it.
+std::string one_sentence(const std::vector<std::string> &parts) {
+    std::string said;
+    for (const std::string &part : parts)
+        if (!part.empty()) said += said.empty() ? part : said.ends_with('?') ? ' ' + with_capital(part) : "; " + part;
+    return said;
+}
+
+/// What kept figures from being drawn, besides functions that are not started; "" if nothing did.
+std::string about_failures(const OwnFigures &own, bool any_drawn) {
+    const auto has_failed = [](const OwnFigure &one) { return !one.why_not.empty(); };
+    const auto first = std::find_if(own.figures.begin(), own.figures.end(), has_failed);
+    const bool stopped = !own.ran.trouble.empty() && !is_only_unfinished(own.ran.finished);
+    const std::string trouble = stopped ? without_stop(own.ran.trouble) : "";
+    if (first == own.figures.end()) return trouble;
+    if (stopped) return trouble + (any_drawn ? "; the other figures stay ours" : "; the figures stay ours");
+    const auto others = std::count_if(first + 1, own.figures.end(), has_failed);
+    return first->figure.name() + (others == 0 ? " stays" : " and " + count_of(others, "other") + " stay")
+           + " ours: " + without_stop(first->why_not);
+}
+
 /// "3 figures show your curve; one figure waits for functions that are not started".
 std::string about_figures(const OwnFigures &own) {
     const auto drawn =
         std::count_if(own.figures.begin(), own.figures.end(), [](const auto &one) { return one.drawn(); });
     const auto waiting =
         std::count_if(own.figures.begin(), own.figures.end(), [](const auto &one) { return one.not_started; });
-    const auto failed =
-        std::find_if(own.figures.begin(), own.figures.end(), [](const auto &one) { return !one.why_not.empty(); });
-    std::string said = drawn == 0 ? "" : count_of(drawn, "figure") + (drawn == 1 ? " shows" : " show") + " your curve";
-    const auto add = [&](const std::string &more) { said += (said.empty() ? "" : "; ") + more; };
-    if (waiting > 0)
-        add(count_of(waiting, "figure") + (waiting == 1 ? " waits" : " wait") + " for functions that are not started");
-    if (!own.ran.trouble.empty() && !is_only_unfinished(own.ran.finished))
-        add(without_stop(own.ran.trouble)
-            + (failed == own.figures.end() ? ""
-               : drawn == 0                ? "; the figures stay ours"
-                                           : "; the other figures stay ours"));
-    else if (failed != own.figures.end()) add(failed->figure.name() + " stays ours: " + without_stop(failed->why_not));
-    return said;
+    const auto said = [](std::ptrdiff_t count, const char *one, const char *many) {
+        return count == 0 ? "" : count_of(count, "figure") + (count == 1 ? one : many);
+    };
+    return one_sentence(
+        {said(drawn, " shows your curve", " show your curve"),
+         said(waiting, " waits for functions that are not started", " wait for functions that are not started"),
+         about_failures(own, drawn > 0)});
 }
 
 std::string renewed(const Tree &tree, const Section &section) {
@@ -79,12 +99,11 @@ std::string renewed(const Tree &tree, const Section &section) {
     draw_figures(tree, section); // our curves
     const OwnFigures own = draw_own_figures(tree, section);
     if (!own.ran.started) return without_stop(own.ran.trouble) + "; figures and demo stay ours";
-    std::string said = about_figures(own);
+    const std::string said = about_figures(own);
     if (!has_demo(tree, section) || !can_compile_demos(tree)) return said.empty() ? "all stays ours" : said;
     const std::string trouble = build_own_demo(tree, section);
     if (!trouble.empty()) write_own_demo(tree, section, ""); // the demo is ours, rather than a sentence
-    return (said.empty() ? "" : said + "; ")
-           + (trouble.empty() ? "the demo runs your code" : "the demo stays ours: " + trouble);
+    return one_sentence({said, trouble.empty() ? "the demo runs your code" : "the demo stays ours: " + trouble});
 }
 
 // Pages
@@ -94,8 +113,7 @@ std::string own_paragraph(std::string sentence) {
     static const std::regex typed{"`([^`]*)`"};
     sentence = std::regex_replace(escaped(sentence), typed, "<code class=\"long\">$1</code>");
     if (!sentence.ends_with('.') && !sentence.ends_with('?')) sentence += '.';
-    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
-    return "\n<p class=\"own\">" + sentence + "</p>";
+    return "\n<p class=\"own\">" + with_capital(sentence) + "</p>";
 }
 
 /// What the own copy of a page says of itself; "" if it is like ours.
