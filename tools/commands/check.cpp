@@ -132,7 +132,7 @@ void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
         std::find_if(outcomes.begin(), outcomes.end(), [](const Outcome &o) { return o.first_failure() != nullptr; });
     if (open == outcomes.end()) {
         std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.")
-                  << " See your figures: ./course plot " << section.short_number() << " --mine\n";
+                  << " See your figures in the book: ./course open " << section.short_number() << " --mine\n";
         return;
     }
     const auto &exercise = open->exercise;
