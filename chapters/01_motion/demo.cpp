@@ -22,7 +22,7 @@ const demo::About about{
      {"ArrowDown", "Less thrust"},
      {"e", "Engine on or off"},
      {"b", "Break the missile"}}};
-const demo::Still still{2.5, "f"};
+const demo::Still still{2.2, "f"};
 
 /// Something that flies leaves a mark every fifth of a second.
 constexpr double between_marks = 0.2;

@@ -164,6 +164,15 @@ TEST_CASE("a demo plays where the chapter marks its place, if its section keeps 
                                        "data-start=\"The game: &quot;on&quot;, radius: 2\">"));
 }
 
+TEST_CASE("what a forge shows in the place of a demo is not on the site") {
+    const SmallBook book;
+    book.write("demos/07_wall_meeting.svg", "<svg/>");
+    CHECK(book.page("<!-- demo: room | Try $x$. -->\n\n![A ball](../../demos/07_wall_meeting.svg)\n\n"
+                    "*Play it:* `./course play 7`. Try $x$.\n\nThen $y$.\n")
+          == book.page("<!-- demo: room | Try $x$. -->\n\n\n\n\n\nThen $y$.\n"));
+    CHECK_THAT(book.page("*Play it* again.\n"), ContainsSubstring("<em>Play it</em> again."));
+}
+
 TEST_CASE("a formula in a picture's words is said in plain ones") {
     const SmallBook book;
     const std::string page =

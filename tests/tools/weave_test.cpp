@@ -888,3 +888,35 @@ TEST_CASE("weaving that is killed at any moment leaves the old chapter or the ne
     CHECK(book.weave().code == all_well);
     CHECK(book.text() == new_text);
 }
+
+TEST_CASE("a forge shows at each demo's place how to play it, and a picture each time that it begins in another way") {
+    const Book book;
+    const std::string plain = "Plan a minute.\n";
+    const std::string marks =
+        plain
+        + "\n<!-- demo: room | Throw $x$. -->\n\n<!-- demo: room mine, radius: 2 | Larger. -->\n\n"
+          "<!-- demo: room mine | Yours. -->\n\nOn.\n";
+    book.edit_chapter(plain, marks);
+    CHECK(book.weave().code == all_well);
+    CHECK_THAT(book.text(), ContainsSubstring(marks)); // without a picture nothing is woven
+
+    book.put("demos/07_wall.svg", "<svg><title>A ball &amp; a wall</title></svg>");
+    book.put("demos/07_wall_2.svg", "<svg><title>A ball &amp; a wall</title></svg>");
+    CHECK_THAT(book.check().text,
+               StartsWith("chapters/07_wall/README.md:5: below this mark a forge shows another picture"));
+    CHECK_THAT(book.weave().text, ContainsSubstring("3 blocks changed"));
+    const std::string woven =
+        plain
+        + "\n<!-- demo: room | Throw $x$. -->\n\n![A ball &amp; a wall](../../demos/07_wall.svg)\n\n"
+          "*Play it:* `./course play 7`. Throw $x$.\n\n"
+          "<!-- demo: room mine, radius: 2 | Larger. -->\n\n![A ball &amp; a wall](../../demos/07_wall_2.svg)\n\n"
+          "*Play it:* `./course play 7 --mine`. Larger.\n\n"
+          "<!-- demo: room mine | Yours. -->\n\n*Play it:* `./course play 7 --mine`. Yours.\n\nOn.\n";
+    CHECK_THAT(book.text(), ContainsSubstring(woven));
+    CHECK(book.check().code == all_well);
+
+    book.edit_chapter("Larger. -->", "Smaller. -->");
+    CHECK_THAT(book.check().text, StartsWith("chapters/07_wall/README.md:11: "));
+    CHECK(book.weave().code == all_well);
+    CHECK_THAT(book.text(), ContainsSubstring(replaced(woven, "Larger", "Smaller")));
+}

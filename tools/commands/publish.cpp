@@ -21,7 +21,7 @@ namespace {
 constexpr const char *about_publish = R"(
 Copies each drawn figure to plots/*.svg, where the chapters show it, and the trace that it was drawn
 from to plots/*.tsv, with six significant digits. Look at the figures first: ./course plot
-A picture of each demo is kept in demos/*.svg, and where there is a compiler for WebAssembly, the demo
+A picture of each demo as it begins at its places is kept in demos/*.svg, and where there is a compiler for WebAssembly, the demo
 itself beside it.
 
 --check compares the kept traces with what the programs write today. Header, rows and gaps must be
@@ -56,26 +56,34 @@ std::vector<Section> changed_demos(const Tree &tree, const std::vector<Section> 
     return changed;
 }
 
-/// The still picture of the section's demo, as an SVG; "" if it has no demo.
-std::string draw_demo(const Tree &tree, const Section &section) {
-    if (!fs::exists(tree.chapter(section).parent_path() / "demo.cpp")) return "";
+/// The still pictures of the section's demo, as SVGs, by the files in which they are kept; none without a demo.
+std::map<fs::path, std::string> draw_demo(const Tree &tree, const Section &section) {
+    if (!fs::exists(tree.chapter(section).parent_path() / "demo.cpp")) return {};
     if (const Finished built = build_target(tree, section.name + "_demo"); built.code != 0)
         throw Complaint{"the demo of section " + section.short_number()
                         + " cannot be compiled: " + first_error(built.out + built.err)};
-    const Finished played = run({(tree.build / "demo" / section.name).string(), "--picture"}, {.deadline = 60});
-    if (played.code != 0)
-        throw Complaint{"the demo of section " + section.short_number() + " cannot be drawn: " + played.err};
-    return demo_picture(played.out, read_colours(read_file(tree.root / "plots" / "style.gp")),
-                        "the demo of section " + section.short_number());
+    const std::string name = "the demo of section " + section.short_number();
+    const Colours colours = read_colours(read_file(tree.root / "plots" / "style.gp"));
+    const std::vector<std::string> starts = demo_starts(demo_marks(read_file(tree.chapter(section))));
+    std::map<fs::path, std::string> pictures;
+    for (std::size_t start = 0; start < starts.size(); ++start) {
+        const Finished played =
+            run({(tree.build / "demo" / section.name).string(), "--picture", starts[start]}, {.deadline = 60});
+        if (played.code != 0) throw Complaint{name + " cannot be drawn: " + played.err};
+        pictures[tree.root / demo_picture_file(section, start)] = demo_picture(played.out, colours, name);
+    }
+    return pictures;
 }
 
-/// The pictures of demos that are not what the demos show today, by the file in which each is kept.
+/// The kept pictures that are not what the demos show today, with what they show; with nothing if no place has them.
 std::map<fs::path, std::string> changed_pictures(const Tree &tree, const std::vector<Section> &sections) {
     std::map<fs::path, std::string> changed;
     for (const Section &section : sections) {
-        const std::string now = draw_demo(tree, section);
-        const fs::path kept = tree.root / demo_picture_file(section);
-        if (!now.empty() && !(fs::exists(kept) && show_the_same(read_file(kept), now))) changed[kept] = now;
+        const std::map<fs::path, std::string> now = draw_demo(tree, section);
+        for (const auto &[file, picture] : now)
+            if (!fs::exists(file) || !show_the_same(read_file(file), picture)) changed[file] = picture;
+        for (std::size_t start = now.size(); fs::exists(tree.root / demo_picture_file(section, start)); ++start)
+            changed[tree.root / demo_picture_file(section, start)];
     }
     return changed;
 }
@@ -93,7 +101,8 @@ void publish_all(const Tree &tree, const std::vector<Section> &sections) {
         ++count;
     }
     for (const auto &[file, picture] : changed_pictures(tree, sections)) {
-        write_file(file, picture);
+        if (picture.empty()) fs::remove(file);
+        else write_file(file, picture);
         std::cout << tree.shown(file) << '\n';
         ++count;
     }
@@ -107,7 +116,7 @@ void check_all(const Tree &tree, const std::vector<Section> &sections) {
     for (const Section &section : changed_demos(tree, sections))
         found.push_back(demo_file(section) + " is not what its sources give today.");
     for (const auto &[file, picture] : changed_pictures(tree, sections))
-        found.push_back(tree.shown(file) + " is not what its demo shows today.");
+        found.push_back(tree.shown(file) + (picture.empty() ? " has no place." : " is not what its demo shows today."));
     for (const std::string &text : found) std::cout << text << '\n';
     if (found.empty()) {
         std::cout << "The published figures agree with the programs.\n";

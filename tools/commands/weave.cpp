@@ -3,6 +3,7 @@
 
 #include "book/budgets.hpp"
 #include "book/chapter.hpp"
+#include "book/demo_places.hpp"
 #include "book/glossary.hpp"
 #include "book/links.hpp"
 #include "commands/commands.hpp"
@@ -62,7 +63,8 @@ class Command {
     void section(const Section &section) {
         const fs::path file = tree.chapter(section);
         const std::string text = read_file(file);
-        const bool readable = page(page_of(tree, section), text);
+        const DemoPlaces places = weave_demo_places(tree, section, text);
+        const bool readable = page(page_of(tree, section), places.text, places.differences);
         if (check && readable) {
             add(missing_parts(tree, section, text));
             add(exceeded_budgets(text, file));

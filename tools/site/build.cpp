@@ -162,8 +162,10 @@ class Builder {
             if (entry.path().extension() == ".svg") files[tree.shown(entry.path())] = read_file(entry.path());
         for (const Demo &demo : demos(tree)) {
             files[demo_file(demo.section)] = read_file(tree.root / demo_file(demo.section));
-            if (!demo.about.empty())
-                files[demo_picture_file(demo.section)] = read_file(tree.root / demo_picture_file(demo.section));
+            for (std::size_t start = 0; start < demo.starts.size() && !demo.about.empty(); ++start) {
+                const std::string picture = demo_picture_file(demo.section, start);
+                files[picture] = read_file(tree.root / picture);
+            }
         }
         files["lunr.js"] = read_file(fs::path{tools.lunr}.replace_extension(".min.js"));
         // Of its three formats every browser of the last ten years takes the first.

@@ -13,17 +13,12 @@ namespace fs = std::filesystem;
 
 std::string demo_file(const Section &section) { return "demos/" + section.name + ".js"; }
 
-std::string demo_picture_file(const Section &section) { return "demos/" + section.name + ".svg"; }
-
 namespace {
 
-/// The title of the demo's picture; "" if there is no picture.
-std::string title_of_picture(const Tree &tree, const Section &section) {
-    const fs::path file = tree.root / demo_picture_file(section);
-    const std::string svg = fs::exists(file) ? read_file(file) : "";
-    const Html page{svg};
-    const Element title = page.first([](const Element &e) { return e.name() == "title"; });
-    return title.node ? title.text() : "";
+/// The picture of the demo as it begins at this place, or else of its first.
+std::string picture_for(const Demo &demo, const DemoMark &mark) {
+    const auto start = std::find(demo.starts.begin(), demo.starts.end(), mark.start);
+    return demo_picture_file(demo.section, start == demo.starts.end() ? 0 : std::size_t(start - demo.starts.begin()));
 }
 
 } // namespace
@@ -33,7 +28,9 @@ std::vector<Demo> demos(const Tree &tree) {
     for (const Section &section : tree.sections()) {
         if (!fs::exists(tree.root / demo_file(section))) continue;
         const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
-        if (!marks.empty()) all.push_back({section, marks.front(), title_of_picture(tree, section)});
+        if (marks.empty()) continue;
+        const Html title{picture_title(tree.root / demo_picture_file(section))}; // whose entities it reads
+        all.push_back({section, marks.front(), demo_starts(marks), Element{title.root()}.text()});
     }
     return all;
 }
@@ -42,9 +39,8 @@ std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark 
     return "<figure class=\"play\" id=\"" + id + "\" data-demo=\"" + demo.section.name + '"'
            + (mark.mine ? " data-mine" : "") + (mark.start.empty() ? "" : " data-start=\"" + escaped(mark.start) + '"')
            + "><figcaption>" + task + "</figcaption>"
-           + (demo.about.empty()
-                  ? ""
-                  : "<img src=\"" + demo_picture_file(demo.section) + "\" alt=\"" + escaped(demo.about) + "\">")
+           + (demo.about.empty() ? ""
+                                 : "<img src=\"" + picture_for(demo, mark) + "\" alt=\"" + escaped(demo.about) + "\">")
            + "<p class=\"without-js\">Here is a demo to play with, for a browser with JavaScript.</p></figure>\n";
 }
 

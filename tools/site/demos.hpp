@@ -1,7 +1,7 @@
 #pragma once
 // Demos: where a chapter asks for one, and how a page has it.
 
-#include "book/chapter.hpp"
+#include "book/demo_places.hpp"
 #include "ground/tree.hpp"
 
 #include <filesystem>
@@ -14,7 +14,8 @@ namespace course {
 struct Demo {
     Section section;
     DemoMark mark;
-    std::string about; ///< what it shows, as its picture says; "" if there is no picture
+    std::vector<std::string> starts; ///< see demo_starts
+    std::string about;               ///< what it shows, as its picture says; "" if there is no picture
 };
 
 /// The demos of all chapters, in their order: those of sections whose demo is kept in demos/.
@@ -23,10 +24,7 @@ std::vector<Demo> demos(const Tree &tree);
 /// The file in which a section's demo is kept, and is read by the site's pages: "demos/07_segment_intersection.js".
 std::string demo_file(const Section &section);
 
-/// Its still picture: "demos/07_segment_intersection.svg".
-std::string demo_picture_file(const Section &section);
-
-/// The demo itself, as the build compiles it where there is a compiler for pages.
+/// The same, as the build compiles it where there is a compiler for pages.
 inline std::filesystem::path compiled_demo(const Tree &tree, const Section &section) {
     return tree.build / "play" / (section.name + ".js");
 }

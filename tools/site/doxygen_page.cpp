@@ -201,11 +201,24 @@ class PageWriter {
         }
     }
 
+    /// A picture or a command that a forge shows in the place of a demo, which plays here.
+    static bool stands_for_a_demo(cmark_node *paragraph) {
+        cmark_node *begin = cmark_node_first_child(paragraph);
+        if (!begin) return false;
+        if (cmark_node_get_type(begin) == CMARK_NODE_EMPH) return words_of(begin) == "Play it:";
+        return cmark_node_get_type(begin) == CMARK_NODE_IMAGE
+               && std::string_view{cmark_node_get_url(begin)}.starts_with("../../demos/");
+    }
+
     void paragraph(cmark_node *node) {
         const int first = cmark_node_get_start_line(node);
         cmark_node *only = cmark_node_first_child(node);
         if (only && cmark_node_next(only)) only = nullptr;
-        if (only && cmark_node_get_type(only) == CMARK_NODE_IMAGE) {
+        if (stands_for_a_demo(node)) {
+            inlines(node, first); // its formulas are taken, too
+            cmark_node_unlink(node);
+            cmark_node_free(node);
+        } else if (only && cmark_node_get_type(only) == CMARK_NODE_IMAGE) {
             replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, figure(only)));
         } else if (only && cmark_node_get_type(only) == CMARK_NODE_EMPH && lead_may_follow) {
             inlines(only, first);

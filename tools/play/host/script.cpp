@@ -1,7 +1,9 @@
 // A demo without a page. It reads one line of input for each frame, and writes the frame's numbers, bit by bit; or,
-// as `NN_slug --picture`, plays until its still picture is taken, and writes what it is about and what is seen then.
+// as `NN_slug --picture "wind: 2"`, plays until its still picture is taken with this control, and writes what it is about
+// and what is seen then.
 #include "frame.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <sstream>
@@ -12,6 +14,25 @@ namespace {
 void print_row() {
     for (const double x : host::row) std::printf("%a ", x);
     std::printf("\n");
+}
+
+/// "The game: bounces (7.4), radius: 0.4", as the place of a demo has it, and as docs/play.js reads it.
+void begin_with(std::string_view settings) {
+    while (!settings.empty()) {
+        const std::string_view setting = settings.substr(0, settings.find(", "));
+        settings.remove_prefix(std::min(setting.size() + 2, settings.size()));
+        const std::string_view name = setting.substr(0, setting.find(": "));
+        const std::string value{setting.substr(std::min(name.size() + 2, setting.size()))};
+        auto &controls = host::in.controls;
+        const auto control =
+            std::find_if(controls.begin(), controls.end(), [&](const auto &c) { return c.name == name; });
+        if (control == controls.end()) throw std::runtime_error{"there is no control " + std::string{name}};
+        const auto &options = control->options;
+        control->value = options.empty() ? std::stod(value)
+                                         : double(std::find(options.begin(), options.end(), value) - options.begin());
+        if (!options.empty() && control->value == double(options.size()))
+            throw std::runtime_error{"there is no choice " + value};
+    }
 }
 
 void play_alone() {
@@ -45,7 +66,7 @@ void play_lines() {
 int main(int count, char **words) {
     try {
         host::begin();
-        if (count == 2 && std::string_view{words[1]} == "--picture") play_alone();
+        if (count == 3 && std::string_view{words[1]} == "--picture") begin_with(words[2]), play_alone();
         else play_lines();
     } catch (const std::exception &error) {
         std::cerr << error.what() << '\n';

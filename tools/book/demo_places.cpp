@@ -1,0 +1,90 @@
+#include "book/demo_places.hpp"
+
+#include "book/markdown.hpp"
+#include "ground/files.hpp"
+#include "ground/lines.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view picture_line = "![", play_line = "*Play it:* ";
+
+/// The marks of a chapter by their lines, from 1.
+std::map<std::size_t, DemoMark> marks_by_line(std::string_view chapter) {
+    const Document document = parse_markdown(chapter);
+    std::map<std::size_t, DemoMark> marks;
+    each_node(document.get(), [&](cmark_node *node) {
+        if (cmark_node_get_type(node) != CMARK_NODE_HTML_BLOCK) return;
+        if (auto mark = demo_mark(literal(node)))
+            marks[static_cast<std::size_t>(cmark_node_get_start_line(node))] = *mark;
+    });
+    return marks;
+}
+
+std::string command_that_plays(const Section &section, const DemoMark &mark) {
+    return fmt::format("{}`./course play {}{}`. {}", play_line, section.short_number(), mark.mine ? " --mine" : "",
+                       mark.task);
+}
+
+} // namespace
+
+std::vector<std::string> demo_starts(const std::vector<DemoMark> &marks) {
+    std::vector<std::string> starts;
+    for (const DemoMark &mark : marks)
+        if (std::find(starts.begin(), starts.end(), mark.start) == starts.end()) starts.push_back(mark.start);
+    return starts;
+}
+
+std::string demo_picture_file(const Section &section, std::size_t start) {
+    return "demos/" + section.name + (start == 0 ? "" : '_' + std::to_string(start + 1)) + ".svg";
+}
+
+std::string picture_title(const fs::path &svg) {
+    const std::string text = fs::exists(svg) ? read_file(svg) : "";
+    const auto from = text.find("<title>"), to = text.find("</title>");
+    return from == text.npos || to == text.npos ? "" : text.substr(from + 7, to - from - 7);
+}
+
+DemoPlaces weave_demo_places(const Tree &tree, const Section &section, std::string_view text) {
+    const std::vector<Line> lines = lines_of(text);
+    const std::map<std::size_t, DemoMark> marks = marks_by_line(text.substr(byte_order_mark(text).size()));
+    const bool has_picture = fs::exists(tree.root / demo_picture_file(section));
+    DemoPlaces result;
+    std::vector<DemoMark> so_far;
+    for (std::size_t at = 0; at < lines.size(); ++at) {
+        (result.text += lines[at].text) += lines[at].end;
+        const auto mark = marks.find(at + 1);
+        if (mark == marks.end()) continue;
+        const std::string end{lines[at].end};
+        std::string before, wanted;
+        const auto take = [&](std::string_view beginning, std::string_view within) {
+            if (at + 2 >= lines.size() || !lines[at + 1].text.empty()) return;
+            const Line &line = lines[at + 2];
+            if (!line.text.starts_with(beginning) || line.text.find(within) == line.text.npos) return;
+            before += end + std::string{line.text} + std::string{line.end};
+            at += 2;
+        };
+        const std::size_t line = at + 1;
+        take(picture_line, "](../../demos/");
+        take(play_line, "");
+        const std::size_t known = demo_starts(so_far).size();
+        so_far.push_back(mark->second);
+        if (has_picture && demo_starts(so_far).size() > known) {
+            const std::string file = demo_picture_file(section, known);
+            wanted += end + fmt::format("![{}](../../{})", picture_title(tree.root / file), file) + end;
+        }
+        if (has_picture) wanted += end + command_that_plays(section, mark->second) + end;
+        result.text += wanted;
+        if (wanted != before)
+            result.differences.push_back({tree.chapter(section), static_cast<int>(line),
+                                          "below this mark a forge shows another picture or command than the demo's."});
+    }
+    return result;
+}
+
+} // namespace course

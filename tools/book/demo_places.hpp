@@ -1,0 +1,32 @@
+#pragma once
+// Where a chapter has its demo, a forge shows a still picture of it, and says how to play it.
+
+#include "book/chapter.hpp"
+#include "book/finding.hpp"
+#include "ground/tree.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// The ways in which the demo begins at its places, each once, in the order of the chapter: there is a picture of each.
+std::vector<std::string> demo_starts(const std::vector<DemoMark> &marks);
+
+/// Where the picture of the first start is kept, "demos/07_segment_intersection.svg", or of a later one, "..._2.svg".
+std::string demo_picture_file(const Section &section, std::size_t start = 0);
+
+/// What a picture shows, as its title says, with HTML's entities; "" without that picture.
+std::string picture_title(const std::filesystem::path &svg);
+
+struct DemoPlaces {
+    std::string text;                 ///< of the chapter, with two paragraphs below each mark of a demo
+    std::vector<Finding> differences; ///< places that were not so
+};
+
+/// Writes below each mark its picture, the first time that the demo begins so, and the command that plays it.
+DemoPlaces weave_demo_places(const Tree &tree, const Section &section, std::string_view text);
+
+} // namespace course
