@@ -76,6 +76,14 @@ TEST_CASE("words are counted up to what the reader does, and from there to the n
     CHECK(reading.line == 1);
 }
 
+TEST_CASE("what stands for a demo on a forge is no reading") {
+    const std::string demo = "<!-- demo: room | Throw. -->\n\n";
+    const std::string shown =
+        "![A ball in a room](../../demos/07_wall.svg)\n\n*Play it:* `./course play 7`. Throw.\n\n";
+    CHECK(budget(demo + shown + "One two three.\n", "reading").value == 3);
+    CHECK(budget(demo + "*Play it* again.\n", "reading").value == 3);
+}
+
 TEST_CASE("minutes are those of the chapter's table, reading and doing") {
     const std::string table =
         "| | you write | level | minutes |\n|:--|:--|:--|--:|\n"

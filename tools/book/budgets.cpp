@@ -1,6 +1,7 @@
 #include "book/budgets.hpp"
 
 #include "book/chapter.hpp"
+#include "book/demo_places.hpp"
 #include "book/markdown.hpp"
 #include "ground/lines.hpp"
 
@@ -70,7 +71,7 @@ class Meter {
         }
         if (text.starts_with("#") && has(text, "Your turn:") && first_box == 0) first_box = number;
         minutes_in(text, number);
-        if (text.starts_with("<!--")) return;
+        if (text.starts_with("<!--") || stands_for_a_demo(text)) return;
         ++prose;
         if (!text.starts_with("|") && !text.starts_with("#")) words_since += words_in(std::string{text});
     }

@@ -3,6 +3,7 @@
 #include "book/markdown.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
+#include "ground/text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,7 +13,10 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view picture_line = "![", play_line = "*Play it:* ";
+constexpr std::string_view play_line = "*Play it:* ";
+
+bool is_picture(std::string_view line) { return line.starts_with("![") && contains(line, "](../../demos/"); }
+bool is_command(std::string_view line) { return line.starts_with(play_line); }
 
 /// The marks of a chapter by their lines, from 1.
 std::map<std::size_t, DemoMark> marks_by_line(std::string_view chapter) {
@@ -50,6 +54,8 @@ std::string picture_title(const fs::path &svg) {
     return from == text.npos || to == text.npos ? "" : text.substr(from + 7, to - from - 7);
 }
 
+bool stands_for_a_demo(std::string_view line) { return is_picture(line) || is_command(line); }
+
 DemoPlaces weave_demo_places(const Tree &tree, const Section &section, std::string_view text) {
     const std::vector<Line> lines = lines_of(text);
     const std::map<std::size_t, DemoMark> marks = marks_by_line(text.substr(byte_order_mark(text).size()));
@@ -62,16 +68,14 @@ DemoPlaces weave_demo_places(const Tree &tree, const Section &section, std::stri
         if (mark == marks.end()) continue;
         const std::string end{lines[at].end};
         std::string before, wanted;
-        const auto take = [&](std::string_view beginning, std::string_view within) {
-            if (at + 2 >= lines.size() || !lines[at + 1].text.empty()) return;
-            const Line &line = lines[at + 2];
-            if (!line.text.starts_with(beginning) || line.text.find(within) == line.text.npos) return;
-            before += end + std::string{line.text} + std::string{line.end};
+        const auto take = [&](bool (*is)(std::string_view)) {
+            if (at + 2 >= lines.size() || !lines[at + 1].text.empty() || !is(lines[at + 2].text)) return;
+            before += end + std::string{lines[at + 2].text} + std::string{lines[at + 2].end};
             at += 2;
         };
         const std::size_t line = at + 1;
-        take(picture_line, "](../../demos/");
-        take(play_line, "");
+        take(is_picture);
+        take(is_command);
         const std::size_t known = demo_starts(so_far).size();
         so_far.push_back(mark->second);
         if (has_picture && demo_starts(so_far).size() > known) {

@@ -21,6 +21,9 @@ std::string demo_picture_file(const Section &section, std::size_t start = 0);
 /// What a picture shows, as its title says, with HTML's entities; "" without that picture.
 std::string picture_title(const std::filesystem::path &svg);
 
+/// Whether a line of a chapter was woven below a mark: a picture, or a command.
+bool stands_for_a_demo(std::string_view line);
+
 struct DemoPlaces {
     std::string text;                 ///< of the chapter, with two paragraphs below each mark of a demo
     std::vector<Finding> differences; ///< places that were not so
