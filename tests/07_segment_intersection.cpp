@@ -352,6 +352,7 @@ TEST_CASE("exact on whole numbers up to ±1000, for the narrowest gaps and the s
     CHECK_THAT(segments_intersect(steep, grid({{998, 999}, {1000, -1000}})), IsNear(true));
     CHECK_THAT(segments_intersect(steep, grid({{-999, -999}, {1000, -1000}})), IsNear(false));
     CHECK_THAT(segments_intersect(steep, grid({{-999, -999}, {-1000, 1000}})), IsNear(true));
+    CHECK_THAT(segments_intersect(steep, grid({{-1000, -1000}, {998, 999}})), IsNear(true)); // nearly parallel
     // on one line
     CHECK_THAT(segments_intersect(grid({{-1000, 7}, {0, 7}}), grid({{1, 7}, {1000, 7}})), IsNear(false));
     CHECK_THAT(segments_intersect(grid({{-1000, 7}, {0, 7}}), grid({{1000, 7}, {0, 7}})), IsNear(true));
@@ -716,6 +717,8 @@ TEST_CASE("a room may have three corners or three hundred, and may pass through 
     for (int x = 0; x <= 150; ++x) corridor.push_back({double(x), 0});
     for (int x = 150; x >= 0; --x) corridor.push_back({double(x), 10});
     CHECK_THAT(move_and_bounce({{7.5, 5}, {0, 1}}, corridor, 7), IsNear(Ball{{7.5, 8}, {0, -1}}, rounding));
+    CHECK_THAT(move_and_bounce({{7.5, 5}, {-1, 0}}, corridor, 10),
+               IsNear(Ball{{2.5, 5}, {1, 0}}, rounding)); // the last wall
 
     const std::vector<Vec2> two_squares{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 8}, {4, 8}, {4, 4}, {0, 4}};
     CHECK_THAT(move_and_bounce({{2, 2}, {1, 0}}, two_squares, 3), IsNear(Ball{{3, 2}, {-1, 0}}, rounding));
@@ -744,6 +747,8 @@ TEST_CASE("a fast ball bounces within a nanosecond, and a slow one after hours",
     CHECK_THAT(move_and_bounce({{4, 3}, {0, -1e5}}, room, 3e-5 + left),
                IsNear(Ball{{4, 1e5 * left}, {0, 1e5}}, rounding));
     CHECK_THAT(move_and_bounce({{4, 3}, {1e5, 0}}, room, left), IsNear(Ball{{4 + 1e5 * left, 3}, {1e5, 0}}, rounding));
+    CHECK_THAT(move_and_bounce({{4, 3}, {0, -1e5}}, room, 3e-5 - left), // so long before it would bounce
+               IsNear(Ball{{4, 1e5 * left}, {0, -1e5}}, rounding));
 
     const double speed = GENERATE(5e-4, 5e-7, 5e-10, 5e-13); // [m/s]: at the floor after 1e4 s
     CHECK_THAT(move_and_bounce({{4, 1e4 * speed}, {0, -speed}}, room, 1.5e4),
@@ -800,6 +805,8 @@ TEST_CASE("a ball from outside flies in through the wall, and bounces where it w
     CHECK_THAT(move_and_bounce({{7, -3}, {0.5, 2}}, room, 2), IsNear(Ball{{8, 1}, {0.5, 2}}, rounding));
     CHECK_THAT(move_and_bounce({{4, -1}, {0, 2}}, {{0, 0}, {8, 0}, {8, 4}, {0, 4}}, 3),
                IsNear(Ball{{4, 3}, {0, -2}}, rounding));
+    CHECK_THAT(move_and_bounce({{4, -11}, {0, 2}}, {{0, 0}, {8, 0}, {8, 4}, {0, 4}}, 8),
+               IsNear(Ball{{4, 3}, {0, -2}}, rounding)); // from farther away
     CHECK_THAT(move_and_bounce({{7, -3}, {2, -1}}, room, 5),
                IsNear(Ball{{17, -8}, {2, -1}}, rounding)); // away: for ever
     CHECK_THAT(move_and_bounce({{-4, 30}, {9, 0}}, room, 5), IsNear(Ball{{41, 30}, {9, 0}}, rounding)); // past it
@@ -926,7 +933,7 @@ TEST_CASE("a ball that hits the tip of a corner stays inside the room, at its fu
     CHECK_THAT((after.position - tip).norm(), IsNear(0.1, 1e-8).of("distance from the tip [m]")); // it did not stay
 }
 
-TEST_CASE("a ball aimed exactly at a corner does not leave the room", "[7.4]") {
+TEST_CASE("a ball aimed exactly at a corner does not leave the room; a corner of 60° mirrors it", "[7.4]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
         const Vec2 corner = room[std::size_t(dice.whole(0, 3))], from = dice.point(3, 7);
@@ -937,6 +944,15 @@ TEST_CASE("a ball aimed exactly at a corner does not leave the room", "[7.4]") {
         CHECK_THAT(outside(after.position, room), IsBelow(1e-8).of("distance outside of the room [m]"));
         CHECK_THAT(after.velocity.norm(), IsNear(velocity.norm(), 1e-10).of("speed [m/s]"));
     }
+
+    // In one of 60° it meets three walls, one after the other: it flies in at 18° from the floor, and comes out at 42°.
+    const std::vector<Vec2> corner_60{{0, 0}, {8, 0}, {4, 4 * std::sqrt(3)}};
+    const Vec2 bisector{std::sqrt(3) / 2, 0.5}, mirrored = 2 * Vec2{3, 1}.dot(bisector) * bisector - Vec2{3, 1};
+    CHECK_THAT(move_and_bounce({{3, 1}, {-3, -1}}, corner_60, 2), IsNear(Ball{mirrored, mirrored}, 1e-8));
+
+    // In one of 45° it meets four, and comes out as it came.
+    const std::vector<Vec2> corner_45{{0, 0}, {8, 0}, {8, 8}};
+    CHECK_THAT(move_and_bounce({{3, 1}, {-3, -1}}, corner_45, 2), IsNear(Ball{{3, 1}, {3, 1}}, 1e-8));
 }
 
 TEST_CASE("after max_bounces bounces in one call the ball stays where it is, with its velocity", "[7.4]") {
@@ -1040,6 +1056,8 @@ TEST_CASE("a wall shorter than a micrometre is touched at its end or at its side
                IsNear(Impact{0.5, {5, length}, {6, length}}, rounding));
     CHECK_THAT(time_of_impact({{0, length / 2}, {10, length / 2}}, 0, hair),
                IsNear(Impact{0.6, {6, length / 2}, {6, length / 2}}, rounding));
+    CHECK_THAT(time_of_impact({{0, 9.5e4}, {0, 8.5e4}}, 9e4, {{-length, 0}, {length, 0}}),
+               IsNear(Impact{0.5, {0, 9e4}, {0, 0}}, 1e-10)); // by a disc that is 180 km wide
 }
 
 TEST_CASE("an impact counts up to the very end of the motion, and not after", "[7.5]") {
@@ -1161,6 +1179,7 @@ TEST_CASE("a post is touched from every side, and a disc of radius 0 is a point"
     CHECK_THAT(time_of_impact({{0, -2}, {18, -2}}, 5, post),
                IsNear(Impact{1.0 / 6, {3, -2}, {6, 2}}, rounding)); // 5² = 3² + 4²
     CHECK_THAT(time_of_impact({{0, -4}, {18, -4}}, 5, post), IsNear(never));
+    CHECK_THAT(time_of_impact({{6, 9.5e4}, {6, 8.5e4}}, 9e4 - 2, post), IsNear(Impact{0.5, {6, 9e4}, {6, 2}}, 1e-10));
     CHECK_THAT(time_of_impact({{5, 6}, {5, -2}}, 0, ground), IsNear(Impact{0.75, {5, 0}, {5, 0}}, rounding));
     CHECK_THAT(time_of_impact({{5, 6}, {5, -2}}, -0.0, ground), IsNear(Impact{0.75, {5, 0}, {5, 0}}, rounding));
     CHECK_THAT(time_of_impact({{5, 6}, {5, 2}}, 0, ground), IsNear(never));
@@ -1288,16 +1307,17 @@ TEST_CASE("the sign is that of the exact determinant, from 1e-60 m to 1e5 m", "[
     }
 }
 
-TEST_CASE("three of the worst cases: 0 is allowed up to 1e-15 of the exact D, not of the computed one", "[7.6]") {
+TEST_CASE("four of the worst cases: 0 is allowed up to 1e-15 of the exact D, not of the computed one", "[7.6]") {
     // Computed, D is 2.2e-16 of its two products together; these eight numbers, as they are stored, have -2.3e-17 of them.
     const Segment first{{0.0066887441641682033, 0.035824353454739041}, {1.0085581351620307, 1.0543505924393419}};
     const Segment second{{-0.047818887578320146, -0.040134572186612497}, {0.93427171066482462, 0.9582840364250792}};
     CHECK_THAT(orientation(first, second), IsAtMost(0));
     CHECK_THAT(orientation(second, first), IsAtLeast(0));
 
-    // Computed, it is 2.5e-16 of them, truly -5.7e-19: all six roundings go the same way, so two each are not enough.
-    const Segment up{{1.0880185641326534e-16, -1.0880185641326534e-16}, {1.1510662627496386, 1.1510662627497668}};
-    const Segment down{{-1.0880185641326534e-16, 1.0880185641326534e-16}, {1.141200003253026, 1.1412000032531535}};
+    // Computed, it is 3.1e-16 of them, truly -6e-20: all six roundings go the same way, so 3e-16 is not enough.
+    const double h = 1.1099519740820352e-16; // nearly half a rounding of a number above 1
+    const Segment up{{h, -h}, {1.0363408603774193, 1.043475314830111}};
+    const Segment down{{-h, h}, {1.023184982690287, 1.0302288684761123}};
     CHECK_THAT(orientation(up, down), IsAtMost(0));
     CHECK_THAT(orientation(down, up), IsAtLeast(0));
 
@@ -1307,6 +1327,13 @@ TEST_CASE("three of the worst cases: 0 is allowed up to 1e-15 of the exact D, no
     const Segment fourth{{-0.010648782619675397, 0.032056641416541437}, {1.0278831682168375, 1.064460254502831}};
     CHECK_THAT(orientation(third, fourth), IsNear(1));
     CHECK_THAT(orientation(fourth, third), IsNear(-1));
+
+    // In the 64 bits that a long double has on some machines, D is 5e-20 of them; truly it is -4e-20.
+    const double k = 5.4196873734474373e-20;
+    const Segment left{{k, -k}, {1.009469358584476, 1.022237463350789}};
+    const Segment right{{-k, k}, {1.035790392257265, 1.0488914142266945}};
+    CHECK_THAT(orientation(left, right), IsAtMost(0));
+    CHECK_THAT(orientation(right, left), IsAtLeast(0));
 }
 
 TEST_CASE("along an axis both products are tiny, and so is the range in which 0 is allowed", "[7.6]") {
