@@ -8,9 +8,9 @@
 
 /// Section 11: particles, many small things that are spawned, move, change colour and die.
 ///
-/// Numbers that go in are within ±1e5, which itself is allowed; numbers that come out may be larger. Computed numbers are
-/// right to 1e-12, or to 1e-12 of the largest number that goes into them if that is more than 1. After n terms, bounces
-/// or added angles the limit is n times that.
+/// Numbers that go in, other than counts, are within ±1e5, which itself is allowed; numbers that come out may be larger.
+/// Computed numbers are right to 1e-12, or to 1e-12 of the largest number that goes into them if that is more than 1.
+/// After n terms, bounces or added angles the limit is n times that.
 ///
 /// Input that is not as a function describes it is refused, by every function, with a std::invalid_argument that names
 /// it: a number beyond ±1e5 or not a number, a bad particle (`require_particle`), random number or wall, and whatever
@@ -77,8 +77,8 @@ struct World {
 std::optional<Particle> step(const Particle &particle, const World &world, double dt);
 
 //> A ring
-/// Velocities [m/s] in all directions: all of them as fast as `speed`, with the same angle from each to the next,
-/// anticlockwise, starting at the angle `first`.
+/// Velocities [m/s] in all directions: all of them as fast as `speed`, once round, with the same angle from each to the
+/// next, anticlockwise, starting at the angle `first`.
 /// @param count  how many, not negative; 0 gives an empty list
 /// @param speed  [m/s], not negative
 /// @param first  [rad]; 0 is to the right
