@@ -891,9 +891,6 @@ TEST_CASE("on a wall's right side a particle is not reflected, whether it comes 
     // beyond the ground already: one second ago it passed through
     CHECK_THAT(move_and_collide(flying({8, -2}, {3, -2}), ground, 0.5, 2),
                IsNear(flying({14, -6}, {3, -2}, 2), rounding));
-    // through the ground, up to a ceiling at y = 2 after 1.5 s, and down to the ground, which it now hits from the left
-    CHECK_THAT(move_and_collide(flying({4, -1}, {1, 2}), {ground[0], {{20, 2}, {0, 2}}}, 1, 3),
-               IsNear(flying({7, 1}, {1, 2}, 3), rounding));
     // down through 1200 ceilings, which count as no bounces, and then off the ground
     std::vector<Wall> many = ground;
     for (int i = 0; i < 1200; ++i) many.push_back({{20, 1 + i / 1000.0}, {0, 1 + i / 1000.0}});
@@ -991,6 +988,10 @@ TEST_CASE("the wall that is hit first in time reflects, wherever it is in the li
     CHECK_THAT(move_and_collide(flying({2, 2}, {10, -1}), {right, ground[0]}, 0.5, 3),
                IsNear(flying({2, 0.5}, {-5, 0.5}, 3), rounding));
 
+    // through the ground, up to a ceiling at y = 2 after 1.5 s, and down to the ground, which it now hits from the left
+    CHECK_THAT(move_and_collide(flying({4, -1}, {1, 2}), {ground[0], {{20, 2}, {0, 2}}}, 1, 3),
+               IsNear(flying({7, 1}, {1, 2}, 3), rounding));
+
     // 5e-5 m lie between these two, at 100 km/s that is half a nanosecond
     const Wall step_before{.start = {0, 5e-5}, .end = {20, 5e-5}};
     for (const std::vector<Wall> &two : {std::vector{ground[0], step_before}, std::vector{step_before, ground[0]}})
@@ -1085,16 +1086,15 @@ TEST_CASE("with restitution 0 a particle slides along the wall and stays on it",
     for (int frame = 0; frame < 200; ++frame) now = move_and_collide(now, slope, 0, 1.0 / 64);
     CHECK_THAT(now.position, IsNear(Vec2{(2 + 2 * 200 / 64.0) * along}, 1e-9).of("position [m]"));
     CHECK_THAT(now.velocity, IsNear(Vec2{2 * along}, 1e-9).of("velocity [m/s]"));
-
-    // along the ground into the corner under a slope: each wall takes a part of the speed, until the particle is at rest
-    CHECK_THAT(move_and_collide(flying({8, 3}, {-2, -4}), {{{-20, 0}, {20, 0}}, {15 * along, -15 * along}}, 0, 9),
-               IsNear(flying({0, 0}, {0, 0}, 9), 1e-7));
 }
 
 TEST_CASE("in a corner both walls reflect the particle", "[11.8]") {
     // it reaches (8, 6) after 1 s, and flies back for 1 s at half the speed
     CHECK_THAT(move_and_collide(flying({5, 4}, {3, 2}), box, 0.5, 2), IsNear(flying({6.5, 5}, {-1.5, -1}, 2), 1e-11));
     CHECK_THAT(move_and_collide(flying({3, 2}, {-3, -2}), box, 1, 2), IsNear(flying({3, 2}, {3, 2}, 2), 1e-11));
+    // along the ground into the corner under a slope: each wall takes a part of the speed, until the particle is at rest
+    CHECK_THAT(move_and_collide(flying({8, 3}, {-2, -4}), {{{-20, 0}, {20, 0}}, {{12, 9}, {-12, -9}}}, 0, 9),
+               IsNear(flying({0, 0}, {0, 0}, 9), 1e-7));
     // two walls that overlap: after the first it does not approach the second
     CHECK_THAT(move_and_collide(flying({4, 3}, {2, -2}), {{{0, 0}, {12, 0}}, {{5, 0}, {20, 0}}}, 0.5, 2),
                IsNear(flying({8, 0.5}, {2, 1}, 2), rounding));
