@@ -66,7 +66,7 @@ struct Ball {
 /// of its velocity, and the ball moves on for the rest of the time.
 /// A wall acts only on a ball that is on it or inside, and approaches it; a ball from outside flies in through it.
 /// In a corner both walls act, one after the other in either order, until the ball approaches neither.
-/// A wall that is reached in the very last instant may or may not have acted yet.
+/// If the ball reaches a wall exactly at the end of `dt`, its velocity may be the one before or after the bounce.
 /// @param room  its corners in order, either way round; a wall joins each to the next, and the last to the first.
 ///              No two walls may cross; this is not checked.
 /// @param dt    [s], not negative
