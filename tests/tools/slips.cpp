@@ -36,6 +36,10 @@ Vec2 plus_braces(Vec2 a) {
     a = a + {1, 2};                            // Write Vec2 before the braces: 2 * Vec2{x, y}.
     return a;
 }
+Vec2 braces_divided(double x, double y, double length) {
+    const Vec2 a = {-y, x} / length;           // Write Vec2 before the braces: 2 * Vec2{x, y}.
+    return a;
+}
 bool other_braces(Vec2 a) {
     return a == {1, 2};                        // nothing
 }
@@ -66,6 +70,11 @@ std::vector<Vec2> two_values(double x, double y, std::vector<Vec2> list, Spark s
     list.push_back(x, y);                      // push_back takes one value: put braces round it, push_back({a, b}).
     list.push_back(spark);                     // nothing
     return list;
+}
+std::vector<Vec2> one_point(const Vec2 &a, const std::optional<Vec2> &found, double t) {
+    if (t < 0) return 0;                       // A list needs braces: return {a}; for one value, return {}; for none.
+    if (t > 1) return found;                   // A list needs braces: return {a}; for one value, return {}; for none.
+    return a;                                  // A list needs braces: return {a}; for one value, return {}; for none.
 }
 double semicolons(double x, double y) {
     double a = x + y

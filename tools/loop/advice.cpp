@@ -21,6 +21,7 @@ constexpr const char *two_components = "A Vec2 has two components: write Vec2{x,
 constexpr const char *same_result = "The header gives this function another result: copy its line from there.";
 constexpr const char *no_call = "A field has no parentheses: write a.position, not a.position().";
 constexpr const char *answer_nothing = "To answer nothing, write return {};";
+constexpr const char *answer_a_list = "A list needs braces: return {a}; for one value, return {}; for none.";
 constexpr const char *double_quotes = "Text needs double quotes: \"like this\".";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
@@ -173,11 +174,17 @@ std::string about_missing_star(const Said &said) {
     return star;
 }
 
-/// 2 * {x, y}: Clang names the operator, GCC stops at the brace, as it does elsewhere too.
+/// 2 * {x, y}: Clang names the operator, GCC stops at the brace, as it does elsewhere too. {x, y} / 2: both want a ;.
 std::string about_braces(const Said &said) {
     constexpr const char *write_vec2 = "Write Vec2 before the braces: 2 * Vec2{x, y}.";
     if (said.words.starts_with("initializer list cannot be used on the right hand side of operator"))
         return contains("'+' '-' '*' '/'", said.words.substr(said.words.size() - 3)) ? write_vec2 : "";
+    const std::size_t caret = said.caret.find('^'); // behind the braces of {x, y} / 2
+    if (said.words.starts_with("expected") && contains(said.words, "';'") && caret < said.code.size()) {
+        const std::string_view code = said.code, next = without_blanks(code.substr(caret));
+        const bool computes = !next.empty() && contains("+-*/", next.substr(0, 1)) && !next.starts_with("//");
+        return computes && without_blanks_behind(code.substr(0, caret)).ends_with('}') ? write_vec2 : "";
+    }
     if (!said.words.starts_with("expected primary-expression before '{'")) return {};
     std::string code = said.code;
     std::erase(code, ' ');
@@ -273,6 +280,9 @@ std::string about_conversion(const Said &said) {
                       &to = names[names.size() - (clang_assigns ? 2 : 1)];
     if (is_optional(to) && from.starts_with("<brace-enclosed")) return about_optional_list(to);
     if (is_optional(to) && (is_number(from) || from == "bool" || contains(from, "nullptr_t"))) return answer_nothing;
+    if (to.starts_with("std::vector<") && contains(said.code, "return ") && !from.starts_with("<brace-enclosed")
+        && !contains(from, "std::vector<"))
+        return answer_a_list;
     if (is_optional(from) && !is_optional(to))
         return "It may be nothing: ask first, if (found), and then write *found.";
     if (is_vector(from) && is_number(to))
