@@ -137,7 +137,8 @@
     const answers = make('p', { className: 'answers' });
     const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
     const caption = figure.querySelector('figcaption');
-    figure.replaceChildren(make('div', { className: 'stage' }, canvas, alarm), make('div', { className: 'rows' }, buttons, choose), answers, controls, readouts, keys);
+    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), make('div', { className: 'rows' }, buttons, choose), answers, keys);
+    figure.replaceChildren(make('div', { className: 'board' }, seen, make('div', {}, controls, readouts)));
     if (caption) figure.prepend(caption);
     const values = []; // of the controls: they outlive a restart
 
@@ -220,10 +221,10 @@
       return make('label', {}, make('span', { textContent: title }), input, shown);
     }
     function choice({ name: title, value, options }, i) {
-      const group = make('fieldset', {}, make('legend', { textContent: title }));
+      const buttons = make('div'), group = make('fieldset', {}, make('legend', { textContent: title }), buttons);
       options.forEach((option, at) => {
         const input = make('input', { type: 'radio', name: `play-${id}-${i}`, checked: at === value, onchange: () => set(i, at) });
-        group.append(make('label', {}, input, make('span', { textContent: option })));
+        buttons.append(make('label', {}, input, make('span', { textContent: option })));
       });
       return group;
     }
