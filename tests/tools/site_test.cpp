@@ -772,6 +772,15 @@ TEST_CASE("open --mine leads into the student's own site, and the plain one is n
                StartsWith("Open this file in your browser: " + (book.tree.build / "site/chapter_07").string()));
 }
 
+TEST_CASE("play opens a chapter's first demo, and play --mine the first that begins with the student's code") {
+    const OwnBook book;
+    book.can_compile_for_pages();
+    REQUIRE(book.make("<!-- demo: room | Throw. -->\n\n<!-- demo: room mine | Throw yours. -->\n").code == 0);
+    CHECK_THAT(book.with({"play", "7"}, "exit 0").out, ContainsSubstring("chapter_07_wall_meeting.html#demo-room\n"));
+    CHECK_THAT(book.with({"play", "7", "--mine"}, "exit 0").out,
+               ContainsSubstring("mine/site/chapter_07_wall_meeting.html#demo-room-2\n"));
+}
+
 TEST_CASE("play --mine keeps what else is the student's in their own site") {
     const OwnBook book;
     book.can_compile_for_pages();

@@ -1,6 +1,7 @@
 // `course play`: a chapter's demo in the browser, with our functions or with the student's.
 
 #include "commands/commands.hpp"
+#include "ground/files.hpp"
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "ground/terminal.hpp"
@@ -109,6 +110,14 @@ void watch(const Tree &tree, const Section &section) {
     }
 }
 
+/// Where a chapter's demo is opened: at its first place, or at the first that begins with the reader's code.
+std::string place_of_demo(const Tree &tree, const Section &section, bool mine) {
+    const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
+    const auto own = std::find_if(marks.begin(), marks.end(), [](const DemoMark &mark) { return mark.mine; });
+    const auto place = mine && own != marks.end() ? own : marks.begin();
+    return demo_id(*place, static_cast<std::size_t>(place - marks.begin()));
+}
+
 void play(const Tree &tree, const PlayOptions &options) {
     if (options.mine && options.section.empty())
         throw Complaint{"--mine needs a section, as in: ./course play 7 --mine"};
@@ -118,10 +127,9 @@ void play(const Tree &tree, const PlayOptions &options) {
     std::optional<Section> section;
     if (!options.section.empty()) {
         section = tree.section(options.section);
-        const auto demo =
-            std::find_if(all.begin(), all.end(), [&](const Demo &d) { return d.section.name == section->name; });
-        if (demo == all.end()) throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
-        page = page_name(tree, tree.chapter(*section)) + ".html#demo-" + demo->mark.name;
+        if (std::none_of(all.begin(), all.end(), [&](const Demo &d) { return d.section.name == section->name; }))
+            throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
+        page = page_name(tree, tree.chapter(*section)) + ".html#" + place_of_demo(tree, *section, options.mine);
     }
     if (options.mine) need_compiler(tree, options.yes);
     bring_up_site(tree);

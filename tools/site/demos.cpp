@@ -35,6 +35,10 @@ std::vector<Demo> demos(const Tree &tree) {
     return all;
 }
 
+std::string demo_id(const DemoMark &mark, std::size_t others_before) {
+    return "demo-" + mark.name + (others_before > 0 ? '-' + std::to_string(others_before + 1) : "");
+}
+
 std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark &mark, const std::string &task) {
     return "<figure class=\"play\" id=\"" + id + "\" data-demo=\"" + demo.section.name + '"'
            + (mark.mine ? " data-mine" : "") + (mark.start.empty() ? "" : " data-start=\"" + escaped(mark.start) + '"')

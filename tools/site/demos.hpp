@@ -29,6 +29,9 @@ inline std::filesystem::path compiled_demo(const Tree &tree, const Section &sect
     return tree.build / "play" / (section.name + ".js");
 }
 
+/// The address of a demo's place within its page, after so many others: "demo-room", "demo-room-2".
+std::string demo_id(const DemoMark &mark, std::size_t others_before);
+
 /// The demo's place in a page; its task is HTML by now.
 std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark &mark, const std::string &task);
 

@@ -423,9 +423,7 @@ class PageWriter {
         if (!all_demos) all_demos = demos(tree);
         for (const Demo &one : *all_demos) {
             if (one.mark.name != mark.name) continue;
-            const int before = demos_so_far++;
-            const std::string id = "demo-" + mark.name + (before > 0 ? '-' + std::to_string(before + 1) : "");
-            return demo_figure(one, id, mark, markdown(mark.task, line));
+            return demo_figure(one, demo_id(mark, demos_so_far++), mark, markdown(mark.task, line));
         }
         return "";
     }
@@ -490,7 +488,7 @@ class PageWriter {
     bool lead_may_follow = false;
     std::size_t formulas_back = 0;
     std::optional<std::vector<Demo>> all_demos; ///< read at the first mark
-    int demos_so_far = 0;
+    std::size_t demos_so_far = 0;
     std::map<std::string, int> boxes_so_far, hints_so_far; ///< by exercise
     std::vector<std::string> listings;                     ///< put in last: they leave the HTML, where nothing else may
 };
