@@ -305,6 +305,18 @@ describe('reading', () => {
     await context.close();
   });
 
+  test('no line begins with the comma behind a formula', async () => {
+    const { page, context } = await open(chapters[1], { width: 390 });
+    const [all, torn] = await page.evaluate(() => {
+      document.querySelectorAll('details').forEach((fold) => (fold.open = true));
+      const marks = [...document.querySelectorAll('.katex .mark')];
+      return [marks.length, marks.filter((mark) => mark.getBoundingClientRect().left <= mark.closest('p, li, td, summary, figcaption')?.getBoundingClientRect().left).length];
+    });
+    assert.ok(all > 0);
+    assert.equal(torn, 0);
+    await context.close();
+  });
+
   test('a name that is a link many times is one stop of the key Tab', async () => {
     const { page, context } = await open(chapters[0]);
     const stops = await page.$$eval('pre a.code', (links) => links.filter((link) => link.tabIndex === 0).map((link) => link.href));

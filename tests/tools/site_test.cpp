@@ -136,6 +136,8 @@ TEST_CASE("formulas keep every sign, and know their line") {
         {"$$a\n= b$$", formula("a\n= b", 3, true)},
         {"**bold $x$**", "<strong>bold " + formula("x", 3) + "</strong>"},
         {"\"$x$\"", "“" + formula("x", 3) + "”"},
+        {"of $x$, $y$.", "of <span class=\"kept\">" + formula("x", 3) + ",</span> <span class=\"kept\">"
+                             + formula("y", 3) + ".</span>"},
         {"> quoted $x$", "<p>quoted " + formula("x", 3)},
         {"- item $x$", "<li>item " + formula("x", 3)},
         {"| a |\n|:--|\n| $|x|$ |\n| $y$ |",
@@ -158,8 +160,8 @@ TEST_CASE("a demo plays where the chapter marks its place, if its section keeps 
     book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
     const std::string page = book.page(marks);
     CHECK_THAT(page, ContainsSubstring("<figure class=\"play\" id=\"demo-room\" data-demo=\"07_wall_meeting\">"
-                                       "<figcaption>Try "
-                                       + formula("x", 3) + ", and <code>watch</code>.</figcaption>"));
+                                       "<figcaption>Try <span class=\"kept\">"
+                                       + formula("x", 3) + ",</span> and <code>watch</code>.</figcaption>"));
     CHECK_THAT(page, ContainsSubstring("id=\"demo-room-2\" data-demo=\"07_wall_meeting\" data-mine "
                                        "data-start=\"The game: &quot;on&quot;, radius: 2\">"));
 }
@@ -223,7 +225,7 @@ TEST_CASE("the box of an exercise and the remark on the printed book are no quot
     CHECK_THAT(book.page("> ### Your turn: 7.1 `f`, first try\n\n> ### Your turn: 7.1, second try\n"),
                ContainsSubstring("id=\"exercise-7.1-2\" data-exercise=\"7.1\""));
     CHECK_THAT(book.page("> ### Your turn\n>\n> Write $x$.\n"),
-               ContainsSubstring("<p>Write " + formula("x", 5) + ".</p>\n</article>"));
+               ContainsSubstring("<p>Write <span class=\"kept\">" + formula("x", 5) + ".</span></p>\n</article>"));
     CHECK_THAT(book.page("> **In print, and in truth.** $x$\n"),
                ContainsSubstring("<aside class=\"remark\" role=\"note\">\n<p><strong>In print, and in truth.</strong> "
                                  + formula("x", 3) + "</p>\n</aside>"));

@@ -271,15 +271,21 @@ class PageWriter {
 
     /// Puts the formulas back, in the order in which they were taken out.
     void words(cmark_node *node, int line) {
-        const std::string text = with_whole_numbers(literal(node));
+        const std::string text = literal(node);
         std::size_t from = 0;
-        for (std::size_t at; (at = text.find(WithoutFormulas::stand_in, from)) != text.npos;
-             from = at + WithoutFormulas::stand_in.size()) {
+        for (std::size_t at; (at = text.find(WithoutFormulas::stand_in, from)) != text.npos;) {
             add_text(node, text.substr(from, at - from));
             const auto &[tex, display] = next_formula();
-            cmark_node_insert_before(node, raw(CMARK_NODE_CUSTOM_INLINE, formula(tex, display, line)));
+            at += WithoutFormulas::stand_in.size();
+            from = std::min(text.find_first_not_of(",.;:!?)", at), text.size());
+            const std::string html = formula(tex, display, line), mark = text.substr(at, from - at);
+            cmark_node_insert_before(
+                node, raw(CMARK_NODE_CUSTOM_INLINE,
+                          mark.empty() || display ? html + mark : "<span class=\"kept\">" + html + mark + "</span>"));
         }
-        cmark_node_set_literal(node, text.c_str() + from);
+        if (from == 0) return;
+        add_text(node, text.substr(from));
+        cmark_node_free(node);
     }
 
     static void add_text(cmark_node *before, const std::string &text) {

@@ -41,6 +41,12 @@ std::string without_repetitions(const std::string &contents) {
     return std::regex_replace(contents, said, "");
 }
 
+/// A formula with the comma behind it in its last unbreakable piece: a browser would begin a line with it otherwise.
+std::string with_mark(std::string formula, const std::string &mark) {
+    const auto end = formula.rfind("</span></span></span>"); // of the piece, of all pieces, of the formula
+    return end == formula.npos ? formula + mark : formula.insert(end, "<span class=\"mark\">" + mark + "</span>");
+}
+
 /// A listing of Doxygen's, one `div` a line, as the `pre` that it is; with numbered lines if it is a whole file.
 std::string listing(const Element &fragment, const Interface *known, bool numbered) {
     // Doxygen takes a variable `motion` for the namespace of that name.
@@ -102,6 +108,11 @@ std::string Draft::finished(const std::vector<std::string> &typeset, const Inter
     std::size_t formula = 0;
     std::map<std::string, int> seen;
     body.each([&](const Element &e) {
+        if (is_a(e, "span", "kept")) {
+            const std::string tex = e.children().front().text();
+            body.replace(e.outer(), with_mark(typeset.at(formula++), e.text().substr(tex.size())));
+            return false;
+        }
         if (e.name() == "span" && e.has_class("math")) {
             body.replace(e.outer(), typeset.at(formula++));
             return false;
