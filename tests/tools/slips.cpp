@@ -153,9 +153,9 @@ Spark two_in_parentheses(Vec2 a, double b) {
     return 2 * (a + a), b;                     // Two values need braces: return {a, b};
 }
 Vec2 unknown_names(const Spark &spark, const std::vector<Spark> &pool) {
-    Vec2 sum = position + spark.position;      // A field needs its struct, as in start.velocity; a variable is known only inside the braces it is declared in.
+    Vec2 sum = position + spark.position;      // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
     for (const Spark &body : pool) sum += body.position;
-    sum += body.position;                      // A field needs its struct, as in start.velocity; a variable is known only inside the braces it is declared in.
+    sum += body.position;                      // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
     cout << sum;                               // Write std::cout, and #include <iostream> at the top of your file.
     return sum;
 }

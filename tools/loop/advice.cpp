@@ -254,8 +254,8 @@ std::string about_unknown_name(const Said &said) {
     if (contains(said.code, names[0] + '('))
         return "If " + names[0] + " is a function of yours, put it above the one that calls it.";
     if (contains(said.words, "did you mean")) return {};
-    return "A field needs its struct, as in start.velocity; a variable is known only inside the braces it is declared "
-           "in.";
+    return "A field needs its struct, as in start.velocity; a variable is known below the line that declares it, "
+           "inside the same braces.";
 }
 
 /// return {x, y}; where the answer may be nothing

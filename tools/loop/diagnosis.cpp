@@ -223,7 +223,7 @@ std::vector<std::string> warnings_about(const std::vector<std::string> &warnings
 namespace {
 
 /// A line of code without its blanks and what is behind its `//`.
-std::string_view bare(std::string_view line) {
+std::string_view code_alone(std::string_view line) {
     return without_blanks_behind(without_blanks(line.substr(0, line.find("//"))));
 }
 
@@ -248,7 +248,7 @@ std::vector<std::string> find_unreached(std::string_view text, const std::string
     bool returned = false;
     for (const Line &each : lines_of(text)) {
         ++line;
-        const std::string_view code = bare(each.text);
+        const std::string_view code = code_alone(each.text);
         if (code.empty()) continue;
         if (returned && !may_follow_return(code))
             tell(line, ": this line comes after a `return`, and is never reached: move it up");
