@@ -271,7 +271,7 @@ class PageWriter {
 
     /// Puts the formulas back, in the order in which they were taken out.
     void words(cmark_node *node, int line) {
-        const std::string text = literal(node);
+        const std::string text = with_whole_numbers(literal(node));
         std::size_t from = 0;
         for (std::size_t at; (at = text.find(WithoutFormulas::stand_in, from)) != text.npos;) {
             add_text(node, text.substr(from, at - from));
@@ -283,9 +283,7 @@ class PageWriter {
                 node, raw(CMARK_NODE_CUSTOM_INLINE,
                           mark.empty() || display ? html + mark : "<span class=\"kept\">" + html + mark + "</span>"));
         }
-        if (from == 0) return;
-        add_text(node, text.substr(from));
-        cmark_node_free(node);
+        cmark_node_set_literal(node, text.c_str() + from);
     }
 
     static void add_text(cmark_node *before, const std::string &text) {
