@@ -256,6 +256,7 @@
     let palette = null; // as the page's style says, looked up when that may have changed
     function look() {
       const probe = figure.appendChild(make('i'));
+      probe.style.forcedColorAdjust = 'none'; // a picture keeps its colours: they mean something
       palette = Object.fromEntries([...colours, 'paper'].map((each) => (probe.style.color = `var(--${each})`, [each, getComputedStyle(probe).color])));
       probe.remove();
     }

@@ -179,13 +179,16 @@ TEST_CASE("all input that should have been refused is listed in one verdict, wha
     own.fail(Kind::wrong, "bad input was accepted", "a.cpp", 3);
     CHECK(accepts(takes, "start.x", "infinity"));
     CHECK(accepts(takes, "start.x", "not a number"));
+    CHECK(accepts(takes, "dt is negative")); // asked once more, with other arguments: said once
+    CHECK(accepts(takes, "start.x", "infinity"));
+    CHECK(accepts(takes, "start.x", "-infinity"));
     own.fail(Kind::too_long, "an answer that never came", "a.cpp", 4);
     session() = nullptr;
     const Verdict verdict = own.end(true);
     CHECK(verdict.kind == Kind::wrong);
     CHECK(explain(nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>(), 0)
           == "Your code accepted input that it must refuse with std::invalid_argument:\n  dt is negative\n"
-             "  start.x = infinity, not a number\nsee   a.cpp:3\n");
+             "  start.x = infinity, not a number, -infinity\nsee   a.cpp:3\n");
 }
 
 TEST_CASE("each number of a call's arguments has its turn, with its name") {

@@ -79,15 +79,14 @@ void Session::refuse_nameless() {
 }
 
 void Session::accept(const std::string &input, const std::string &value) {
-    if (input.empty() && last_exercise != nullptr) {
-        std::string all;
+    std::string what = input;
+    if (input.empty() && last_exercise != nullptr)
         for (const std::string &argument : last_exercise->describe_arguments(*last_exercise, last_arguments))
-            all += (all.empty() ? "" : ", ") + argument;
-        accepted.emplace_back(all, "");
-        return;
-    }
-    if (value.empty() || accepted.empty() || accepted.back().first != input) accepted.emplace_back(input, value);
-    else accepted.back().second += ", " + value;
+            what += (what.empty() ? "" : ", ") + argument;
+    auto noted = std::find_if(accepted.begin(), accepted.end(), [&](const auto &one) { return one.first == what; });
+    if (noted == accepted.end()) noted = accepted.insert(noted, {what, {}});
+    std::vector<std::string> &values = noted->second;
+    if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
 }
 
 void Session::note_verdict(Kind kind, std::string sentence) {
@@ -311,9 +310,12 @@ Verdict Session::end(bool asserted_something) {
         verdict.sentence = "Your code accepted input that it must refuse with std::invalid_argument:";
         verdict.call.reset();
         constexpr std::size_t most = 20;
-        for (const auto &[input, value] : accepted)
-            if (verdict.accepted.size() < most)
-                verdict.accepted.push_back(value.empty() ? input : input + " = " + value);
+        for (const auto &[input, values] : accepted) {
+            if (verdict.accepted.size() == most) break;
+            std::string line = input;
+            for (const std::string &value : values) line += (&value == &values.front() ? " = " : ", ") + value;
+            verdict.accepted.push_back(line);
+        }
         if (accepted.size() > most)
             verdict.accepted.push_back("and " + std::to_string(accepted.size() - most) + " more");
     }

@@ -70,7 +70,7 @@ class Session {
     std::uint32_t calls = 0;
     std::string last_arguments;
     std::optional<Mismatch> noted;
-    std::vector<std::pair<std::string, std::string>> accepted; ///< inputs of the case, and the values of a number
+    std::vector<std::pair<std::string, std::vector<std::string>>> accepted; ///< inputs, and the values of a number
     Verdict verdict;
 };
 
