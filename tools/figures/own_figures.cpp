@@ -41,17 +41,15 @@ fs::path own_drawing(const Tree &tree, const Figure &figure) {
 
 OwnFigures draw_own_figures(const Tree &tree, const Section &section) {
     OwnFigures own;
+    own.ran = run_program(tree, section, Whose::student, student_traces(tree, section));
     for (Figure &figure : figures_of(tree, section)) {
         if (figure.is_measured() || !draws_student(figure.script)) continue; // nothing in it is the student's
         fs::remove(own_drawing(tree, figure));                               // an older one would be taken for today's
+        if (!own.ran.started) continue;
         figure.student = student_traces(tree, section) / figure.trace.filename();
-        own.figures.push_back({figure, false, ""});
-    }
-    own.ran = run_program(tree, section, Whose::student, student_traces(tree, section));
-    if (!own.ran.started) own.figures.clear();
-    for (auto &[figure, not_started, why_not] : own.figures) {
-        not_started = said_of(own.ran.finished, figure.trace.filename().string()).starts_with("not started: ");
-        if (!not_started) why_not = draw_mine(tree, figure, own.ran);
+        const bool not_started =
+            said_of(own.ran.finished, figure.trace.filename().string()).starts_with("not started: ");
+        own.figures.push_back({figure, not_started, not_started ? "" : draw_mine(tree, figure, own.ran)});
     }
     return own;
 }

@@ -83,9 +83,9 @@ void Session::accept(const std::string &input, const std::string &value) {
     if (input.empty() && last_exercise != nullptr)
         for (const std::string &argument : last_exercise->describe_arguments(*last_exercise, last_arguments))
             what += (what.empty() ? "" : ", ") + argument;
-    auto noted = std::find_if(accepted.begin(), accepted.end(), [&](const auto &one) { return one.first == what; });
-    if (noted == accepted.end()) noted = accepted.insert(noted, {what, {}});
-    std::vector<std::string> &values = noted->second;
+    auto entry = std::find_if(accepted.begin(), accepted.end(), [&](const auto &one) { return one.first == what; });
+    if (entry == accepted.end()) entry = accepted.insert(entry, {what, {}});
+    std::vector<std::string> &values = entry->second;
     if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
 }
 
