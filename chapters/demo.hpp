@@ -31,6 +31,7 @@ inline Control choice(std::string_view name, std::vector<std::string_view> optio
 }
 struct Key {
     std::string_view key, meaning; ///< as browsers call it: "n", "ArrowUp"; it gets a button of that meaning, too
+    std::vector<std::string_view> only_with{}; ///< as a Control's
 };
 struct About {
     std::string_view title; ///< also for readers who cannot see it

@@ -94,7 +94,7 @@
         const { number, words, list, point } = read(exports.begin(branches));
         return { title: words(), low: point(), high: point(),
           controls: list(() => ({ name: words(), unit: words(), low: number(), high: number(), step: number(), value: number(), options: list(words), onlyWith: list(words) })),
-          keys: list(() => ({ key: words(), meaning: words() })) };
+          keys: list(() => ({ key: words(), meaning: words(), onlyWith: list(words) })) };
       },
       control: (i, value) => exports.control(i, value),
       frame(dt, step, hand) {
@@ -140,6 +140,7 @@
     const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), make('div', { className: 'rows' }, buttons, choose), answers, keys);
     figure.replaceChildren(make('div', { className: 'board' }, seen, make('div', {}, controls, readouts)));
     if (caption) figure.prepend(caption);
+    const ownKeys = []; // the demo's own: what is shown for each
     const values = []; // of the controls: they outlive a restart
 
     function fail(words) {
@@ -180,8 +181,15 @@
       run(running);
     }
     function nameKeys() {
-      for (const [key, meaning] of [['space', 'pause'], ['.', 'step'], ['r', 'reset'], ...(handles().length > 0 ? [['h', 'next handle'], ['arrow keys', 'move it']] : []), ...about.keys.map(({ key, meaning }) => [{ ArrowUp: '↑', ArrowDown: '↓' }[key] ?? key, meaning.toLowerCase()])])
-        keys.append(make('span', {}, make('kbd', { textContent: key }), ` ${meaning}`), ' ');
+      const named = (key, meaning) => {
+        const words = make('span', {}, make('kbd', { textContent: key }), ` ${meaning}`);
+        keys.append(words, ' ');
+        return words;
+      };
+      named('space', 'pause'), named('.', 'step'), named('r', 'reset');
+      if (handles().length > 0) named('h', 'next handle'), named('arrow keys', 'move it');
+      about.keys.forEach(({ key, meaning }, i) => ownKeys[i].push(named({ ArrowUp: '↑', ArrowDown: '↓' }[key] ?? key, meaning.toLowerCase())));
+      showWhatCounts();
     }
 
     // Everything that about says, as elements; once
@@ -193,12 +201,14 @@
         values[i] = control.value;
         controls.append(control.options.length > 0 ? choice(control, i) : slider(control, i));
       });
-      about.keys.forEach(({ key, meaning }, i) => buttons.append(button(meaning, () => press(i))));
+      about.keys.forEach(({ meaning }, i) => (ownKeys[i] = [button(meaning, () => press(i))], buttons.append(...ownKeys[i])));
       showWhatCounts();
     }
+    // What changes nothing in the mode that is chosen is not shown.
+    const counts = ({ onlyWith }) => onlyWith.length === 0 || about.controls.some(({ options }, i) => onlyWith.includes(options[values[i]]));
     function showWhatCounts() {
-      const chosen = about.controls.map(({ options }, i) => options[values[i]]);
-      about.controls.forEach(({ onlyWith }, i) => (controls.children[i].hidden = onlyWith.length > 0 && !onlyWith.some((option) => chosen.includes(option))));
+      about.controls.forEach((control, i) => (controls.children[i].hidden = !counts(control)));
+      about.keys.forEach((key, i) => ownKeys[i].forEach((shown) => (shown.hidden = !counts(key))));
     }
     function begins(title, chosen) {
       const control = about.controls.find((each) => each.name === title), { options = [] } = control ?? {};
@@ -361,7 +371,7 @@
     canvas.addEventListener('keydown', (event) => {
       if (!about || event.ctrlKey || event.metaKey || event.altKey) return;
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-      const own = about.keys.findIndex(({ key }) => key === event.key);
+      const own = about.keys.findIndex((each) => each.key === event.key && counts(each));
       if (own >= 0) press(own);
       else if (event.key === ' ') failed || run(!running);
       else if (event.key === '.') failed || one();

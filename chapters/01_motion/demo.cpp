@@ -16,12 +16,12 @@ const demo::About about{
     {demo::choice("In the sky", {"helicopter and missile", "the printed table (1.3)", "three integrators (1.5)"},
                   helicopter_and_missile),
      {"step", "s", 0.05, 1, 0.05, 0.5, {}, {"three integrators (1.5)"}}},
-    {{"s", "Start the helicopter"},
+    {{"s", "Start the helicopter", {"helicopter and missile"}},
      {"f", "Fire the missile"},
-     {"ArrowUp", "More thrust"},
-     {"ArrowDown", "Less thrust"},
-     {"e", "Engine on or off"},
-     {"b", "Break the missile"}}};
+     {"ArrowUp", "More thrust", {"helicopter and missile", "three integrators (1.5)"}},
+     {"ArrowDown", "Less thrust", {"helicopter and missile", "three integrators (1.5)"}},
+     {"e", "Engine on or off", {"helicopter and missile"}},
+     {"b", "Break the missile", {"helicopter and missile"}}}};
 const demo::Still still{2.2, "f"};
 
 /// Something that flies leaves a mark every fifth of a second.

@@ -38,7 +38,7 @@ function frame(...input) {
 const { number, words, list, point } = reader(world.begin(1e9));
 const about = { title: words(), low: point(), high: point(),
   controls: list(() => ({ name: words(), unit: words(), low: number(), high: number(), step: number(), value: number(), options: list(words), onlyWith: list(words) })),
-  keys: list(() => [words(), words()]) };
+  keys: list(() => [words(), words(), list(words)]) };
 
 let state = 7;
 const chance = () => (state = (state * 48271) % 2147483647) / 2147483647;

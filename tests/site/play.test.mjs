@@ -424,6 +424,9 @@ describe('01, flight', { concurrency: 2 }, () => {
     const demo = await open(first);
     await demo.choose('the printed table');
     await demo.still();
+    assert.equal(await demo.button('Break the missile').isVisible(), false, 'there is none to break');
+    assert.equal(await demo.figure.locator('.keys').getByText('break the missile').isVisible(), false);
+    assert.equal(await demo.button('Fire the missile').isVisible(), true);
     await demo.button('Fire the missile').click();
     assert.equal(await demo.read('missile'), 50);
     for (let i = 0; i < 60; i++) await demo.button('Step').click();

@@ -21,6 +21,10 @@ template <class T, class Each> void put_all(const std::vector<T> &list, Each eac
     for (const T &one : list) each(one);
 }
 
+inline void put_texts(const std::vector<std::string_view> &texts) {
+    put_all(texts, [](std::string_view text) { put(text); });
+}
+
 inline void begin() {
     in = {};
     in.controls = play::about.controls;
@@ -29,10 +33,9 @@ inline void begin() {
     put(play::about.title), put(play::about.low), put(play::about.high);
     put_all(play::about.controls, [](const demo::Control &c) {
         put(c.name), put(c.unit), put(c.low), put(c.high), put(c.step), put(c.value);
-        for (const auto *list : {&c.options, &c.only_with})
-            put_all(*list, [](std::string_view option) { put(option); });
+        put_texts(c.options), put_texts(c.only_with);
     });
-    put_all(play::about.keys, [](const demo::Key &key) { put(key.key), put(key.meaning); });
+    put_all(play::about.keys, [](const demo::Key &key) { put(key.key), put(key.meaning), put_texts(key.only_with); });
 }
 
 inline void frame() {
