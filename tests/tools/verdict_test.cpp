@@ -692,7 +692,7 @@ TEST_CASE("the slips that are made most are named beside the compiler's words") 
     CHECK(advice({"something else", "", "", ""}).empty());
     CHECK(with_short_names(
               "'const Eigen::CwiseBinaryOp<sum<double, double>, const Eigen::Matrix<double, 2, 1> >' and 'int'")
-          == "'sum of Vec2s' and 'int'");
+          == "'expression of Vec2s' and 'int'");
     CHECK(with_short_names("'std::vector<Eigen::Matrix<double, 2, 1> >::size_type' {aka 'long'} to 'double'")
           == "'std::vector<Vec2>::size_type' to 'double'");
 }

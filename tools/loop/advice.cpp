@@ -93,7 +93,7 @@ std::vector<std::string> in_quotes(std::string_view words) {
 }
 
 bool is_optional(std::string_view type) { return contains(type, "std::optional<"); }
-bool is_vector(std::string_view type) { return type.ends_with("Vec2") || type.ends_with("sum of Vec2s"); }
+bool is_vector(std::string_view type) { return type.ends_with("Vec2") || type.ends_with("expression of Vec2s"); }
 bool is_number(std::string_view type) {
     if (type.starts_with("const ")) type.remove_prefix(6);
     return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int";
@@ -348,8 +348,9 @@ std::string with_short_names(std::string text) {
     for (const char *type : {"Product<", "CwiseBinaryOp<", "CwiseUnaryOp<"})
         replace_all(text, std::string{"Eigen::"} + type, type); // Clang leaves it out here and there
     constexpr const char *product = "product of Vec2s";
-    for (const auto &[type, name] :
-         {std::pair{"Product<", product}, {"CwiseBinaryOp<", "sum of Vec2s"}, {"CwiseUnaryOp<", "sum of Vec2s"}}) {
+    for (const auto &[type, name] : {std::pair{"Product<", product},
+                                     {"CwiseBinaryOp<", "expression of Vec2s"},
+                                     {"CwiseUnaryOp<", "expression of Vec2s"}}) {
         for (std::size_t at; (at = text.find(type)) != text.npos;) {
             const std::size_t length = end_of_type(text, at) - at;
             const bool has_product = contains(std::string_view{text}.substr(at, length), product);

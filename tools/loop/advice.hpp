@@ -16,7 +16,7 @@ struct Said {
 /// its own; empty if there is nothing to add, or if the slip can only be guessed.
 std::string advice(const Said &said);
 
-/// `Vec2` for what a compiler calls it, Eigen::Matrix<double, 2, 1, 0, 2, 1>, and "sum of Vec2s" for the types that the
+/// `Vec2` for what a compiler calls it, Eigen::Matrix<double, 2, 1, 0, 2, 1>, and "expression of Vec2s" for the types that the
 /// library computes with; without what they are "also known as".
 std::string with_short_names(std::string text);
 
