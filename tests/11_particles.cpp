@@ -1223,6 +1223,11 @@ TEST_CASE("a call ends after max_bounces bounces, with the particle between the 
     CHECK_THAT(after.position.y(), IsNear(0.0, 1e-9).of("position along y [m]"));
     CHECK_THAT(std::abs(after.velocity.x()), IsNear(1e5, 1e-9).of("speed along x [m/s]"));
     CHECK_THAT(after.age, IsNear(1e4, rounding).of("age [s]"));
+
+    // A bounce near 1e5: where the path would end without the wall is beyond it.
+    const std::vector<Wall> near_the_limit{{.start = {99999.9, -9}, .end = {99999.9, 9}}};
+    CHECK_THAT(move_and_collide(flying({99999.5, 0}, {1, 0}), near_the_limit, 1, 1),
+               IsNear(flying({99999.3, 0}, {-1, 0}, 1), rounding_of_1e5));
 }
 
 TEST_CASE("the 1000th bounce is the last, and each call counts from 0", "[11.8]") {

@@ -919,4 +919,11 @@ TEST_CASE("a forge shows at each demo's place how to play it, and a picture each
     CHECK_THAT(book.check().text, StartsWith("chapters/07_wall/README.md:11: "));
     CHECK(book.weave().code == all_well);
     CHECK_THAT(book.text(), ContainsSubstring(replaced(woven, "Larger", "Smaller")));
+
+    book.edit_chapter("<!-- demo: room | Throw $x$. -->\n\n", "");
+    CHECK_THAT(book.check().text, ContainsSubstring("chapters/07_wall/README.md:5: a forge shows a demo's picture or "
+                                                    "command here, below no mark of one."));
+    CHECK(book.weave().code == all_well);
+    CHECK(book.text().find("Throw $x$") == std::string::npos);
+    CHECK(book.check().code == all_well);
 }

@@ -63,6 +63,12 @@ DemoPlaces weave_demo_places(const Tree &tree, const Section &section, std::stri
     DemoPlaces result;
     std::vector<DemoMark> so_far;
     for (std::size_t at = 0; at < lines.size(); ++at) {
+        if (stands_for_a_demo(lines[at].text)) { // its mark has gone
+            result.differences.push_back({tree.chapter(section), static_cast<int>(at + 1),
+                                          "a forge shows a demo's picture or command here, below no mark of one."});
+            if (at + 1 < lines.size() && lines[at + 1].text.empty()) ++at;
+            continue;
+        }
         (result.text += lines[at].text) += lines[at].end;
         const auto mark = marks.find(at + 1);
         if (mark == marks.end()) continue;
