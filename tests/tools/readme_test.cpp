@@ -4,6 +4,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
+#include <cstdlib>
 #include <map>
 #include <regex>
 #include <set>
@@ -21,11 +22,12 @@ std::string without_lines(const std::string &text) {
 
 /// What `./course check` says of a student's file: of an exercise or a section.
 std::string verdict_on(const std::string &attempt, const std::string &what = "1.1") {
-    const std::filesystem::path file = std::filesystem::temp_directory_path() / "first attempt.cpp";
+    std::string name = (std::filesystem::temp_directory_path() / "first attempt.XXXXXX").string();
+    const std::filesystem::path folder = ::mkdtemp(name.data()), file = folder / "first attempt.cpp";
     course::write_file(file, attempt);
     const auto said = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, "NO_COLOR=1",
                                    COURSE_TOOL, "check", what, "--file", file.string()});
-    std::filesystem::remove(file);
+    std::filesystem::remove_all(folder);
     return without_lines(said.out);
 }
 
