@@ -236,7 +236,8 @@ macro(section_figures)
   endforeach()
   add_custom_target(${section}_figures ALL DEPENDS ${drawings})
   add_dependencies(figures ${section}_figures)
-  file(GLOB beside CONFIGURE_DEPENDS ${chapter}/*) # chapter, contract and program; game.hpp and renamed.txt, if there are any
+  # chapter, contract and program; game.hpp, renamed.txt and a peer, if there are any
+  file(GLOB beside CONFIGURE_DEPENDS ${chapter}/* tests/peers/${section}.*)
   set_property(GLOBAL APPEND PROPERTY course_book ${beside} ${traced} ${scripts}
     ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${PROJECT_SOURCE_DIR}/tests/${section}.cpp)
 endmacro()

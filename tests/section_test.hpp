@@ -17,14 +17,13 @@
 #include <catch2/matchers/catch_matchers_templated.hpp>
 
 #include "course.hpp"
+#include "dice.hpp"
 #include "verdict/tests/mismatch.hpp"
 #include "verdict/tests/refusals.hpp"
 #include "verdict/tests/remote.hpp"
 
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <random>
 #include <vector>
 
 using course::Vec2;
@@ -146,19 +145,4 @@ inline auto vectors(double low, double high) {
         Catch::Generators::chunk(2, Catch::Generators::random(low, high)));
 }
 
-/// The same numbers each time for one seed, which the tests print.
-class Dice {
-  public:
-    double real(double low, double high) { return low + (high - low) * double(engine() >> 5) / double(1 << 27); }
-    int whole(int low, int high) { return low + int(engine() % unsigned(high - low + 1)); }
-    double sign() { return whole(0, 1) == 0 ? -1 : 1; }
-    Vec2 point(double low, double high) { return {real(low, high), real(low, high)}; }
-    Vec2 grid(int low, int high) { return {double(whole(low, high)), double(whole(low, high))}; }
-    Vec2 direction() { // of length 1
-        const double angle = real(-std::numbers::pi, std::numbers::pi);
-        return {std::cos(angle), std::sin(angle)};
-    }
-
-  private:
-    std::mt19937 engine{Catch::getSeed()};
-};
+inline Dice::Dice() : Dice{Catch::getSeed()} {}

@@ -27,8 +27,11 @@ struct Copy {
     Copy(const Copy &) = delete;
     Copy &operator=(const Copy &) = delete;
 
-    course::Finished configure() const {
-        return course::run({"cmake", "-G", "Ninja", "-S", root.string(), "-B", (root / "a build").string()});
+    course::Finished configure(const std::vector<std::string> &options = {}) const {
+        std::vector<std::string> command{
+            "cmake", "-G", "Ninja", "-S", root.string(), "-B", (root / "a build").string()};
+        command.insert(command.end(), options.begin(), options.end());
+        return course::run(command);
     }
 
     fs::path root;
@@ -112,4 +115,26 @@ TEST_CASE("a section without a figure is a configure error", "[configure]") {
     const auto said = copy.configure();
     CHECK(said.code != 0);
     CHECK_THAT(on_one_line(said), ContainsSubstring("has no figure: write plots/"));
+}
+
+TEST_CASE("the packages that peers need are asked for all at once, and only if peers are wanted", "[configure]") {
+    const Copy copy;
+    for (const std::string section : {"01_motion", "11_particles"})
+        course::write_file(copy.root / "tests/peers" / (section + ".cpp"),
+                           "// needs No" + section + " no::no libno-" + section + "-dev\n");
+    const auto said = copy.configure({"-DCOURSE_PEERS=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_CGAL=ON"});
+    CHECK(said.code != 0);
+    CHECK_THAT(on_one_line(said),
+               ContainsSubstring("sudo apt install libno-01_motion-dev libcgal-dev libno-11_particles-dev"));
+    CHECK(copy.configure({"-DCOURSE_PEERS=OFF"}).code == 0);
+}
+
+TEST_CASE("a peer is named as its section, and says in its first line what it needs", "[configure]") {
+    const Copy copy;
+    const auto [name, head] = GENERATE(table<std::string, std::string>(
+        {{"07_segments", "// needs CGAL CGAL::CGAL libcgal-dev\n"}, {"01_motion", "// needs CGAL\n"}}));
+    course::write_file(copy.root / "tests/peers" / (name + ".cpp"), head);
+    const auto said = copy.configure({"-DCOURSE_PEERS=ON"});
+    CHECK(said.code != 0);
+    CHECK_THAT(on_one_line(said), ContainsSubstring("tests/peers/" + name + ".cpp must be named as a section is"));
 }

@@ -41,6 +41,9 @@ Page page_of(const Tree &tree, const Section &section) {
     for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
     page.whole = page.code;
     page.code.push_back(tree.tests(section));
+    for (const fs::path &peer :
+         files_in(tree.root / "tests" / "peers", section.name + ".", "")) // how far apart they are
+        page.code.push_back(peer);
     return page;
 }
 
