@@ -1,7 +1,7 @@
 #> Figure: three bursts
 # gnuplot -c 11_particles_discs.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
-set terminal svg size 640,250 enhanced font "Inter,Segoe UI,Helvetica,Arial,sans-serif,16" linewidth 1.3 rounded
+eval canvas(190)
 set output ARG2
 set margins 0,0,0,0
 set size ratio -1

@@ -165,6 +165,17 @@ TEST_CASE("a script that plots nothing is refused") {
                ContainsSubstring("plots/07_lines_rise.gp") && ContainsSubstring("blank"));
 }
 
+TEST_CASE("a figure wider than all others is refused: its letters would be too small on a phone") {
+    const Place place;
+    place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\nset terminal svg size 640,400\n"
+                                          "set output ARG2\nplot ARG1 using 1:2 with lines notitle\n");
+    CHECK_THAT(refusal([&] { draw(place.figure()); }),
+               ContainsSubstring("plots/07_lines_rise.gp is 640 px wide, and all figures are 480"));
+    place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\neval canvas(200)\n"
+                                          "set output ARG2\nplot ARG1 using 1:2 with lines notitle\n");
+    CHECK_THAT(draw(place.figure()), ContainsSubstring("width=\"480\" height=\"200\""));
+}
+
 TEST_CASE("a column that the trace doesn't have is named, with the line of the script and the columns that there are") {
     CHECK_THAT(
         said_of_script("using 1:3 with lines"),

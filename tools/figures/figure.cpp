@@ -18,6 +18,7 @@ namespace {
 
 constexpr double longest_drawing =
     60; // [s] a figure takes a tenth; a script that pauses or loops would stop the build for ever
+constexpr const char *figure_width = "480"; // [px] as plots/style.gp has it
 
 /// A folder for gnuplot's own output, gone in the end.
 class Workshop {
@@ -184,6 +185,15 @@ void require_visible(const Figure &figure, const std::string &table) {
         throw FigureFault{shown(figure.script) + " draws a blank figure: no curve has a point inside the axes"};
 }
 
+/// Another width has other letters: on a phone, too small ones.
+void require_width(const Figure &figure, const std::string &svg) {
+    static const std::regex width{R"re(<svg\s[^>]*\bwidth="([0-9]+)")re"};
+    if (std::smatch found; std::regex_search(svg, found, width) && found[1] != figure_width)
+        throw FigureFault{shown(figure.script) + " is " + found[1].str() + " px wide, and all figures are "
+                          + figure_width + ", so that their letters can be read on a phone; write "
+                          + "eval canvas(HEIGHT) in place of set terminal"};
+}
+
 } // namespace
 
 std::string figure_title(const fs::path &script) {
@@ -224,6 +234,7 @@ std::string draw(const Figure &figure) {
         throw FigureFault{shown(figure.script) + " writes no file; write set output ARG2 before it plots"};
     gnuplot(figure, "set table '" + table.string() + "'", workshop.folder / "not drawn");
     require_visible(figure, read_file(table));
+    require_width(figure, read_file(svg));
     return recoloured(read_file(svg), title, colours, shown(figure.script));
 }
 
