@@ -23,7 +23,7 @@ const demo::About about{
      {"wind", "m/s²", -5, 5, 0.1, 0.5},
      {"frames per second", "", 5, 144, 1, 60}},
     {{"x", "Burst"}}};
-const demo::Still still{1};
+const demo::Still still{8.1};
 
 constexpr int slots = 500;
 const std::vector<Wall> walls{{.start = {0, 1.5}, .end = {17, 1.5}}, {.start = {17, 1.5}, .end = {24, 7}}};

@@ -189,7 +189,7 @@ describe('reading', () => {
   test('a chapter says how long it takes, and its entry is the one that is marked', async () => {
     for (const name of chapters) {
       const { page, context } = await open(name);
-      assert.match(await page.textContent('.above'), /^Section \d+ · \d+( \+ \d+)? minutes$/);
+      assert.match(await page.textContent('.above'), /^\d+ minutes(, and \d+ for the other exercises)?$/);
       assert.equal(await page.getAttribute('#site-contents [aria-current=page]', 'href'), name);
       await context.close();
     }
@@ -314,6 +314,8 @@ describe('reading', () => {
     });
     assert.ok(all > 0);
     assert.equal(torn, 0);
+    const heard = await page.$$eval('.katex:has(.mark)', (formulas) => formulas.map((formula) => [formula.querySelector('.katex-mathml').textContent.slice(-1), formula.querySelector('.mark').textContent.slice(-1)]));
+    assert.ok(heard.every(([last, mark]) => last === mark), 'a screen reader reads it, too');
     await context.close();
   });
 
@@ -342,6 +344,9 @@ describe('reading', () => {
       await page.emulateMedia({ colorScheme: 'dark' });
       assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 23, 29)', 'dark, where the system is');
       for (const button of await page.locator('button').all()) assert.equal(await button.isVisible(), false);
+      await page.goto(address('index.html'));
+      const top = async (what) => (await page.locator(what).boundingBox()).y;
+      assert.ok((await top('main')) < (await top('#site-contents')) && (await top('#site-contents')) < (await top('footer')), 'the contents are above the footer');
       await context.close();
     }
   });

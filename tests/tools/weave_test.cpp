@@ -896,7 +896,7 @@ TEST_CASE("a forge shows at each demo's place how to play it, and a picture each
     const std::string plain = "Plan a minute.\n";
     const std::string marks =
         plain
-        + "\n<!-- demo: room | Throw $x$. -->\n\n<!-- demo: room mine, radius: 2 | Larger. -->\n\n"
+        + "\n<!-- demo: room | Throw $x$. -->\n\n<!-- demo: room mine, radius: 2 | Larger. Is it? -->\n\n"
           "<!-- demo: room mine | Yours. -->\n\nOn.\n";
     book.edit_chapter(plain, marks);
     CHECK(book.weave().code == all_well);
@@ -909,15 +909,16 @@ TEST_CASE("a forge shows at each demo's place how to play it, and a picture each
     CHECK_THAT(book.weave().text, ContainsSubstring("3 blocks changed"));
     const std::string woven =
         plain
-        + "\n<!-- demo: room | Throw $x$. -->\n\n![A ball &amp; a wall](../../demos/07_wall.svg)\n\n"
+        + "\n<!-- demo: room | Throw $x$. -->\n\n![A ball &amp; a wall Throw $x$.](../../demos/07_wall.svg)\n\n"
           "*Play it:* `./course play 7`. Throw $x$.\n\n"
-          "<!-- demo: room mine, radius: 2 | Larger. -->\n\n![A ball &amp; a wall](../../demos/07_wall_2.svg)\n\n"
-          "*Play it:* `./course play 7 --mine`. Larger.\n\n"
+          "<!-- demo: room mine, radius: 2 | Larger. Is it? -->\n\n![A ball &amp; a wall "
+          "Larger.](../../demos/07_wall_2.svg)\n\n"
+          "*Play it:* `./course play 7 --mine`. Larger. Is it?\n\n"
           "<!-- demo: room mine | Yours. -->\n\n*Play it:* `./course play 7 --mine`. Yours.\n\nOn.\n";
     CHECK_THAT(book.text(), ContainsSubstring(woven));
     CHECK(book.check().code == all_well);
 
-    book.edit_chapter("Larger. -->", "Smaller. -->");
+    book.edit_chapter("Larger. Is it? -->", "Smaller. Is it? -->");
     CHECK_THAT(book.check().text, StartsWith("chapters/07_wall/README.md:11: "));
     CHECK(book.weave().code == all_well);
     CHECK_THAT(book.text(), ContainsSubstring(replaced(woven, "Larger", "Smaller")));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <regex>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -54,6 +55,12 @@ std::string picture_title(const fs::path &svg) {
     return from == text.npos || to == text.npos ? "" : text.substr(from + 7, to - from - 7);
 }
 
+std::string picture_words(const std::string &title, const DemoMark &mark) {
+    static const std::regex first_sentence{R"(^.*?[.?!](?= [A-Z]|$))"};
+    std::smatch found;
+    return std::regex_search(mark.task, found, first_sentence) ? title + ' ' + found.str() : title;
+}
+
 bool stands_for_a_demo(std::string_view line) { return is_picture(line) || is_command(line); }
 
 DemoPlaces weave_demo_places(const Tree &tree, const Section &section, std::string_view text) {
@@ -86,7 +93,9 @@ DemoPlaces weave_demo_places(const Tree &tree, const Section &section, std::stri
         so_far.push_back(mark->second);
         if (has_picture && demo_starts(so_far).size() > known) {
             const std::string file = demo_picture_file(section, known);
-            wanted += end + fmt::format("![{}](../../{})", picture_title(tree.root / file), file) + end;
+            wanted +=
+                end + fmt::format("![{}](../../{})", picture_words(picture_title(tree.root / file), mark->second), file)
+                + end;
         }
         if (has_picture) wanted += end + command_that_plays(section, mark->second) + end;
         result.text += wanted;

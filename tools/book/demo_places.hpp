@@ -21,6 +21,9 @@ std::string demo_picture_file(const Section &section, std::size_t start = 0);
 /// What a picture shows, as its title says, with HTML's entities; "" without that picture.
 std::string picture_title(const std::filesystem::path &svg);
 
+/// The same for a reader who cannot see it: what it shows, and the first sentence of what there is to try. Markdown.
+std::string picture_words(const std::string &title, const DemoMark &mark);
+
 /// Whether a line of a chapter was woven below a mark: a picture, or a command.
 bool stands_for_a_demo(std::string_view line);
 

@@ -2,6 +2,7 @@
 
 #include "book/contents.hpp"
 #include "book/links.hpp"
+#include "book/markdown.hpp"
 #include "ground/files.hpp"
 #include "site/card.hpp"
 #include "site/html.hpp"
@@ -43,8 +44,10 @@ std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark 
     return "<figure class=\"play\" id=\"" + id + "\" data-demo=\"" + demo.section.name + '"'
            + (mark.mine ? " data-mine" : "") + (mark.start.empty() ? "" : " data-start=\"" + escaped(mark.start) + '"')
            + "><figcaption>" + task + "</figcaption>"
-           + (demo.about.empty() ? ""
-                                 : "<img src=\"" + picture_for(demo, mark) + "\" alt=\"" + escaped(demo.about) + "\">")
+           + (demo.about.empty()
+                  ? ""
+                  : "<img src=\"" + picture_for(demo, mark) + "\" alt=\""
+                        + escaped(words_of(parse_markdown(picture_words(demo.about, mark)).get())) + "\">")
            + "<p class=\"without-js\">Here is a demo to play with, for a browser with JavaScript.</p></figure>\n";
 }
 

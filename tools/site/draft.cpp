@@ -42,9 +42,13 @@ std::string without_repetitions(const std::string &contents) {
 }
 
 /// A formula with the comma behind it in its last unbreakable piece: a browser would begin a line with it otherwise.
+/// A screen reader passes over the pieces, and reads the comma behind the formula's MathML.
 std::string with_mark(std::string formula, const std::string &mark) {
     const auto end = formula.rfind("</span></span></span>"); // of the piece, of all pieces, of the formula
-    return end == formula.npos ? formula + mark : formula.insert(end, "<span class=\"mark\">" + mark + "</span>");
+    if (end == formula.npos) return formula + mark;
+    formula.insert(end, "<span class=\"mark\">" + mark + "</span>");
+    const auto math = formula.find("</math>");
+    return math == formula.npos ? formula : formula.insert(math + 7, mark);
 }
 
 /// A listing of Doxygen's, one `div` a line, as the `pre` that it is; with numbered lines if it is a whole file.

@@ -16,6 +16,14 @@ std::string capital(std::string word) {
     return word;
 }
 
+/// "75 + 155" as a sentence of its own.
+std::string time_for(const std::string &minutes) {
+    const auto plus = minutes.find(" + ");
+    if (minutes.empty()) return "";
+    return escaped(minutes.substr(0, plus)) + " minutes"
+           + (plus == minutes.npos ? "" : ", and " + escaped(minutes.substr(plus + 3)) + " for the other exercises");
+}
+
 std::string link(const std::string &address, const std::string &html) {
     return "<a href=\"" + address + "\">" + html + "</a>";
 }
@@ -126,12 +134,10 @@ std::string PageTemplate::sidebar(const Draft &draft) const {
     return html + "</ul>";
 }
 
-/// Above the title: which section, and how long it takes.
+/// Above the title: how long a section takes, or what else the page belongs to.
 std::string PageTemplate::above(const Draft &draft) const {
     for (const Entry &entry : entries)
-        if (entry.page == draft.name())
-            return "Section " + escaped(entry.number)
-                   + (entry.minutes.empty() ? "" : " · " + escaped(entry.minutes) + " minutes");
+        if (entry.page == draft.name()) return time_for(entry.minutes);
     if (draft.is_interface()) {
         const std::string space = draft.title().substr(0, draft.title().find("::"));
         for (const Section &section : sections)
