@@ -7,17 +7,19 @@ namespace play {
 using namespace motion;
 using demo::Colour, demo::Input, demo::Shape;
 
-enum Sky { helicopter_and_missile, printed_table, three_integrators };
+enum Sky { helicopter_and_missile, printed_table, three_integrators, plate, sightings };
 
 const demo::About about{
     "A helicopter crosses the screen at a constant velocity. A missile behind it gets faster.",
     {0, 0},
     {640, 200},
-    {demo::choice("In the sky", {"helicopter and missile", "the printed table (1.3)", "three integrators (1.5)"},
+    {demo::choice("In the sky",
+                  {"helicopter and missile", "the printed table (1.3)", "three integrators (1.5)", "a plate (1.6)",
+                   "three sightings (1.7)"},
                   helicopter_and_missile),
      {"step", "s", 0.05, 1, 0.05, 0.5, {}, {"three integrators (1.5)"}}},
     {{"s", "Start the helicopter", {"helicopter and missile"}},
-     {"f", "Fire the missile"},
+     {"f", "Fire the missile", {"helicopter and missile", "the printed table (1.3)", "three integrators (1.5)"}},
      {"ArrowUp", "More thrust", {"helicopter and missile", "three integrators (1.5)"}},
      {"ArrowDown", "Less thrust", {"helicopter and missile", "three integrators (1.5)"}},
      {"e", "Engine on or off", {"helicopter and missile"}},
@@ -32,6 +34,9 @@ constexpr double between_marks = 0.2;
 constexpr double table[]{50, 55, 62, 71, 82, 95};
 const motion::State table_start{{table[0], 0}, {4, 0}};
 
+/// A metre of the plate is 50 px long. In the other picture, time runs to the right and the position upwards.
+const Vec2 plate_origin{420, 25}, sightings_origin{20, 20}, sightings_scale{100, 6}; // [px], [px/s] and [px/m]
+
 struct State {
     Helicopter helicopter;
     std::vector<Missile> pieces; // of the missile: none, one, or nose and hull
@@ -41,6 +46,7 @@ struct State {
     Integrators three;
     int steps{}; // of the three
     std::vector<Vec2> helicopter_marks, missile_marks, path, three_marks[3];
+    std::vector<Vec2> corners, seen_at; // of the plate, and of the three sightings [px]
     double time{}, spare{}, next_mark{}, fired{};
 };
 
@@ -60,6 +66,10 @@ State begin() {
     State now;
     fire(now);
     now.pieces.clear(); // not yet
+    for (const Vec2 &corner : {Vec2{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}})
+        now.corners.push_back(plate_origin + 50 * corner);
+    for (const Vec2 &sighting : {Vec2{1, 6}, {2, 11}, {4, 27}})
+        now.seen_at.push_back(sightings_origin + sighting.cwiseProduct(sightings_scale));
     return now;
 }
 
@@ -106,7 +116,20 @@ void one_step(State &now, double dt) {
     now.three_marks[2].push_back(now.three.exact.position);
 }
 
+/// A corner of the plate goes anywhere; sightings stay in their order, a tenth of a second apart.
+void drag(State &now, Sky sky, const Input &in) {
+    std::vector<Vec2> &handles = sky == plate ? now.corners : now.seen_at;
+    const auto which = std::size_t(in.handle);
+    if (sky < plate || which >= handles.size()) return;
+    Vec2 to = in.pointer.cwiseMax(about.low).cwiseMin(about.high);
+    if (sky == sightings && which > 0) to.x() = std::max(to.x(), handles[which - 1].x() + 10);
+    if (sky == sightings && which < 2) to.x() = std::min(to.x(), handles[which + 1].x() - 10);
+    handles[which] = to;
+}
+
 State next(State now, const Input &in) {
+    const auto sky = static_cast<Sky>(in["In the sky"]);
+    if (in.handle >= 0) drag(now, sky, in);
     if (in.key == "s") now.helicopter = {}, now.helicopter_marks.clear();
     if (in.key == "f") fire(now);
     if (in.key == "e") now.engine = !now.engine;
@@ -114,7 +137,7 @@ State next(State now, const Input &in) {
     if (in.key == "ArrowUp") now.thrust = std::min(now.thrust + 20, 600.0);
     if (in.key == "ArrowDown") now.thrust = std::max(now.thrust - 20, 0.0);
 
-    const bool steps = static_cast<Sky>(in["In the sky"]) == three_integrators;
+    const bool steps = sky == three_integrators;
     const double dt = steps ? in["step"] : 1.0 / 60;
     for (int due = demo::steps_due(now.spare, in, dt); due > 0; --due) steps ? one_step(now, dt) : one_frame(now, dt);
     return now;
@@ -162,9 +185,63 @@ demo::Picture three_missiles(const State &now) {
     return seen;
 }
 
+void add_cross(demo::Picture &seen, Colour colour, const Vec2 &at) {
+    for (const Vec2 &arm : {Vec2{10, 0}, {0, 10}})
+        seen.shapes.push_back({Shape::line, colour, 1.5, 1, {at - arm, at + arm}});
+}
+
+/// The plate, the point on which it balances, and the mean of its corners, on which it does not.
+demo::Picture plate_and_points(std::vector<Vec2> corners) {
+    const Vec2 balance = centroid(corners);
+    Vec2 mean{0, 0};
+    for (const Vec2 &corner : corners) mean += corner / double(corners.size());
+    demo::Picture seen{{{Shape::area, Colour::line, 0, 0.4, corners}}};
+    seen.shapes.push_back({Shape::handle, Colour::dim, 0, 1, corners});
+    corners.push_back(corners[0]);
+    seen.shapes.insert(seen.shapes.begin() + 1, {Shape::line, Colour::dim, 2, 1, corners});
+    seen.shapes.push_back({Shape::discs, Colour::blue, 5, 1, {balance}});
+    seen.shapes.push_back({Shape::words, Colour::blue, 0, 1, {{20, 150}}, "disc: centroid"});
+    seen.shapes.push_back({Shape::words, Colour::pink, 0, 1, {{20, 120}}, "cross: mean of the corners"});
+    add_cross(seen, Colour::pink, mean);
+    const Vec2 of_disc = (balance - plate_origin) / 50, of_cross = (mean - plate_origin) / 50;
+    seen.readouts = {{"centroid, x", "m", of_disc.x(), 2},
+                     {"centroid, y", "m", of_disc.y(), 2},
+                     {"mean, x", "m", of_cross.x(), 2},
+                     {"mean, y", "m", of_cross.y(), 2}};
+    return seen;
+}
+
+/// Position against time: three sightings, and the motion that passes through them.
+demo::Picture motion_through(const std::vector<Vec2> &seen_at) {
+    const auto sample = [&](std::size_t i) {
+        const Vec2 at = (seen_at[i] - sightings_origin).cwiseQuotient(sightings_scale);
+        return Sample{at.x(), at.y()};
+    };
+    const Motion found = fit_motion(sample(0), sample(1), sample(2));
+    std::vector<Vec2> curve;
+    for (int tenth = -2; tenth <= 62; ++tenth) {
+        const double t = 0.1 * tenth, x = found.x_0 + t * (found.v_0 + t * found.a / 2);
+        curve.push_back(sightings_origin + Vec2{t, x}.cwiseProduct(sightings_scale));
+    }
+    demo::Picture seen{{{Shape::line, Colour::line, 1.5, 1, {{0, 20}, {640, 20}}},
+                        {Shape::line, Colour::line, 1.5, 1, {{20, 0}, {20, 200}}}}};
+    for (int second = 1; second <= 6; ++second)
+        seen.shapes.push_back(
+            {Shape::words, Colour::dim, 0, 1, {{10 + 100.0 * second, 2}}, std::to_string(second) + " s"});
+    seen.shapes.push_back({Shape::line, Colour::blue, 2, 1, curve});
+    seen.shapes.push_back({Shape::discs, Colour::ink, 4, 1, seen_at});
+    seen.shapes.push_back({Shape::handle, Colour::ink, 0, 1, seen_at});
+    seen.readouts = {{"position at 0 s", "m", found.x_0, 1},
+                     {"velocity at 0 s", "m/s", found.v_0, 1},
+                     {"acceleration", "m/s²", found.a, 1}};
+    return seen;
+}
+
 demo::Picture draw(const State &now, const Input &in) {
     const auto sky = static_cast<Sky>(in["In the sky"]);
     if (sky == three_integrators) return three_missiles(now);
+    if (sky == plate) return plate_and_points(now.corners);
+    if (sky == sightings) return motion_through(now.seen_at);
     if (sky == printed_table) return table_and_missile(std::fmod(now.time - now.fired, 6.0));
     demo::Picture seen;
     const Vec2 rotor{16, 0}, mast{0, 12};
@@ -174,11 +251,7 @@ demo::Picture draw(const State &now, const Input &in) {
     seen.shapes.push_back({Shape::line, Colour::dim, -1.5, 1, now.path});
     for (const Missile &piece : now.pieces) add(seen, Colour::orange, piece.state.position, 3 + piece.mass, {});
     seen.shapes.push_back({Shape::discs, Colour::orange, 2.5, 0.6, now.missile_marks});
-    if (const auto camera = camera_target(now.pieces)) {
-        const Vec2 wide{10, 0}, high{0, 10};
-        seen.shapes.push_back({Shape::line, Colour::ink, 1.5, 1, {*camera - wide, *camera + wide}});
-        seen.shapes.push_back({Shape::line, Colour::ink, 1.5, 1, {*camera - high, *camera + high}});
-    }
+    if (const auto camera = camera_target(now.pieces)) add_cross(seen, Colour::ink, *camera);
     seen.readouts = {{"helicopter", "px", at.x(), 0},
                      {"its speed", "px/s", now.helicopter.velocity.norm(), 0},
                      {"thrust", "px/s²", now.thrust, 0}};

@@ -7,18 +7,31 @@ namespace play {
 using namespace segment_intersection;
 using demo::Colour, demo::Input, demo::Shape;
 
-enum Game { asks_once_a_frame, asks_about_the_motion, bounces_once_a_frame, bounces, has_a_size };
+// The ball's games come first; in the last two there is none.
+enum Game {
+    asks_once_a_frame,
+    asks_where,
+    asks_about_the_motion,
+    bounces_once_a_frame,
+    bounces,
+    has_a_size,
+    common,
+    turns
+};
 
+const std::vector<std::string_view> with_ball{"asks once a frame",          "asks 7.1",      "asks 7.2",
+                                              "bounces once a frame (7.2)", "bounces (7.4)", "has a size (7.5)"};
 const demo::About about{
     "A ball in a room with seven walls. Drag the tip of its arrow to throw it, or a corner.",
     {0, -0.5},
     {12, 7.5},
     {demo::choice("The game",
-                  {"asks once a frame", "asks 7.2", "bounces once a frame (7.2)", "bounces (7.4)", "has a size (7.5)"},
+                  {"asks once a frame", "asks 7.1", "asks 7.2", "bounces once a frame (7.2)", "bounces (7.4)",
+                   "has a size (7.5)", "two segments (7.3)", "left or right (7.6)"},
                   asks_once_a_frame),
-     {"frames per second", "", 5, 120, 1, 30},
+     {"frames per second", "", 5, 120, 1, 30, {}, with_ball},
      {"radius", "m", 0.1, 0.5, 0.01, 0.15, {}, {"asks once a frame", "has a size (7.5)"}}},
-    {{"t", "Turn the ball"}}};
+    {{"t", "Turn the ball", with_ball}}};
 const demo::Still still{1.1};
 
 /// The arrow is as long as the way of so many seconds.
@@ -31,6 +44,8 @@ struct State {
     std::vector<Vec2> trail; // where the ball was in the last frames
     double time{}, spare{};
     int noticed{}, missed{};
+    std::vector<Vec2> common_ends{{1, 1}, {7, 4}, {9, 5}, {3, 2}},
+        turn_ends{{1.3, 0.8}, {5.6, 2.9}, {3.9, 3.2}, {8.2, 5.3}};
 };
 
 State begin() {
@@ -56,7 +71,7 @@ State one_frame(State now, Game game, double radius, double dt) {
     else now.ball.position = motion.end; // it flies on, through whatever is in its way
 
     now.time += dt;
-    for (std::size_t i = 0; i < walls.size(); ++i) {
+    for (std::size_t i = 0; i < walls.size() && game != asks_where; ++i) {
         const bool before = touches_now(motion.start, radius, walls[i]),
                    after = touches_now(motion.end, radius, walls[i]);
         const bool seen = game == asks_once_a_frame ? after && !before
@@ -86,7 +101,19 @@ bool walls_cross(const std::vector<Segment> &walls) {
     return false;
 }
 
+/// An end goes to a point of a grid with so many lines per metre: whole metres are exact, tenths are not.
+void drag(std::vector<Vec2> &ends, double lines, const Input &in) {
+    if (in.handle < 0 || in.handle >= int(ends.size())) return;
+    const Vec2 to = in.pointer.cwiseMax(Vec2{0, 0}).cwiseMin(Vec2{12, 7});
+    ends[std::size_t(in.handle)] = {std::round(to.x() * lines) / lines, std::round(to.y() * lines) / lines};
+}
+
 State next(State now, const Input &in) {
+    const auto game = static_cast<Game>(in["The game"]);
+    if (game >= common) {
+        drag(game == common ? now.common_ends : now.turn_ends, game == common ? 1 : 10, in);
+        return now;
+    }
     Vec2 &velocity = now.ball.velocity;
     if (in.key == "t") velocity = {0.8 * velocity.x() - 0.6 * velocity.y(), 0.6 * velocity.x() + 0.8 * velocity.y()};
     if (in.handle == 0) { // while somebody aims, time stands still
@@ -94,20 +121,67 @@ State next(State now, const Input &in) {
         if (aimed.norm() > 0) velocity = aimed * std::clamp(1.0, 1 / aimed.norm(), 60 / aimed.norm());
         return now;
     }
-    if (in.handle > 0) {
+    if (in.handle > 0 && in.handle <= int(now.room.size())) {
         std::vector<Vec2> room = now.room;
         room[std::size_t(in.handle) - 1] = in.pointer.cwiseMax(about.low).cwiseMin(about.high);
         if (!walls_cross(walls_of(room))) now.room = room;
     }
     const double dt = 1 / in["frames per second"];
-    for (int due = demo::steps_due(now.spare, in, dt); due > 0; --due)
-        now = one_frame(now, static_cast<Game>(in["The game"]), in["radius"], dt);
+    for (int due = demo::steps_due(now.spare, in, dt); due > 0; --due) now = one_frame(now, game, in["radius"], dt);
     return now;
+}
+
+/// The line along the ball's arrow, and the points where it crosses the lines of the walls: on the wall, or beyond it.
+void add_intersections(demo::Picture &seen, const Segment &motion, const std::vector<Segment> &walls) {
+    const Vec2 far = 100 * (motion.end - motion.start);
+    seen.shapes.push_back({Shape::line, Colour::blue, -1.5, 0.6, {motion.start - far, motion.end + far}});
+    double next_t = 0;
+    for (const Segment &wall : walls) {
+        const auto found = intersect_lines(motion, wall);
+        if (!found) continue;
+        const auto &[t, s, point] = *found;
+        const bool on_wall = s >= 0 && s <= 1;
+        if (!on_wall)
+            seen.shapes.push_back({Shape::line, Colour::dim, -1, 0.6, {s < 0 ? wall.start : wall.end, point}});
+        seen.shapes.push_back(
+            {Shape::discs, on_wall ? Colour::orange : Colour::dim, on_wall ? 0.14 : 0.09, 1, {point}});
+        if (on_wall && t > 0 && (next_t == 0 || t < next_t)) next_t = t;
+    }
+    seen.readouts = {{"speed", "m/s", (motion.end - motion.start).norm() / arrow_time, 1},
+                     {"t at the next wall", "", next_t, 2}};
+}
+
+/// Two segments by their four ends, and what they have in common.
+demo::Picture two_segments(const std::vector<Vec2> &ends) {
+    demo::Picture seen{{{Shape::line, Colour::blue, 3, 1, {ends[0], ends[1]}},
+                        {Shape::line, Colour::green, 3, 1, {ends[2], ends[3]}}}};
+    const std::vector<Vec2> both = common_points({ends[0], ends[1]}, {ends[2], ends[3]});
+    seen.shapes.push_back({Shape::line, Colour::orange, 7, 1, both});
+    seen.shapes.push_back({Shape::discs, Colour::orange, 0.17, 1, both});
+    seen.shapes.push_back({Shape::handle, Colour::ink, 0, 1, ends});
+    seen.readouts = {{"points in common", "", double(both.size()), 0}};
+    return seen;
+}
+
+/// Two arrows, and to which side of the first the second points: as 7.6 says, and as the sign of the rounded determinant has it.
+demo::Picture two_arrows(const std::vector<Vec2> &ends) {
+    const Vec2 a = ends[1] - ends[0], b = ends[3] - ends[2];
+    const double d = a.x() * b.y() - a.y() * b.x();
+    const int turn = orientation({ends[0], ends[1]}, {ends[2], ends[3]});
+    const char *const side = turn > 0 ? "left" : turn < 0 ? "right" : "cannot tell";
+    demo::Picture seen{{{Shape::arrow, Colour::blue, 3, 1, {ends[0], ends[1]}},
+                        {Shape::arrow, Colour::orange, 3, 1, {ends[2], ends[3]}},
+                        {Shape::words, Colour::orange, 0, 1, {ends[3] + Vec2{0.3, -0.1}}, side},
+                        {Shape::handle, Colour::ink, 0, 1, ends}}};
+    seen.readouts = {{"7.6 says", "", double(turn), 0}, {"rounded sign", "", double(d > 0) - double(d < 0), 0}};
+    return seen;
 }
 
 demo::Picture draw(const State &now, const Input &in) {
     const auto &[at, velocity] = now.ball;
     const auto game = static_cast<Game>(in["The game"]);
+    if (game == common) return two_segments(now.common_ends);
+    if (game == turns) return two_arrows(now.turn_ends);
     const double radius = game == asks_once_a_frame || game == has_a_size ? in["radius"] : 0.07; // as a point
     demo::Picture seen{{{Shape::area, Colour::line, 0, 0.3, now.room}}};
     const std::vector<Segment> walls = walls_of(now.room);
@@ -122,6 +196,7 @@ demo::Picture draw(const State &now, const Input &in) {
     seen.shapes.push_back({Shape::arrow, Colour::blue, 2, 1, {at, tip}});
     seen.shapes.push_back({Shape::handle, Colour::blue, 0, 1, {tip}});
     seen.shapes.push_back({Shape::handle, Colour::green, 0, 1, now.room});
+    if (game == asks_where) return add_intersections(seen, {at, tip}, walls), seen;
     seen.readouts = {{"speed", "m/s", velocity.norm(), 1},
                      {"from frame to frame", "m", velocity.norm() / in["frames per second"], 2},
                      {"walls noticed", "", double(now.noticed), 0},

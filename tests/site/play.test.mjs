@@ -49,14 +49,17 @@ async function open(name, { width = 1280, touch = false, mine = null, ...more } 
       if (await demo.button('Pause').isVisible()) await demo.still();
       await demo.button('Reset').click();
       await demo.wait(100);
-      await page.mouse.move(...(await demo.at(...room(2.36, 3.17))));
-      await page.mouse.down();
-      await page.mouse.move(...(await demo.at(...room(x, y))), { steps: 3 });
-      await page.mouse.up();
+      await demo.drag(room(2.36, 3.17), room(x, y));
     },
     still: async () => {
       await demo.button('Pause').click();
       await demo.wait(50);
+    },
+    drag: async (from, to) => {
+      await page.mouse.move(...(await demo.at(...from)));
+      await page.mouse.down();
+      await page.mouse.move(...(await demo.at(...to)), { steps: 3 });
+      await page.mouse.up();
     },
     done: async () => {
       assert.deepEqual(troubles, []);
@@ -253,6 +256,45 @@ describe('07, the room', { concurrency: 2 }, () => {
 });
 
 describe('11, fireworks', { concurrency: 2 }, () => {
+  test('asked 7.1, the next wall comes nearer, and an arrow that is parallel to it does not cross it', async () => {
+    const demo = await open(seven);
+    await demo.choose('asks 7.1');
+    await demo.throwAt(2.36, 3.17);
+    const far = await demo.read('t at the next wall');
+    assert.ok(far > 1, 'beyond the tip of the arrow');
+    for (let i = 0; i < 10; i++) await demo.button('Step').click();
+    const near = await demo.read('t at the next wall');
+    assert.ok(Math.abs(far - near - 10 / 30 / 0.1) < 0.02, `an arrow is a tenth of a second, ten frames are a third: ${far}, ${near}`);
+    await demo.done();
+  });
+
+  test('two segments have a piece, a point or nothing in common; the ends keep to whole metres', async () => {
+    const demo = await open(seven), far = room(11, 1);
+    await demo.choose('two segments (7.3)');
+    assert.equal(await demo.button('Turn the ball').isVisible(), false, 'there is no ball');
+    assert.equal(await demo.read('points in common'), 2);
+    await demo.drag(room(3, 2), room(6.8, 4.2)); // end to end
+    assert.equal(await demo.read('points in common'), 1);
+    await demo.drag(room(7, 4), room(2.1, 5.9));
+    assert.equal(await demo.read('points in common'), 0);
+    await demo.drag(room(9, 5), far);
+    await demo.button('Reset').click();
+    await demo.wait(100);
+    assert.equal(await demo.read('points in common'), 2);
+    await demo.done();
+  });
+
+  test('7.6 cannot tell the side of two arrows that rounding has to the left; one that is turned points to a side', async () => {
+    const demo = await open(seven);
+    await demo.choose('left or right (7.6)');
+    assert.deepEqual([await demo.read('7.6 says'), await demo.read('rounded sign')], [0, 1]);
+    await demo.drag(room(8.2, 5.3), room(5, 6.5));
+    assert.deepEqual([await demo.read('7.6 says'), await demo.read('rounded sign')], [1, 1]);
+    await demo.drag(room(5, 6.5), room(8, 2));
+    assert.deepEqual([await demo.read('7.6 says'), await demo.read('rounded sign')], [-1, -1]);
+    await demo.done();
+  });
+
   test('a click is a burst where it was; three sparks are three; a full pool stays as large', async () => {
     const demo = await open(eleven), centre = await demo.at(12, 9, [24, 14]);
     await demo.choose('none');
@@ -449,6 +491,31 @@ describe('01, flight', { concurrency: 2 }, () => {
     };
     assert.deepEqual(await after(1), [140, 240, 190]); // from 20 px at 120 px/s, with 100 px/s²
     assert.deepEqual(await after(0.5), [165, 215, 190]);
+    await demo.done();
+  });
+
+  test('a plate balances where 1.6 says, and a corner that is dragged moves that point and the mean', async () => {
+    const demo = await open(first), sky = (x, y) => [x, y, [640, 200]];
+    const points = async () => [await demo.read('centroid, x'), await demo.read('centroid, y'), await demo.read('mean, x'), await demo.read('mean, y')];
+    await demo.choose('a plate (1.6)');
+    assert.equal(await demo.button('Fire the missile').isVisible(), false, 'nothing flies');
+    assert.deepEqual(await points(), [1.1, 1.1, 1.33, 1.33]);
+    await demo.drag(sky(470, 75), sky(570, 175)); // the inner corner goes outside: a square of 3 m
+    const [x, y] = await points();
+    assert.ok(Math.abs(x - 1.5) < 0.1 && Math.abs(y - 1.5) < 0.1, `${x}, ${y}`);
+    await demo.done();
+  });
+
+  test('1.7 finds the motion through three sightings, which keep their order', async () => {
+    const demo = await open(first), at = (t, x) => [20 + 100 * t, 20 + 6 * x, [640, 200]];
+    const motion = async () => [await demo.read('position at 0 s'), await demo.read('velocity at 0 s'), await demo.read('acceleration')];
+    await demo.choose('three sightings (1.7)');
+    assert.deepEqual(await motion(), [3, 2, 2]);
+    await demo.drag(at(4, 27), at(4, 21)); // 6, 11 and 21 m: evenly, 5 m/s
+    const [x, v, a] = await motion();
+    assert.ok(Math.abs(x - 1) < 0.4 && Math.abs(v - 5) < 0.4 && Math.abs(a) < 0.2, `${x}, ${v}, ${a}`);
+    await demo.drag(at(1, 6), at(5, 6));
+    assert.equal(await demo.said(), '', 'two times are never equal');
     await demo.done();
   });
 });
