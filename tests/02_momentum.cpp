@@ -35,8 +35,8 @@ std::pair<Cart, Cart> random_pair(Dice &dice) {
 
 //> Worked example: four forces
 TEST_CASE("two ropes, the weight and the rail: 4 N to the right accelerate a cart of 2 kg by 2 m/s²", "[2.1]") {
-    // x: 6 - 2 = 4 N, y: 4 + 1 - 19.6 + 14.6 = 0 N; 4 N / 2 kg = 2 m/s²
-    CHECK_THAT(acceleration_due_to({{6, 4}, {-2, 1}, {0, -19.6}, {0, 14.6}}, 2), IsNear(Vec2{2, 0}, rounding));
+    // to the right 6 - 2 = 4 N, up 4 + 1 - 20 + 15 = 0 N; 4 N / 2 kg = 2 m/s²
+    CHECK_THAT(acceleration_due_to({{6, 4}, {-2, 1}, {0, -20}, {0, 15}}, 2), IsNear(Vec2{2, 0}, rounding));
 }
 
 //> One newton, one kilogram
@@ -380,7 +380,8 @@ TEST_CASE("even carts of clay keep their velocities if they do not approach each
 }
 
 //> Erratum E2.4
-TEST_CASE("erratum E2.4: a pea of 1 g at 10 000 km/s cannot stop a train at 1 m/s, which has far more momentum", "[2.3]") {
+TEST_CASE("erratum E2.4: a pea of 1 g at 10 000 km/s cannot stop a train at 1 m/s, which has far more momentum",
+          "[2.3]") {
     // In tonnes and km/s: the train has 1000 · 0.001 = 1 t km/s, the pea 1e-9 · 1e4 = 1e-5, a hundred-thousandth.
     // Meeting head-on as clay, they go on the way of the train, at all but 1e-5 of its speed.
     const Velocities after = collide({1000, 0.001}, {1e-9, -1e4}, 0);

@@ -5,13 +5,14 @@
 
 namespace momentum {
 
-//> The frame loop: a cart that is pulled
+//> A cart on the rail
 /// A cart, and where it is.
 struct RailCart {
     double x{}; ///< its middle [m]
     Cart cart;
 };
 
+//> The frame loop: a cart that is pulled
 /// One frame of the game: these forces act on the cart for `dt` seconds. The rail keeps its height.
 inline void next_frame(RailCart &it, const std::vector<Vec2> &forces, double dt) {
     const Vec2 acceleration = acceleration_due_to(forces, it.cart.mass);
@@ -45,13 +46,14 @@ inline void next_frame(RailCart &left, RailCart &right, double restitution, doub
     right.cart.velocity = after.b;
 }
 
-//> The frame loop: between walls
+//> A body on the rail
 /// A body on the rail, as long as a cart: a cart, or a wall.
 struct RailBody {
     double x{}; ///< its middle [m]
     Body body;
 };
 
+//> Two neighbours
 /// If two neighbours approach each other, they exert an impulse on each other.
 inline void push_apart(Body &left, Body &right, double restitution) {
     const double j = impulse(left, right, restitution);
@@ -59,6 +61,7 @@ inline void push_apart(Body &left, Body &right, double restitution) {
     right.velocity += j * right.inverse_mass;
 }
 
+//> The frame loop: between walls
 /// One frame of the game, for all that is on the rail, from left to right.
 inline void next_frame(std::vector<RailBody> &row, double restitution, double dt) {
     for (RailBody &it : row) it.x += dt * it.body.velocity;

@@ -5,20 +5,6 @@
 using namespace momentum;
 using course::row, course::text;
 
-//> Forces on a cart
-void print_forces(std::ostream &out) {
-    const Vec2 rope{6, 4}, string{-2, 1}, weight{0, -19.6}, rail{0, 14.6}; // [N]
-    out << row({{"what acts on it", 34}, {"1 kg [m/s²]", 13}, {"2 kg [m/s²]", 0}});
-    const auto line = [&](const std::string &what, const std::vector<Vec2> &forces) {
-        const Vec2 light = acceleration_due_to(forces, 1), heavy = acceleration_due_to(forces, 2);
-        out << row({{what, 34}, {text(light), 13}, {text(heavy), 0}});
-    };
-    line("nothing", {});
-    line("the rope", {rope});
-    line("the rope and the string", {rope, string});
-    line("all four, with weight and rail", {rope, string, weight, rail});
-}
-
 //> The rail in letters
 /// A rail of 12 m as 48 letters: `|   A        B       |`. What is outside is not shown.
 std::string rail(const std::vector<std::pair<char, double>> &carts) {
@@ -26,6 +12,22 @@ std::string rail(const std::vector<std::pair<char, double>> &carts) {
     for (const auto &[letter, x] : carts)
         if (0 <= x && x < 12) letters[std::size_t(4 * x)] = letter;
     return '|' + letters + '|';
+}
+
+//> Two carts are pulled
+void print_pulled(std::ostream &out) {
+    const std::vector<Vec2> forces{{6, 4}, {0, -20}, {0, 16}}; // a rope, a weight and the rail [N]
+    out << row({{"t [s]", 7}, {"2 kg [m/s]", 12}, {"3 kg [m/s]", 12}, {"the rail, 12 m long", 0}});
+    RailCart light{1, {2, 0}}, heavy{1, {3, 0}};
+    for (int frame = 0; frame <= 150; ++frame) {
+        if (frame % 30 == 0)
+            out << row({{text(frame / 60.0), 7},
+                        {text(light.cart.velocity), 12},
+                        {text(heavy.cart.velocity), 12},
+                        {rail({{'2', light.x}, {'3', heavy.x}}), 0}});
+        next_frame(light, forces, 1.0 / 60);
+        next_frame(heavy, forces, 1.0 / 60);
+    }
 }
 
 //> Two carts meet
@@ -45,6 +47,68 @@ void print_meeting(std::ostream &out) {
     }
 }
 
+//> From rubber to clay
+double momentum_of(const Velocities &v) { return a.mass * v.a + b.mass * v.b; }                 // [N s]
+double energy_of(const Velocities &v) { return (a.mass * v.a * v.a + b.mass * v.b * v.b) / 2; } // [J]
+
+void print_materials(std::ostream &out) {
+    out << row({{"e", 6}, {"v_a", 7}, {"v_b", 7}, {"momentum [N s]", 16}, {"kinetic energy [J]", 0}});
+    for (const double e : {1.0, 0.75, 0.5, 0.25, 0.0}) {
+        const Velocities after = collide(a, b, e);
+        out << row({{text(e), 6},
+                    {text(after.a), 7},
+                    {text(after.b), 7},
+                    {text(momentum_of(after)), 16},
+                    {text(energy_of(after)), 0}});
+    }
+}
+
+//> Seen from elsewhere
+void print_frames(std::ostream &out) {
+    out << row({{"seen from", 24}, {"v_a", 8}, {"v_b", 8}, {"centre", 8}, {"energy around it [J]", 0}});
+    for (const auto &[who, train] :
+         {std::pair{"the rail", 0.0}, {"a train at 30 m/s", 30.0}, {"a train at -30 m/s", -30.0}}) {
+        const Cart first{a.mass, a.velocity - train}, second{b.mass, b.velocity - train};
+        const CentreOfMassFrame seen = centre_of_mass_frame(first, second);
+        out << row({{who, 24},
+                    {text(first.velocity), 8},
+                    {text(second.velocity), 8},
+                    {text(seen.velocity), 8},
+                    {text(seen.energy), 0}});
+    }
+}
+
+//> Clicks
+/// How often they click: a body of 1 kg at rest, between a wall on its left and a heavy body that comes from the right.
+int count_clicks(double heavy_mass) {
+    Body wall{0, 0}, light{1, 0}, heavy{1 / heavy_mass, -1};
+    for (int clicks = 0;; ++clicks) {
+        if (impulse(light, heavy, 1) > 0) push_apart(light, heavy, 1);
+        else if (impulse(wall, light, 1) > 0) push_apart(wall, light, 1);
+        else return clicks;
+    }
+}
+
+void print_clicks(std::ostream &out) {
+    out << row({{"mass on the right [kg]", 24}, {"clicks", 0}});
+    for (const double mass : {1.0, 100.0, 1e4}) out << row({{text(mass), 24}, {text(count_clicks(mass)), 0}});
+}
+
+//> A row of carts
+void print_cradle(std::ostream &out) {
+    const auto line = [&](const std::vector<Cart> &carts) {
+        std::string before, after;
+        for (const Cart &cart : carts) before += text(cart.velocity) + "  ";
+        for (const double velocity : newtons_cradle(carts)) after += text(velocity) + "  ";
+        out << row({{before, 18}, {after, 0}});
+    };
+    out << row({{"before [m/s]", 18}, {"after [m/s]", 0}});
+    line({{1, 3}, {1, 0}, {1, 0}, {1, 0}, {1, 0}});
+    line({{1, 3}, {1, 3}, {1, 0}, {1, 0}, {1, 0}});
+    line({{1, 3}, {1, 0}, {1, 0}, {1, 0}, {1, -3}});
+    line({{1, 3}, {1, 0}, {3, 0}, {1, 0}, {1, 0}}); // a heavy one in the middle
+}
+
 //> Two carts meet, traced
 void trace_meeting(std::ostream &out) {
     out << "# t[s]\ta x[m]\tb x[m]\n";
@@ -55,8 +119,47 @@ void trace_meeting(std::ostream &out) {
     }
 }
 
+//> Before and after, traced
+void trace_plane(std::ostream &out) {
+    const Velocities after = elastic_collision(a, b);
+    out << "# v_a[m/s]\tv_b[m/s]\n";
+    out << a.velocity << '\t' << b.velocity << '\n' << after.a << '\t' << after.b << '\n';
+}
+
+//> Momentum and energy, traced
+void trace_energy(std::ostream &out) {
+    out << "# restitution[1]\tmomentum[N s]\tkinetic energy[J]\n";
+    for (int k = 0; k <= 20; ++k) {
+        const Velocities after = collide(a, b, k / 20.0);
+        out << k / 20.0 << '\t' << momentum_of(after) << '\t' << energy_of(after) << '\n';
+    }
+}
+
+//> A row of carts, traced
+void trace_cradle(std::ostream &out) {
+    out << "# t[s]\t1 x[m]\t2 x[m]\t3 x[m]\t4 x[m]\t5 x[m]\n";
+    std::vector<RailCart> carts{{0, {1, 3}}, {1, {1, 3}}, {5, {1, 0}}, {6, {1, 0}}, {7, {1, 0}}};
+    for (int frame = 0; frame <= 150; ++frame) {
+        if (frame % 6 == 0) {
+            out << frame / 60.0;
+            for (const RailCart &it : carts) out << '\t' << it.x;
+            out << '\n';
+        }
+        next_frame(carts, 1.0 / 60);
+    }
+}
+
 //> Main
 int main(int argc, char **argv) {
-    return course::run(
-        argc, argv, {{"forces", print_forces}, {"meeting", print_meeting}, {"02_momentum_meeting.tsv", trace_meeting}});
+    return course::run(argc, argv,
+                       {{"pulled", print_pulled},
+                        {"meeting", print_meeting},
+                        {"materials", print_materials},
+                        {"frames", print_frames},
+                        {"clicks", print_clicks},
+                        {"cradle", print_cradle},
+                        {"02_momentum_meeting.tsv", trace_meeting},
+                        {"02_momentum_plane.tsv", trace_plane},
+                        {"02_momentum_energy.tsv", trace_energy},
+                        {"02_momentum_cradle.tsv", trace_cradle}});
 }

@@ -28,7 +28,7 @@ struct Cart {
     COURSE_FIELDS("kg, m/s", mass, velocity)
 };
 
-//> Elastic collision
+//> Two velocities
 /// The velocities of two carts.
 struct Velocities {
     double a{}; ///< [m/s]
@@ -36,6 +36,7 @@ struct Velocities {
     COURSE_FIELDS("m/s, m/s", a, b)
 };
 
+//> Elastic collision
 /// The velocities of cart a and cart b after they have collided elastically, with cart a on the left of cart b.
 /// Carts that do not approach each other do not collide: their velocities stay as they are.
 /// @throws std::invalid_argument if a mass is not positive, or a number is not within ±1e5.
@@ -49,7 +50,7 @@ Velocities elastic_collision(const Cart &a, const Cart &b);
 ///         within ±1e5.
 Velocities collide(const Cart &a, const Cart &b, double restitution);
 
-//> Centre-of-mass frame
+//> Seen from the centre of mass
 /// Two carts, as somebody sees them who moves along with their centre of mass.
 struct CentreOfMassFrame {
     double velocity{}; ///< of the centre of mass, seen from the rail [m/s]
@@ -59,7 +60,8 @@ struct CentreOfMassFrame {
     COURSE_FIELDS("m/s, m/s, m/s, J", velocity, a, b, energy)
 };
 
-/// The same two carts, seen from their centre of mass, whether they approach each other or not.
+//> Centre-of-mass frame
+/// Two carts, seen from their centre of mass, whether they approach each other or not.
 /// `a` and `b` are right to twelve digits of the difference of the two velocities, and `energy` to eleven digits of
 /// itself, however fast the centre of mass is.
 /// @throws std::invalid_argument if a mass is not positive, or a number is not within ±1e5.
