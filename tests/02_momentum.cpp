@@ -116,7 +116,9 @@ TEST_CASE("forces up to ±1e5, a thousand of them, and masses from 1e-9 to 1e5 k
     CHECK_THAT(acceleration_due_to({{1e5, -1e5}}, 1e5), IsNear(Vec2{1, -1}, rounding));
     CHECK_THAT(acceleration_due_to({{1e5, -1e5}}, 1e-9), IsNear(Vec2{1e14, -1e14}, rounding));
     CHECK_THAT(acceleration_due_to({{1e-9, 0}}, 1e-9), IsNear(Vec2{1, 0}, rounding));
-    CHECK_THAT(acceleration_due_to({{1e-9, 0}}, 1e5), IsNear(Vec2{1e-14, 0}, rounding));
+    CHECK_THAT(acceleration_due_to({{1e-100, 0}}, 1e-100), IsNear(Vec2{1, 0}, rounding));
+    CHECK_THAT(Vec2{1e14 * acceleration_due_to({{1e-9, 0}}, 1e5)},
+               IsNear(Vec2{1, 0}, rounding).of("acceleration [1e-14 m/s²]"));
     CHECK_THAT(acceleration_due_to({{1e5, 0}, {1e5, 0}}, 1), IsNear(Vec2{2e5, 0}, rounding)); // the sum may be larger
     CHECK_THAT(acceleration_due_to(std::vector<Vec2>(1000, {1, -2}), 4), IsNear(Vec2{250, -500}, 1e-9));
 }
@@ -124,6 +126,7 @@ TEST_CASE("forces up to ±1e5, a thousand of them, and masses from 1e-9 to 1e5 k
 TEST_CASE("a mass of 0, a negative mass, or a force or mass out of range is refused", "[2.1]") {
     CHECK_REFUSED(acceleration_due_to({{1, 2}}, 0));
     CHECK_REFUSED(acceleration_due_to({{1, 2}}, -3));
+    CHECK_REFUSED(acceleration_due_to({{1, 2}}, -1e-300));
     CHECK_REFUSED(acceleration_due_to({}, 0));
     CHECK_OUT_OF_RANGE_REFUSED(acceleration_due_to, {{{1, 2}, {3, 4}, {5, 6}}, 2.0});
     CHECK_REFUSED(acceleration_due_to({{1, 2}, {0, too_large}}, 2), "the first number beyond 1e5, as a force");
@@ -225,6 +228,8 @@ TEST_CASE("a light cart bounces off a very heavy one, and is hit away by it at t
     CHECK_THAT(elastic_collision({light, 5}, {heavy, 0}), IsNear(Velocities{-5, 0}, almost));
     CHECK_THAT(elastic_collision({heavy, 5}, {light, 0}), IsNear(Velocities{5, 10}, almost));
     CHECK_THAT(elastic_collision({heavy, 5}, {light, -5}), IsNear(Velocities{5, 15}, almost));
+    // 1 kg at 3 m/s and 9999 kg at rest: together 3 / 10000 m/s
+    CHECK_THAT(elastic_collision({1, 3}, {9999, 0}), IsNear(Velocities{-2.9994, 0.0006}, rounding));
 }
 
 //> Apart
@@ -263,6 +268,8 @@ TEST_CASE("erratum E2.13: the two carts do not both leave to the right; each tur
 TEST_CASE("elastic_collision allows masses from 1e-9 to 1e5 kg, velocities up to ±1e5, and tiny ones", "[2.2]") {
     CHECK_THAT(elastic_collision({1e5, 1e5}, {1e5, -1e5}), IsNear(Velocities{-1e5, 1e5}, rounding));
     CHECK_THAT(elastic_collision({1e-9, 1e5}, {1e-9, -1e5}), IsNear(Velocities{-1e5, 1e5}, rounding));
+    CHECK_THAT(elastic_collision({1e-100, 5}, {1e-100, 0}),
+               IsNear(Velocities{0, 5}, 1e-9)); // even lighter: fewer digits
     CHECK_THAT(elastic_collision({1e5, 1e5}, {1e-9, -1e5}), IsNear(Velocities{1e5, 3e5}, rounding));
     CHECK_THAT(elastic_collision({1, 1e-9}, {2, 0}).b * 1e9, IsNear(2.0 / 3, rounding).of("velocity of b [1e-9 m/s]"));
     CHECK_THAT(elastic_collision({2, 100.5}, {3, 100}), IsNear(Velocities{99.9, 100.4}, rounding)); // barely faster
@@ -274,6 +281,7 @@ TEST_CASE("a cart with a mass of 0 or less, or with a number out of range, is re
     CHECK_REFUSED(elastic_collision({2, 4}, {0, -2}));
     CHECK_REFUSED(elastic_collision({-2, 4}, {3, -2}));
     CHECK_REFUSED(elastic_collision({2, 4}, {-3, -2}));
+    CHECK_REFUSED(elastic_collision({2, 4}, {-1e-300, -2}));
     CHECK_REFUSED(elastic_collision({0, -4}, {3, 2})); // even if they move apart
     CHECK_OUT_OF_RANGE_REFUSED(elastic_collision, {{2, 4}, {3, -2}});
     CHECK_OUT_OF_RANGE_REFUSED(elastic_collision, {{2, -4}, {3, 2}}); // even if they move apart
@@ -420,6 +428,12 @@ TEST_CASE("collide allows masses from 1e-9 to 1e5 kg, velocities up to ±1e5, an
     CHECK_THAT(collide({1e5, 1e5}, {1e5, -1e5}, 0.5), IsNear(Velocities{-5e4, 5e4}, rounding));
     CHECK_THAT(collide({1e5, 1e5}, {1e-9, -1e5}, 0.5), IsNear(Velocities{1e5, 2e5}, rounding));
     CHECK_THAT(collide({1e-9, 1e5}, {1e-9, -1e5}, 0.5), IsNear(Velocities{-5e4, 5e4}, rounding));
+    CHECK_THAT(collide({1e5, 1}, {1e5, -1}, 0.5), IsNear(Velocities{-0.5, 0.5}, rounding));
+    CHECK_THAT(collide({1e-100, 6}, {1e-100, 0}, 0), IsNear(Velocities{3, 3}, 1e-9)); // even lighter: fewer digits
+    // 1 kg at 3 m/s and 9999 kg at rest: together 3 / 10000 m/s
+    CHECK_THAT(collide({1, 3}, {9999, 0}, 0), IsNear(Velocities{0.0003, 0.0003}, rounding));
+    CHECK_THAT(collide({9999, 0}, {1, -3}, 0), IsNear(Velocities{-0.0003, -0.0003}, rounding));
+    CHECK_THAT(collide({1, 1e-9}, {3, 0}, 0).b * 1e9, IsNear(0.25, rounding).of("velocity of b [1e-9 m/s]"));
     CHECK_THAT(collide({2, 100.5}, {3, 100}, 0), IsNear(Velocities{100.2, 100.2}, rounding));
     CHECK_THAT(collide({2, 4}, {3, -2}, 1e-6), IsNear(Velocities{0.4 - 3.6e-6, 0.4 + 2.4e-6}, rounding));
 }
@@ -428,11 +442,13 @@ TEST_CASE("a restitution beyond 0 to 1, a mass of 0 or less, or a number out of 
     CHECK_REFUSED(collide({2, 4}, {3, -2}, -0.1));
     CHECK_REFUSED(collide({2, 4}, {3, -2}, 1.1));
     CHECK_REFUSED(collide({2, 4}, {3, -2}, std::nextafter(1.0, 2.0)), "the first number beyond 1");
+    CHECK_REFUSED(collide({2, 4}, {3, -2}, -1e-300));
     CHECK_REFUSED(collide({2, -4}, {3, 2}, 1.5)); // even if they move apart
     CHECK_REFUSED(collide({0, 4}, {3, -2}, 0.5));
     CHECK_REFUSED(collide({2, 4}, {0, -2}, 0.5));
     CHECK_REFUSED(collide({-2, 4}, {3, -2}, 0.5));
     CHECK_REFUSED(collide({2, 4}, {-3, -2}, 0.5));
+    CHECK_REFUSED(collide({2, 4}, {-1e-300, -2}, 0.5));
     CHECK_OUT_OF_RANGE_REFUSED(collide, {{2, 4}, {3, -2}, 0.5});
     CHECK_OUT_OF_RANGE_REFUSED(collide, {{2, -4}, {3, 2}, 0.5}); // even if they move apart
     collide({2, 4}, {3, -2}, 0.5);                               // good input is still answered
@@ -517,6 +533,14 @@ TEST_CASE("seen from a centre of mass near a heavy cart, the light one has nearl
     CHECK_THAT(heavy_left, IsNear(CentreOfMassFrame{3, 2e-14, -2, 2e-9}, rounding));
     CHECK_THAT(heavy_left.energy * 1e9, IsNear(2.0, 1e-11).of("energy seen from there [1e-9 J]"));
     CHECK_THAT(centre_of_mass_frame({1e5, 1e5}, {1e5, -1e5}), IsNear(CentreOfMassFrame{0, 1e5, -1e5, 1e15}, 1e-11));
+    // 1 kg at 3 m/s and 9999 kg at rest: together 3 / 10000 m/s, and 1/2 · 0.9999 kg · 9 m²/s²
+    CHECK_THAT(centre_of_mass_frame({1, 3}, {9999, 0}),
+               IsNear(CentreOfMassFrame{0.0003, 2.9997, -0.0003, 4.49955}, 1e-11));
+    CHECK_THAT(centre_of_mass_frame({1, 1e5}, {9999, -1e5}), // an answer beyond 1e5
+               IsNear(CentreOfMassFrame{-99980, 199980, -20, 1.9998e10}, 1e-11));
+    CHECK_THAT(centre_of_mass_frame({1e-100, 2}, {1e-100, 0}), IsNear(CentreOfMassFrame{1, 1, -1, 0}, 1e-9));
+    CHECK_THAT(centre_of_mass_frame({1, 1e-9}, {3, 0}).a * 1e9,
+               IsNear(0.75, rounding).of("velocity of a, seen from there [1e-9 m/s]"));
 }
 
 //> Two fast carts, and a slow collision
@@ -535,6 +559,7 @@ TEST_CASE("seen from a centre of mass: a mass of 0 or less, or a number out of r
     CHECK_REFUSED(centre_of_mass_frame({2, 4}, {0, -2}));
     CHECK_REFUSED(centre_of_mass_frame({-2, 4}, {3, -2}));
     CHECK_REFUSED(centre_of_mass_frame({2, 4}, {-3, -2}));
+    CHECK_REFUSED(centre_of_mass_frame({2, 4}, {-1e-300, -2}));
     CHECK_OUT_OF_RANGE_REFUSED(centre_of_mass_frame, {{2, 4}, {3, -2}});
     centre_of_mass_frame({2, 4}, {3, -2}); // good input is still answered
 }
@@ -616,9 +641,13 @@ TEST_CASE("an impulse is right for inverse masses from 1e-9 to 1e5 per kg, and v
     CHECK_THAT(impulse({1e5, 1e5}, {1e5, -1e5}, 1), IsNear(2.0, rounding));
     CHECK_THAT(impulse({1e-9, 1e5}, {1e-9, -1e5}, 1), IsNear(2e14, rounding));
     CHECK_THAT(impulse({1e-9, 3}, {0, 0}, 0), IsNear(3e9, rounding));
+    CHECK_THAT(impulse({0.5, 3}, {1e-100, 0}, 0), IsNear(6.0, 1e-9));
     CHECK_THAT(impulse({1e5, 2}, {0, 0}, 0) * 1e5, IsNear(2.0, rounding).of("impulse [1e-5 N s]"));
     CHECK_THAT(impulse({1e5, 2}, {1e-9, 0}, 0) * 1e5, IsNear(2.0, rounding).of("impulse [1e-5 N s]"));
     CHECK_THAT(impulse({0.5, 1e-9}, {0.5, 0}, 0) * 1e9, IsNear(1.0, rounding).of("impulse [1e-9 N s]"));
+    // two carts at 1e5 m/s, which approach each other at 2^-10 m/s
+    CHECK_THAT(impulse({0.5, 99999 + std::ldexp(1, -10)}, {0.125, 99999}, 0.5) * std::ldexp(1, 10),
+               IsNear(2.4, rounding).of("impulse [2^-10 N s]"));
 }
 
 TEST_CASE("a negative inverse mass, a restitution beyond 0 to 1, or a number out of range is refused", "[2.5]") {
@@ -627,6 +656,9 @@ TEST_CASE("a negative inverse mass, a restitution beyond 0 to 1, or a number out
     CHECK_REFUSED(impulse({-0.5, -4}, {0.25, 2}, 1)); // even if they move apart
     CHECK_REFUSED(impulse({0.5, 4}, {0.25, -2}, -0.1));
     CHECK_REFUSED(impulse({0.5, 4}, {0.25, -2}, 1.1));
+    CHECK_REFUSED(impulse({0.5, 4}, {0.25, -2}, -1e-300));
+    CHECK_REFUSED(impulse({0.5, 4}, {0.25, -2}, std::nextafter(1.0, 2.0)), "the first number beyond 1");
+    CHECK_REFUSED(impulse({-1e-300, 4}, {0.25, -2}, 1));
     CHECK_REFUSED(impulse({0, 4}, {0, -2}, 1.1)); // even if nothing can move them
     CHECK_OUT_OF_RANGE_REFUSED(impulse, {{0.5, 4}, {0.25, -2}, 0.5});
     CHECK_OUT_OF_RANGE_REFUSED(impulse, {{0.5, -4}, {0.25, 2}, 0.5}); // even if they move apart
@@ -748,10 +780,25 @@ TEST_CASE("the carts of a row keep their momentum and their kinetic energy, and 
 }
 
 //>
+TEST_CASE("in a row, masses from 1e-9 to 1e5 kg are allowed, velocities up to ±1e5 and tiny ones, and 300 carts",
+          "[2.6]") {
+    using List = std::vector<double>;
+    CHECK_THAT(newtons_cradle({{1e5, 3}, {1e5, 0}, {1e5, 0}}), IsNear(List{0, 0, 3}, 1e-10));
+    CHECK_THAT(newtons_cradle({{1e-9, 3}, {1e-9, 0}, {1e-9, 0}}), IsNear(List{0, 0, 3}, 1e-10));
+    CHECK_THAT(newtons_cradle({{1e-100, 3}, {1e-100, 0}, {1e-100, 0}}), IsNear(List{0, 0, 3}, 1e-9)); // fewer digits
+    CHECK_THAT(newtons_cradle({{1, 1e5}, {1, 0}, {1, -1e5}}), IsNear(List{-1e5, 0, 1e5}, 1e-10));
+    const std::vector<double> slow = newtons_cradle({{1, 1e-9}, {1, 0}, {3, 0}});
+    CHECK_THAT(slow.back() * 1e9, IsNear(0.5, 1e-10).of("velocity of the last cart [1e-9 m/s]"));
+    List before(300), after(300);
+    before.front() = after.back() = 3;
+    CHECK_THAT(newtons_cradle(equal_carts(2, before)), IsNear(after, 1e-9));
+}
+
 TEST_CASE("a cart in a row with a mass of 0 or less, or with a number out of range, is refused", "[2.6]") {
     CHECK_REFUSED(newtons_cradle({{2, 4}, {0, 0}, {3, -2}}));
     CHECK_REFUSED(newtons_cradle({{2, 4}, {3, -2}, {-1, 0}}));
     CHECK_REFUSED(newtons_cradle({{0, 1}}));
+    CHECK_REFUSED(newtons_cradle({{2, -4}, {-1e-300, 2}}));
     CHECK_OUT_OF_RANGE_REFUSED(newtons_cradle, {{{2, 4}, {3, 0}, {1, -2}}});
     CHECK_REFUSED(newtons_cradle({{2, 4}, {3, too_large}}), "the first number beyond 1e5, as a velocity");
     newtons_cradle({{2, 4}, {3, -2}}); // good input is still answered
