@@ -89,7 +89,7 @@ double impulse(const Body &a, const Body &b, double restitution);
 /// The gaps between them are so small that all of this happens in one moment. All collisions are elastic, and of two carts
 /// each: whenever neighbours approach each other, the leftmost such pair collides next, until there is none.
 /// Right to ten digits of the largest velocity for up to ten carts with masses from 0.1 to 10 kg, and for up to a hundred
-/// of equal mass. Of other rows fewer digits may be right, and a very light cart between heavy ones may collide for hours.
+/// of equal mass. For other rows fewer digits may be right, and with a very light cart between heavy ones it may take hours.
 /// @param carts  from left to right, any number of them
 /// @throws std::invalid_argument if a mass is not positive, or a number is not within ±1e5. A velocity that grows beyond
 ///         ±1e5 in a collision may be refused, too.

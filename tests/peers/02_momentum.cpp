@@ -1,5 +1,5 @@
 // needs box2d box2d::box2d libbox2d-dev
-// Box2D is what many games are made with. It computes in float, with seven digits, so that is how far apart we are.
+// Box2D computes in float, with seven digits, so that is how far apart we are.
 #include "momentum.hpp"
 #include "peer.hpp"
 
@@ -137,9 +137,9 @@ int main(int argc, char **argv) {
     return course::compare_with_peer(
         argc, argv,
         "Compared with Box2D " + std::to_string(b2_version.major) + '.' + std::to_string(b2_version.minor)
-            + ", in its 32-bit numbers, 100000 random cases each",
-        {{"acceleration_due_to: of the sum of the forces' sizes, divided by the mass", compare_accelerations},
+            + " in 32-bit numbers, 100000 random cases each",
+        {{"acceleration_due_to: of the forces' sizes, added up and divided by the mass", compare_accelerations},
          {"elastic_collision: of the largest velocity", compare_elastic_collisions},
          {"collide: of the largest velocity", compare_collisions},
-         {"impulse, with walls, approaching at 1 m/s or more: of itself", compare_impulses}});
+         {"impulse, walls among them, at 1 m/s or more: of itself", compare_impulses}});
 }
