@@ -8,6 +8,7 @@ if(NOT COURSE_PEERS)
 endif()
 
 add_custom_target(peers)
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE) # our flags are cmake/Flags.cmake's
 set(packages)
 file(GLOB peers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} tests/peers/*.cpp)
 foreach(peer ${peers})
