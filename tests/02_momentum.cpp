@@ -34,7 +34,7 @@ std::pair<Cart, Cart> random_pair(Dice &dice) {
 // --------------------------------------------------------------------------------------------- 2.1 acceleration_due_to
 
 //> Worked example: four forces
-TEST_CASE("two ropes, the weight and the rail: 4 N to the right accelerate a cart of 2 kg by 2 m/s²", "[2.1]") {
+TEST_CASE("rope, string, weight and rail together: 4 N to the right accelerate 2 kg by 2 m/s²", "[2.1]") {
     // to the right 6 - 2 = 4 N, up 4 + 1 - 20 + 15 = 0 N; 4 N / 2 kg = 2 m/s²
     CHECK_THAT(acceleration_due_to({{6, 4}, {-2, 1}, {0, -20}, {0, 15}}, 2), IsNear(Vec2{2, 0}, rounding));
 }
