@@ -252,7 +252,7 @@
       if (whose === 'yours') tellWhose();
       draw();
     }
-    const howToPlayOnes = () => answers.append('This is our code. To play with yours, type ', make('code', { textContent: `./course play ${parseInt(name, 10)} --mine` }));
+    const howToPlayOnes = () => answers.append('This is our code. To play with yours, type ', make('code', { textContent: `./course play ${figure.dataset.exercise ?? parseInt(name, 10)} --mine` }));
     function tellWhose() {
       const number = (exercise) => exercise.split(' ')[0], sorted = [...world.called].sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
       const yours = sorted.filter((each) => !world.fallen.has(each)).map(number), ours = sorted.filter((each) => world.fallen.has(each));

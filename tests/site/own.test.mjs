@@ -58,7 +58,7 @@ describe("a reader's own copy", { concurrency: 1 }, () => {
     assert.equal(await yours.getAttribute('aria-pressed'), 'true');
     await figure.locator('.answers', { hasText: 'Yours: 7.4.' }).waitFor();
     fs.writeFileSync(path.join(copy, `demos/${seven}_mine.js`), `self.playable['${seven}/trouble'] = 'a wall is missing';\n`);
-    await figure.locator('.trouble', { hasText: 'a wall is missing' }).waitFor();
+    await figure.locator('.trouble', { hasText: 'a wall is missing' }).waitFor({ timeout: 2000 });
     await figure.getByRole('button', { name: 'Ours', exact: true }).click();
     await figure.locator('.trouble').waitFor({ state: 'hidden' });
     assert.deepEqual(troubles, []);

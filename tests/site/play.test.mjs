@@ -420,9 +420,10 @@ describe('demos in their chapters', { concurrency: 2 }, () => {
           else assert.ok(await figure.getByRole('group', { name: title }).getByRole('radio', { name: chosen, exact: true }).isChecked(), setting);
         }
       assert.ok((await figures.count()) > 1);
-      const command = `./course play ${parseInt(name, 10)} --mine`;
-      for (const figure of await figures.all())
+      for (const figure of await figures.all()) {
+        const command = `./course play ${(await figure.getAttribute('data-exercise')) ?? parseInt(name, 10)} --mine`;
         assert.equal((await figure.locator('.answers').textContent()).includes(command), (await figure.getAttribute('data-mine')) !== null);
+      }
       assert.deepEqual(troubles, []);
       await page.close();
     });

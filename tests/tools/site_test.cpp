@@ -784,6 +784,46 @@ TEST_CASE("play opens a chapter's first demo, and play --mine the first that beg
                ContainsSubstring("mine/site/chapter_07_wall_meeting.html#demo-room-2\n"));
 }
 
+TEST_CASE("play opens an exercise's demo at the first place below its box, or else below a later one") {
+    const OwnBook book;
+    const auto box = [](const std::string &number) {
+        return "> ### Your turn: " + number + " `f` (5 minutes)\n>\n> Go.\n\n";
+    };
+    const std::string place = "<!-- demo: room mine | Throw. -->\n\n";
+    REQUIRE(book.make(place + box("7.1") + box("7.2") + place + place).code == 0);
+    const auto opened = [&](const std::string &exercise) {
+        const std::string words = book.with({"play", exercise}, "exit 0").out;
+        return words.substr(words.rfind('#') + 1);
+    };
+    CHECK(opened("7") == "demo-room\n");
+    CHECK(opened("7.2") == "demo-room-2\n");
+    CHECK(opened("7.1") == "demo-room-2\n"); // it has none of its own
+    CHECK_THAT(
+        book.made(OwnBook::chapter),
+        ContainsSubstring("id=\"demo-room\" data-demo=\"07_wall_meeting\" data-mine")
+            && ContainsSubstring("id=\"demo-room-2\" data-demo=\"07_wall_meeting\" data-exercise=\"7.2\" data-mine"));
+    CHECK_THAT(book.with({"play", "7.9"}, "exit 0").err, ContainsSubstring("7.9"));
+    REQUIRE(book.make(place + place + box("7.2")).code == 0);
+    CHECK(opened("7.2") == "demo-room-2\n"); // none below it
+}
+
+TEST_CASE("play --watch compiles at once and at each save, and not in between") {
+    const OwnBook book;
+    book.can_compile_for_pages();
+    const std::string path = book.instead_of("cmake", "exit 0");
+    std::string script = "{ sleep 2; touch -d '+1 minute' \"$1\"; sleep 2; touch -d '+2 minutes' \"$1\"; } & shift; "
+                         "exec timeout -s INT 6 \"$@\"";
+    std::vector<std::string> line{"sh", "-c", script, "sh", book.tree.exercise(book.seven()).string()};
+    for (const std::string &word :
+         book.command({"play", "7", "--mine", "--watch"}, {path, "DISPLAY=", "WAYLAND_DISPLAY="}))
+        line.push_back(word);
+    const Finished watched = run(line, {.deadline = 30});
+    std::size_t times = 0;
+    for (std::size_t at = 0; (at = watched.out.find("Your code is in the demo", at)) != watched.out.npos; ++at) ++times;
+    CHECK(times == 3);
+    CHECK_THAT(watched.out, ContainsSubstring("Save your file, and the page takes it up. Ctrl-C ends this."));
+}
+
 TEST_CASE("play --mine keeps what else is the student's in their own site") {
     const OwnBook book;
     book.can_compile_for_pages();

@@ -930,3 +930,12 @@ TEST_CASE("a forge shows at each demo's place how to play it, and a picture each
     CHECK(book.text().find("Throw $x$") == std::string::npos);
     CHECK(book.check().code == all_well);
 }
+
+TEST_CASE("below the box of an exercise, a forge's command opens the demo of that exercise") {
+    const Book book;
+    book.put("demos/07_wall.svg", "<svg><title>A ball</title></svg>");
+    book.edit_chapter("Plan a minute.\n", "> ### Your turn: 7.1 `length` (5 minutes)\n>\n> Write.\n\n"
+                                          "<!-- demo: room mine | Throw. -->\n");
+    book.weave();
+    CHECK_THAT(book.text(), ContainsSubstring("*Play it:* `./course play 7.1 --mine`. Throw.\n"));
+}

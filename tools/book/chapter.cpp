@@ -163,19 +163,32 @@ std::vector<Hint> hints(std::string_view whole) {
     return result;
 }
 
+std::string exercise_of_box(const std::string &heading) {
+    static const std::regex number{R"(^Your turn: (\d+\.\d+))"};
+    std::smatch found;
+    return std::regex_search(heading, found, number) ? found[1].str() : "";
+}
+
 std::optional<DemoMark> demo_mark(const std::string &html) {
     static const std::regex mark{R"(<!-- demo: ([a-z]\w*)( mine)?(?:, ([^|\n]*\S))? \| (\S.*) -->\s*)"};
     std::smatch found;
     if (!std::regex_match(html, found, mark)) return {};
-    return DemoMark{.name = found[1], .start = found[3], .task = found[4], .mine = found[2].matched};
+    return DemoMark{.name = found[1], .start = found[3], .task = found[4], .mine = found[2].matched, .exercise = {}};
 }
 
 std::vector<DemoMark> demo_marks(std::string_view chapter) {
     const Document document = parse_markdown(without_byte_order_mark(chapter));
     std::vector<DemoMark> marks;
+    std::string exercise;
     each_node(document.get(), [&](cmark_node *node) {
-        if (!is_html(node)) return;
-        if (auto mark = demo_mark(literal(node))) marks.push_back(std::move(*mark));
+        if (cmark_node_get_type(node) == CMARK_NODE_HEADING) {
+            if (const std::string number = exercise_of_box(words_of(node)); !number.empty()) exercise = number;
+        }
+        auto mark = is_html(node) ? demo_mark(literal(node)) : std::nullopt;
+        if (!mark) return;
+        mark->exercise = exercise;
+        mark->line = cmark_node_get_start_line(node);
+        marks.push_back(std::move(*mark));
     });
     return marks;
 }

@@ -21,18 +21,14 @@ bool is_command(std::string_view line) { return line.starts_with(play_line); }
 
 /// The marks of a chapter by their lines, from 1.
 std::map<std::size_t, DemoMark> marks_by_line(std::string_view chapter) {
-    const Document document = parse_markdown(chapter);
     std::map<std::size_t, DemoMark> marks;
-    each_node(document.get(), [&](cmark_node *node) {
-        if (cmark_node_get_type(node) != CMARK_NODE_HTML_BLOCK) return;
-        if (auto mark = demo_mark(literal(node)))
-            marks[static_cast<std::size_t>(cmark_node_get_start_line(node))] = *mark;
-    });
+    for (const DemoMark &mark : demo_marks(chapter)) marks[static_cast<std::size_t>(mark.line)] = mark;
     return marks;
 }
 
 std::string command_that_plays(const Section &section, const DemoMark &mark) {
-    return fmt::format("{}`./course play {}{}`. {}", play_line, section.short_number(), mark.mine ? " --mine" : "",
+    return fmt::format("{}`./course play {}{}`. {}", play_line,
+                       mark.exercise.empty() ? section.short_number() : mark.exercise, mark.mine ? " --mine" : "",
                        mark.task);
 }
 

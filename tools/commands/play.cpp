@@ -5,6 +5,7 @@
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "ground/terminal.hpp"
+#include "loop/catalogue.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 #include "site/demos.hpp"
@@ -27,7 +28,7 @@ Without --mine the demo runs on our functions; no compiler is needed for that. W
 yours, in a copy of the site in the build folder, and a switch in the page takes you to ours and back.
 Where an exercise of yours is not started, ours stands in for it.
 
-Example: ./course play 7 --mine --watch)";
+Example: ./course play 7.4 --mine --watch)";
 
 struct PlayOptions {
     std::string section;
@@ -110,11 +111,19 @@ void watch(const Tree &tree, const Section &section) {
     }
 }
 
-/// Where a chapter's demo is opened: at its first place, or at the first that begins with the reader's code.
-std::string place_of_demo(const Tree &tree, const Section &section, bool mine) {
+/// 4 of "7.4", and 0 of nothing.
+int number_in_section(const std::string &exercise) {
+    return std::atoi(exercise.substr(exercise.find('.') + 1).c_str());
+}
+
+/// Where a chapter's demo is opened. For an exercise: at the first place below its box, or else below a later box. For
+/// a section: at its first place, or at the first that begins with the reader's code.
+std::string place_of_demo(const Tree &tree, const Section &section, const std::string &exercise, bool mine) {
     const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
-    const auto own = std::find_if(marks.begin(), marks.end(), [](const DemoMark &mark) { return mark.mine; });
-    const auto place = mine && own != marks.end() ? own : marks.begin();
+    const auto found = std::find_if(marks.begin(), marks.end(), [&](const DemoMark &mark) {
+        return exercise.empty() ? mark.mine || !mine : number_in_section(mark.exercise) >= number_in_section(exercise);
+    });
+    const auto place = found != marks.end() ? found : exercise.empty() ? marks.begin() : marks.end() - 1;
     return demo_id(*place, static_cast<std::size_t>(place - marks.begin()));
 }
 
@@ -123,13 +132,18 @@ void play(const Tree &tree, const PlayOptions &options) {
         throw Complaint{"--mine needs a section, as in: ./course play 7 --mine"};
     if (options.watch && !options.mine) throw Complaint{"--watch is for your own code: ./course play 7 --mine --watch"};
     const std::vector<Demo> all = demos(tree);
-    std::string page = "play.html";
+    std::string page = "play.html", exercise;
     std::optional<Section> section;
     if (!options.section.empty()) {
-        section = tree.section(options.section);
+        if (is_number_of_exercise(options.section)) {
+            const FoundExercise found = find_exercise(tree, options.section);
+            section = found.section;
+            exercise = found.exercise.number;
+        } else section = tree.section(options.section);
         if (std::none_of(all.begin(), all.end(), [&](const Demo &d) { return d.section.name == section->name; }))
             throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
-        page = page_name(tree, tree.chapter(*section)) + ".html#" + place_of_demo(tree, *section, options.mine);
+        page =
+            page_name(tree, tree.chapter(*section)) + ".html#" + place_of_demo(tree, *section, exercise, options.mine);
     }
     if (options.mine) need_compiler(tree, options.yes);
     bring_up_site(tree);
@@ -149,7 +163,8 @@ void play(const Tree &tree, const PlayOptions &options) {
 void add_play(CLI::App &app, const Tree &tree) {
     const auto options = std::make_shared<PlayOptions>();
     CLI::App *command = app.add_subcommand("play", "Open a chapter's demo in your browser, with our code or yours");
-    command->add_option("section", options->section, "its number, name or file; without it, the page with all demos");
+    command->add_option("section", options->section,
+                        "its number, name or file, or the number of an exercise; without it, the page with all demos");
     command->add_flag("--mine", options->mine, "with your functions; the page lets you switch to ours");
     command->add_flag("-w,--watch", options->watch, "with --mine: again whenever you save; the open page takes it up");
     command->add_flag("--yes", options->yes,

@@ -42,8 +42,9 @@ std::string demo_id(const DemoMark &mark, std::size_t others_before) {
 
 std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark &mark, const std::string &task) {
     return "<figure class=\"play\" id=\"" + id + "\" data-demo=\"" + demo.section.name + '"'
-           + (mark.mine ? " data-mine" : "") + (mark.start.empty() ? "" : " data-start=\"" + escaped(mark.start) + '"')
-           + "><figcaption>" + task + "</figcaption>"
+           + (mark.exercise.empty() ? "" : " data-exercise=\"" + mark.exercise + '"') + (mark.mine ? " data-mine" : "")
+           + (mark.start.empty() ? "" : " data-start=\"" + escaped(mark.start) + '"') + "><figcaption>" + task
+           + "</figcaption>"
            + (demo.about.empty()
                   ? ""
                   : "<img src=\"" + picture_for(demo, mark) + "\" alt=\""

@@ -152,7 +152,8 @@ class PageWriter {
         cmark_node *first = cmark_node_first_child(node);
         const bool heading = first && cmark_node_get_type(first) == CMARK_NODE_HEADING;
         const bool turn = heading && words_of(first).starts_with("Your turn");
-        const std::string exercise = turn ? exercise_of(words_of(first)) : "";
+        const std::string exercise = turn ? exercise_of_box(words_of(first)) : "";
+        if (!exercise.empty()) last_box = exercise;
         const bool remark = first && !heading && words_of(first).starts_with("In print, and in truth.");
         blocks(node);
         if (!turn && !remark) return;
@@ -160,13 +161,6 @@ class PageWriter {
                                : raw(CMARK_NODE_CUSTOM_BLOCK, "<aside class=\"remark\" role=\"note\">", "</aside>");
         move_children(node, box);
         replace(node, box);
-    }
-
-    /// "7.2" in "Your turn: 7.2 segments_intersect (15 minutes)"; "" if it names none.
-    static std::string exercise_of(const std::string &heading) {
-        static const std::regex number{R"(^Your turn: (\d+\.\d+))"};
-        std::smatch found;
-        return std::regex_search(heading, found, number) ? found[1].str() : "";
     }
 
     /// The box of an exercise, which may have several: #exercise-7.2, #exercise-7.2-2.
@@ -408,7 +402,10 @@ class PageWriter {
         for (std::smatch found; std::regex_search(out, found, hint);)
             out = found.prefix().str() + "<details class=\"hint\">" + found[1].str() + rung(found[2]) + ": "
                   + found.suffix().str();
-        if (const auto mark = demo_mark(text)) out = demo(*mark, cmark_node_get_start_line(node));
+        if (auto mark = demo_mark(text)) {
+            mark->exercise = last_box;
+            out = demo(*mark, cmark_node_get_start_line(node));
+        }
         static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
         out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());
@@ -494,6 +491,7 @@ class PageWriter {
     std::optional<std::vector<Demo>> all_demos; ///< read at the first mark
     std::size_t demos_so_far = 0;
     std::map<std::string, int> boxes_so_far, hints_so_far; ///< by exercise
+    std::string last_box;                                  // the exercise of the last one
     std::vector<std::string> listings;                     ///< put in last: they leave the HTML, where nothing else may
 };
 
