@@ -9,6 +9,10 @@ using demo::Colour, demo::Input, demo::Shape;
 
 enum Game { you_decide, ropes, drag_the_point, rubber, rubber_to_clay, from_the_centre, between_walls, cradle };
 
+const std::vector<std::string_view> with_masses{
+    "ropes (2.1)",        "drag the point", "rubber (2.2)", "rubber to clay (2.3)", "from the centre of mass (2.4)",
+    "between walls (2.5)"};
+
 const demo::About about{
     "Two carts on a rail. Above them, each point is a pair of velocities: the line has the momentum of the carts, the "
     "ellipse their kinetic energy.",
@@ -20,8 +24,8 @@ const demo::About about{
                   you_decide),
      {"A after", "m/s", -6, 6, 0.1, 4, {}, {"you decide"}},
      {"B after", "m/s", -6, 6, 0.1, -2, {}, {"you decide"}},
-     {"mass of A", "kg", 0.5, 10, 0.5, 2},
-     {"mass of B", "kg", 0.5, 10, 0.5, 3},
+     {"mass of A", "kg", 0.5, 10, 0.5, 2, {}, with_masses},
+     {"mass of B", "kg", 0.5, 10, 0.5, 3, {}, with_masses},
      {"restitution",
       "",
       0,
@@ -186,8 +190,11 @@ void draw_cart(demo::Picture &seen, Colour colour, double x, double y, const cha
     seen.shapes.push_back({Shape::words, Colour::ink, 0, 1, {{x - 0.13, y + 0.75}}, name});
 }
 
-void draw_velocity(demo::Picture &seen, Colour colour, const Vec2 &at, double velocity) {
-    if (velocity != 0) seen.shapes.push_back({Shape::arrow, colour, 2, 1, {at, at + Vec2{0.3 * velocity, 0}}});
+/// An arrow at the bumper of a cart, as long as the way of 0.3 s.
+void draw_velocity(demo::Picture &seen, Colour colour, double x, double y, double velocity) {
+    if (velocity == 0) return;
+    const Vec2 bumper{x + (velocity > 0 ? 0.5 : -0.5) * cart_length, y + height / 2};
+    seen.shapes.push_back({Shape::arrow, colour, 2, 1, {bumper, bumper + Vec2{0.3 * velocity, 0}}});
 }
 
 /// The carts' velocities as a point, and all points with the momentum, and with the energy, that they began with.
@@ -228,11 +235,14 @@ void draw_plane(demo::Picture &seen, const State &now, const Vec2 &velocities) {
         seen.shapes.push_back({Shape::handle, Colour::orange, 0, 1, {plane.at(now.decided.x(), now.decided.y())}});
 }
 
+/// Without the last digits, which are rounding, and without a negative zero.
+double shown(double x) { return std::round(x * 1e6) / 1e6 + 0.0; }
+
 /// How much momentum and energy there is now, and how much energy has been lost.
 void read_out(demo::Picture &seen, double momentum, double energy, double lost) {
-    seen.readouts.push_back({"momentum", "N s", momentum, 2});
-    seen.readouts.push_back({"kinetic energy", "J", energy, 2});
-    seen.readouts.push_back({"lost", "J", lost, 2});
+    seen.readouts.push_back({"momentum", "N s", shown(momentum), 2});
+    seen.readouts.push_back({"kinetic energy", "J", shown(energy), 2});
+    seen.readouts.push_back({"lost", "J", shown(lost), 2});
 }
 
 demo::Picture two_carts(const State &now) {
@@ -249,9 +259,8 @@ demo::Picture two_carts(const State &now) {
         seen.shapes.push_back({Shape::line, Colour::dim, 1, 1, {{x, y}, {x - 0.15, y - 0.2}}});
     draw_cart(seen, Colour::blue, now.a.x + shift, y, "A");
     draw_cart(seen, Colour::green, now.b.x + shift, y, "B");
-    const double high = y + height + 0.45;
-    draw_velocity(seen, Colour::blue, {now.a.x + shift, high}, velocities.x());
-    draw_velocity(seen, Colour::green, {now.b.x + shift, high}, velocities.y());
+    draw_velocity(seen, Colour::blue, now.a.x + shift, y, velocities.x());
+    draw_velocity(seen, Colour::green, now.b.x + shift, y, velocities.y());
     if (now.game == from_the_centre) seen.shapes.push_back({Shape::discs, Colour::ink, 0.1, 1, {{6, y}}});
     if (now.game != you_decide) draw_plane(seen, now, velocities);
     seen.readouts = {{"velocity of A", "m/s", velocities.x(), 2}, {"velocity of B", "m/s", velocities.y(), 2}};
@@ -302,8 +311,8 @@ demo::Picture walled_carts(const State &now) {
     const RailBody &a = now.walled[1], &b = now.walled[2];
     draw_cart(seen, Colour::blue, a.x, 3.5, "A");
     draw_cart(seen, Colour::green, b.x, 3.5, "B");
-    draw_velocity(seen, Colour::blue, {a.x, 4.6}, a.body.velocity);
-    draw_velocity(seen, Colour::green, {b.x, 4.6}, b.body.velocity);
+    draw_velocity(seen, Colour::blue, a.x, 3.5, a.body.velocity);
+    draw_velocity(seen, Colour::green, b.x, 3.5, b.body.velocity);
     const double m_a = now.a.cart.mass, m_b = now.b.cart.mass, v_a = a.body.velocity, v_b = b.body.velocity;
     const double energy = (m_a * v_a * v_a + m_b * v_b * v_b) / 2;
     read_out(seen, m_a * v_a + m_b * v_b, energy, (m_a * before.a * before.a + m_b * before.b * before.b) / 2 - energy);
@@ -324,7 +333,7 @@ demo::Picture hanging_balls(const State &now) {
         momentum += ball.mass * ball.velocity;
         energy += ball.mass * ball.velocity * ball.velocity / 2;
     }
-    seen.readouts = {{"momentum", "N s", momentum, 2}, {"kinetic energy", "J", energy, 2}};
+    seen.readouts = {{"momentum", "N s", shown(momentum), 2}, {"kinetic energy", "J", shown(energy), 2}};
     return seen;
 }
 

@@ -509,8 +509,9 @@ describe('search', () => {
     assert.equal(await page.textContent('#site-found'), 'Nothing found.');
     assert.ok(errata(await search(page, 'errata xylophone')), 'what has most of the words');
     assert.match(await page.textContent('#site-found'), /^No place has all these words/);
-    assert.deepEqual((await search(page, 'LaMothe joules')).sort(), ['notation_and_units.html', 'preface.html']);
-    assert.ok((await search(page, 'require')).some((link) => /^namespacecourse\.html#/.test(link)), 'a function of an interface');
+    const both = await search(page, 'LaMothe joules');
+    for (const place of ['notation_and_units.html', 'preface.html']) assert.ok(both.includes(place), `one of the two words: ${place}`);
+    assert.ok((await search(page, 'require_range')).some((link) => /^namespacecourse\.html#/.test(link)), 'a function of an interface');
     await context.close();
   });
 
@@ -522,6 +523,12 @@ describe('search', () => {
     'collision response': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
     'collision detection': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
     'collision': 'chapter_07_segment_intersection.html#a-',
+    'elastic collision': 'chapter_02_momentum.html#',
+    'conservation of momentum': 'chapter_02_momentum.html#',
+    'coefficient of restitution': 'chapter_02_momentum.html#from-rubber-to-clay',
+    'infinite mass': 'chapter_02_momentum.html#walls',
+    'resultant force': 'chapter_02_momentum.html#what-forces-do',
+    "newton's cradle": 'chapter_02_momentum.html#newtons-cradle',
     'time of impact': 'chapter_07_segment_intersection.html#your-turn-75',
     'circle vs line': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
     'tunneling': 'chapter_07_segment_intersection.html',
