@@ -14,8 +14,8 @@ const std::vector<std::string_view> with_masses{
     "between walls (2.5)"};
 
 const demo::About about{
-    "Two carts on a rail. Above them, each point is a pair of velocities: the line has the momentum of the carts, the "
-    "ellipse their kinetic energy.",
+    "Carts on a rail. Above them, their two velocities are one point, beside a line of momentum and an ellipse of "
+    "energy.",
     {0, 0},
     {12, 8},
     {demo::choice("The game",
