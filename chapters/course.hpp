@@ -21,13 +21,17 @@ struct NotYet : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Refuses a value, and says which: `require(radius > 0, "radius [m] must be positive", radius)`.
-/// @throws std::invalid_argument "radius [m] must be positive, but is -1"
-inline void require(bool holds, const char *claim, double value) {
-    if (holds) return;
+/// Throws for `require`: apart from it, since what is done in each function would take long to compile there.
+[[noreturn, gnu::noinline, gnu::cold]] inline void refuse(const char *claim, double value) {
     char number[32];
     std::snprintf(number, sizeof number, "%.17g", value);
     throw std::invalid_argument{std::string{claim} + ", but is " + number};
+}
+
+/// Refuses a value, and says which: `require(radius > 0, "radius [m] must be positive", radius)`.
+/// @throws std::invalid_argument "radius [m] must be positive, but is -1"
+inline void require(bool holds, const char *claim, double value) {
+    if (!holds) refuse(claim, value);
 }
 
 /// What goes into a function, in whatever unit, is within ± this.

@@ -275,7 +275,7 @@ Verdict ask(const std::string &mode) {
     session() = &own;
     own.begin("1.1", "half of five");
     try {
-        const std::string answer = own.call(half, bytes_of(5.0));
+        const std::string_view answer = own.call(half, bytes_of(5.0));
         wire::Reader reader{answer};
         reader.take<double>();
         if (!reader.finished()) own.answered_nonsense();
@@ -293,7 +293,7 @@ TEST_CASE("a value that is not the answer of the last call has to be named") {
     const auto kind_for = [&](auto &&check) {
         own.begin("1.1", "half of five");
         try {
-            const std::string answer = own.call(half, bytes_of(5.0));
+            const std::string_view answer = own.call(half, bytes_of(5.0));
             wire::Reader reader{answer};
             check(reader.take<double>());
         } catch (const CaseOver &) {}

@@ -59,6 +59,7 @@ class Writer {
             if (value) put(*value);
         } else if constexpr (is_vector<T>) {
             put(static_cast<std::uint32_t>(value.size()));
+            bytes.reserve(bytes.size() + value.size() * sizeof(typename T::value_type));
             for (const auto &element : value) put(element);
         } else if constexpr (Fields<T>) {
             static_assert(names_all_fields<T>, "COURSE_FIELDS must name every field, in the order of declaration");
@@ -108,6 +109,7 @@ class Reader {
         } else if constexpr (is_vector<T>) {
             const auto size = take<std::uint32_t>();
             if (size > bytes.size()) good = false; // an element is a byte at least
+            if (good) value.reserve(size);
             for (std::uint32_t i = 0; i < size && good; ++i) value.push_back(take<typename T::value_type>());
         } else if constexpr (Fields<T>) {
             std::apply(

@@ -6,6 +6,7 @@
 #include "verdict/student/missing.hpp"
 #include "verdict/student/serve.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -42,32 +43,41 @@ void write_all(const char *data, std::size_t size) {
     }
 }
 
+char arrived[64 << 10];  // what has been read from the pipe, which holds no more at a time
+std::string_view unread; // the rest of it
+
 bool read_all(void *data, std::size_t size) {
     char *to = static_cast<char *>(data);
-    while (size > 0) {
-        const long got = system_read(request_fd, to, size);
+    for (;;) {
+        const std::size_t here = std::min(size, unread.size());
+        to = std::copy_n(unread.begin(), here, to);
+        unread.remove_prefix(here);
+        size -= here;
+        if (size == 0) return true;
+        const long got = system_read(request_fd, arrived, sizeof arrived);
         if (got <= 0) return false;
-        to += got;
-        size -= static_cast<std::size_t>(got);
+        unread = {arrived, static_cast<std::size_t>(got)};
     }
-    return true;
 }
 
 std::uint32_t call_number = 0;
 
-void answer(Frame frame, const Writer &payload) {
-    const Header header{frame, call_number, static_cast<std::uint32_t>(payload.bytes.size())};
-    Writer message;
-    message.raw(&header, sizeof header);
-    message.bytes += payload.bytes;
-    write_all(message.bytes.data(), message.bytes.size());
-}
+/// What is written after the place of a header.
+struct Reply : Writer {
+    Reply() { bytes.resize(sizeof(Header)); }
+
+    void send(Frame frame) {
+        const Header header{frame, call_number, static_cast<std::uint32_t>(bytes.size() - sizeof(Header))};
+        std::memcpy(bytes.data(), &header, sizeof header);
+        write_all(bytes.data(), bytes.size());
+    }
+};
 
 void answer(Frame frame, std::string_view first, std::string_view second = {}) {
-    Writer payload;
-    payload.put(first);
-    payload.put(second);
-    answer(frame, payload);
+    Reply words;
+    words.put(first);
+    words.put(second);
+    words.send(frame);
 }
 
 /// The name of the exception in flight: `std::out_of_range`, `int`.
@@ -86,10 +96,10 @@ void make_call(const std::string &request) {
     const auto exercise = in.take<std::uint32_t>();
     if (!in.ok() || exercise >= exercises) system_exit(pipe_is_gone);
     try {
-        Writer out;
-        served[exercise](in, out);
+        Reply result;
+        served[exercise](in, result);
         std::cout.flush(); // the student may have taken it off stdio
-        answer(Frame::result, out);
+        result.send(Frame::result);
     } catch (const course::Missing &) {
         answer(Frame::missing, "");
     } catch (const course::NotYet &hint) {
@@ -144,9 +154,9 @@ __attribute__((constructor(101))) void prepare() {
 } // namespace
 
 int main() {
-    Writer hello;
+    Reply hello;
     hello.put(exercises);
-    answer(Frame::hello, hello);
+    hello.send(Frame::hello);
     Header header;
     std::string request;
     while (read_all(&header, sizeof header) && header.frame == Frame::call && header.size <= largest_frame) {

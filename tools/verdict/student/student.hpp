@@ -1,4 +1,7 @@
 // Compiled once and put before every student's file: what exercises use, and nothing more, or it would load slowly.
+#include <cstddef>
+#undef _GLIBCXX_USE_STD_SPEC_FUNCS // of <cmath>: Bessel's functions and others would be compiled again with every file
+
 #include "course.hpp"
 #include "interface.hpp"
 
@@ -12,9 +15,12 @@
 
 namespace course::at_hand {
 
-inline const Vec2 v;
+extern const Vec2 v; // for its type: it is nowhere
 inline constexpr double c = 1;
 template <class... Types> constexpr int sizes = (static_cast<int>(sizeof(Types)) + ...);
+
+/// The type of `v.dot(v)` before it is summed.
+using Products = decltype(v.binaryExpr(v, Eigen::internal::scalar_conj_product_op<double, double>{}));
 
 /// The types of the sums that every exercise writes: the compiler makes them once, here, not for every file.
 inline constexpr int made =
@@ -22,6 +28,8 @@ inline constexpr int made =
           decltype(v + c * v), decltype(v - c * v), decltype(v + v * c), decltype(c * (v + v)), decltype((v + v) / c),
           decltype((v - v) / c), decltype(v.dot(v)), decltype((v - v).dot(v)), decltype(v.norm()),
           decltype((v - v).norm()), decltype(v.squaredNorm()), decltype((v - v).squaredNorm()), decltype(Vec2{v + v}),
-          decltype(Vec2{v - v}), decltype(Vec2{c * v}), decltype(Vec2{v + c * v}), decltype(Vec2{v / c})>;
+          decltype(Vec2{v - v}), decltype(Vec2{c * v}), decltype(Vec2{v + c * v}), decltype(Vec2{v / c}),
+          decltype(v.cwiseAbs2()), decltype((v - v).cwiseAbs2()), Products, std::vector<Vec2>, std::vector<double>,
+          std::optional<Vec2>>;
 
 } // namespace course::at_hand

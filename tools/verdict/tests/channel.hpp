@@ -23,10 +23,10 @@ struct ExerciseLine {
 /// Those of the section, in the order of its header.
 std::vector<const ExerciseLine *> &exercise_lines();
 
-/// Makes the call in the student's code, wherever that runs, and gives back the bytes of its result.
+/// Makes the call in the student's code, wherever that runs, and gives back the bytes of its result, until the next call.
 /// @throws NotYet, std::invalid_argument  as the student's code does
 /// @throws CaseOver  if there will be no result; the verdict has been noted
-std::string call(const ExerciseLine &exercise, const std::string &arguments);
+std::string_view call(const ExerciseLine &exercise, std::string arguments);
 
 /// Ends the running test case: its verdict stands. It is no std::exception, so that no test takes it for an answer.
 struct CaseOver {};

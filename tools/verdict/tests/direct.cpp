@@ -13,11 +13,12 @@ std::vector<const ExerciseLine *> &exercise_lines() {
     return all;
 }
 
-std::string call(const ExerciseLine &exercise, const std::string &arguments) {
+std::string_view call(const ExerciseLine &exercise, std::string arguments) {
+    static std::string result;
     wire::Reader in{arguments};
     wire::Writer out;
     served[exercise.index](in, out); // its exceptions are the test's to see
-    return out.bytes;
+    return result = std::move(out.bytes);
 }
 
 void answered_nonsense() { throw std::logic_error{"a value of this type did not cross whole: COURSE_FIELDS?"}; }

@@ -2,10 +2,12 @@
 
 #include "ground/complaint.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #ifdef __linux__
@@ -48,7 +50,9 @@ void NamelessFile::append(std::string_view text) {
 }
 
 std::string NamelessFile::text(std::size_t most) const {
-    std::string text(most, '\0'); // pages that are not read into are never made
+    struct stat about {};
+    if (::fstat(file, &about) != 0) give_up();
+    std::string text(std::min(most, static_cast<std::size_t>(about.st_size)), '\0'); // no more: each byte is a write
     std::size_t size = 0;
     while (size < text.size()) {
         const ssize_t got = ::pread(file, text.data() + size, text.size() - size, static_cast<off_t>(size));

@@ -37,8 +37,7 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
     Result operator()(const std::type_identity_t<std::decay_t<Arguments>> &...arguments) const {
         wire::Writer request;
         (request.put(arguments), ...);
-        const std::string answer = call(exercise, request.bytes);
-        wire::Reader reader{answer};
+        wire::Reader reader{call(exercise, std::move(request.bytes))};
         auto result = reader.take<Result>();
         if (!reader.finished()) answered_nonsense();
         return result;

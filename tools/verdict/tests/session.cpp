@@ -175,7 +175,7 @@ void Session::start() {
     greeted = true;
 }
 
-std::string Session::call(const ExerciseLine &exercise, const std::string &arguments) {
+std::string_view Session::call(const ExerciseLine &exercise, std::string arguments) {
     if (!verdict.passed()) throw CaseOver{};
     if (never_starts) {
         const auto [test, of] = std::pair{verdict.test, verdict.exercise};
@@ -197,19 +197,16 @@ std::string Session::call(const ExerciseLine &exercise, const std::string &argum
     }
 
     last_exercise = &exercise;
-    last_arguments = arguments;
+    last_arguments = std::move(arguments);
     last_result.clear();
     ++calls;
-    wire::Writer request;
-    request.put(exercise.index);
-    request.bytes += arguments;
-    const auto reply =
-        subject->send(calls, request.bytes, deadline) ? subject->receive(deadline, allowed) : std::nullopt;
+    auto reply = subject->send(calls, exercise.index, last_arguments, deadline) ? subject->receive(deadline, allowed)
+                                                                                : std::nullopt;
     if (!reply) over_in_silence();
     if (reply->header.call != calls) answered_nonsense();
 
     wire::Reader in{reply->payload};
-    if (reply->header.frame == wire::Frame::result) return last_result = reply->payload;
+    if (reply->header.frame == wire::Frame::result) return last_result = std::move(reply->payload);
     if (reply->header.frame == wire::Frame::crashed) {
         std::uint64_t address = 0;
         in.raw(&address, sizeof address);
@@ -271,10 +268,9 @@ std::optional<std::string> Session::ask_alone() const {
     Subject alone{program, answer};
     const auto until = Clock::now() + std::chrono::seconds{1};
     const auto hello = alone.receive(until);
-    wire::Writer request;
-    request.put(last_exercise->index);
-    request.bytes += last_arguments;
-    if (!hello || hello->header.frame != wire::Frame::hello || !alone.send(1, request.bytes, until)) return {};
+    if (!hello || hello->header.frame != wire::Frame::hello
+        || !alone.send(1, last_exercise->index, last_arguments, until))
+        return {};
     const auto reply = alone.receive(until);
     if (!reply || reply->header.frame != wire::Frame::result) return {};
     return reply->payload;
@@ -332,8 +328,8 @@ Verdict Session::end(bool asserted_something) {
     return std::move(verdict);
 }
 
-std::string call(const ExerciseLine &exercise, const std::string &arguments) {
-    return session()->call(exercise, arguments);
+std::string_view call(const ExerciseLine &exercise, std::string arguments) {
+    return session()->call(exercise, std::move(arguments));
 }
 void answered_nonsense() { session()->answered_nonsense(); }
 void note_mismatch(const Mismatch &mismatch) { session()->note(mismatch); }

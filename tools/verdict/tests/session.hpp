@@ -31,7 +31,7 @@ class Session {
     /// What on this machine kept a case from being judged; empty if nothing did. Then no verdict counts.
     const std::string &trouble() const { return machine_trouble; }
 
-    std::string call(const ExerciseLine &exercise, const std::string &arguments);
+    std::string_view call(const ExerciseLine &exercise, std::string arguments);
     [[noreturn]] void answered_nonsense();
     void note(std::optional<Mismatch> mismatch) { noted = std::move(mismatch); }
 

@@ -160,7 +160,7 @@ Subject::Subject(const std::filesystem::path &program, const std::string &answer
     const ShutIn shut_in{program, protection};
     const auto requests = make_pipe(), replies = make_pipe(), trouble = make_pipe();
     std::string chosen = "COURSE_ANSWER=" + answer;
-    process = ::fork();
+    process = ::vfork(); // no copy of our memory is made; it is the child's, too, until it has become the subject
     if (process < 0) give_up("cannot start the student's process");
     if (process == 0)
         become({program.c_str(), answer.empty() ? nullptr : chosen.data(), shut_in, protection.limits, requests[0],
@@ -186,12 +186,16 @@ Subject::~Subject() {
         if (file >= 0) ::close(file);
 }
 
-bool Subject::send(std::uint32_t call, const std::string &payload, Clock::time_point deadline) {
-    const wire::Header header{wire::Frame::call, call, static_cast<std::uint32_t>(payload.size())};
-    std::string message(sizeof header, '\0');
-    std::memcpy(message.data(), &header, sizeof header);
-    message += payload;
-    for (std::string_view rest = message; !rest.empty();) {
+bool Subject::send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments,
+                   Clock::time_point deadline) {
+    const wire::Header header{wire::Frame::call, number,
+                              static_cast<std::uint32_t>(sizeof exercise + arguments.size())};
+    wire::Writer message;
+    message.bytes.reserve(sizeof header + header.size);
+    message.raw(&header, sizeof header);
+    message.put(exercise);
+    message.bytes += arguments;
+    for (std::string_view rest = message.bytes; !rest.empty();) {
         const ssize_t written = ::write(to, rest.data(), rest.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0 && errno == EAGAIN && ready_for(POLLOUT, to, deadline)) continue;
@@ -220,7 +224,12 @@ bool Subject::is_starved([[maybe_unused]] double processor_time) const {
 
 bool Subject::read_all(void *data, std::size_t size, Clock::time_point deadline, double processor_time) {
     char *into = static_cast<char *>(data);
-    while (size > 0) {
+    for (;;) {
+        const std::size_t here = std::min(size, unread.size());
+        into = std::copy_n(unread.begin(), here, into);
+        unread.remove_prefix(here);
+        size -= here;
+        if (size == 0) return true;
         while (!ready_for(POLLIN, from, deadline)) {
             if (!is_starved(processor_time)) {
                 silence = Silence::late;
@@ -228,16 +237,14 @@ bool Subject::read_all(void *data, std::size_t size, Clock::time_point deadline,
             }
             deadline = Clock::now() + std::chrono::milliseconds{20};
         }
-        const ssize_t got = ::read(from, into, size);
+        const ssize_t got = ::read(from, arrived.data(), arrived.size());
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) {
             silence = Silence::ended;
             return false;
         }
-        into += got;
-        size -= static_cast<std::size_t>(got);
+        unread = {arrived.data(), static_cast<std::size_t>(got)};
     }
-    return true;
 }
 
 std::optional<Subject::Received> Subject::receive(Clock::time_point deadline, double processor_time) {
@@ -269,7 +276,7 @@ std::optional<int> Subject::finish(Clock::time_point deadline, double processor_
 
 bool Subject::said_more() {
     char byte = 0;
-    return ready_for(POLLIN, from, Clock::now()) && ::read(from, &byte, 1) > 0;
+    return !unread.empty() || (ready_for(POLLIN, from, Clock::now()) && ::read(from, &byte, 1) > 0);
 }
 
 bool Subject::left_processes() {

@@ -5,10 +5,12 @@
 #include "verdict/tests/nameless_file.hpp"
 #include "verdict/tests/shut_in.hpp"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <sys/types.h>
 #include <vector>
 
@@ -35,7 +37,9 @@ class Subject {
     };
     enum class Silence { ended, late, nonsense };
 
-    bool send(std::uint32_t call, const std::string &payload, Clock::time_point deadline); ///< false: it reads no more
+    /// Sends it a call, the first, second, ... of this subject.
+    /// @return false if it reads no more
+    bool send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments, Clock::time_point deadline);
 
     /// The next frame, if one comes before the deadline; otherwise `silence` says why not. Where it wants to compute and
     /// other programs have kept the processor, it is waited for until it has had this much of it.
@@ -58,6 +62,8 @@ class Subject {
     pid_t process = -1;
     pid_t group = -1;
     int to = -1, from = -1;
+    std::array<char, 64 << 10> arrived; ///< what has been read from the pipe, which holds no more at a time
+    std::string_view unread;            ///< the rest of it
     NamelessFile output;
 };
 
