@@ -176,6 +176,13 @@ describe('reading', () => {
       assert.match(await card.textContent(), /^\d+ [\s\S]+\d+ \+ \d+\u00a0minutes\s*$/);
       await card.click({ position: { x: 5, y: 5 }, trial: true }); // all of it is its link
     }
+    assert.deepEqual(await page.$$eval('.map a', (links) => links.map((link) => link.getAttribute('href')).sort()), chapters, 'the map has a link to each');
+    assert.ok((await page.locator('.map .to-come').count()) > 0);
+    assert.equal(await page.locator('.map .to-come a').count(), 0);
+    await page.setViewportSize({ width: 390, height: 844 });
+    const letters = await page.$eval('.map', (map) => (map.getBoundingClientRect().width / map.viewBox.baseVal.width) * parseFloat(getComputedStyle(map).fontSize));
+    assert.ok(letters > 11.5, `${letters} px on a phone`);
+    await page.setViewportSize({ width: 1280, height: 900 });
     assert.equal(await page.locator('#site-contents').isVisible(), false, 'they are in the menu');
     await page.getByRole('button', { name: 'Contents' }).click();
     await page.locator('#site-contents').getByRole('link', { name: 'Glossary' }).click();

@@ -5,6 +5,7 @@
 #include "site/interface.hpp"
 #include "site/progress_script.hpp"
 #include "site/reachable.hpp"
+#include "site/section_map.hpp"
 #include "small_course.hpp"
 
 #include "ground/complaint.hpp"
@@ -14,6 +15,7 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
+#include <regex>
 
 #include <chrono>
 #include <thread>
@@ -604,6 +606,37 @@ TEST_CASE("play says what it needs before it builds anything") {
     const Finished without_compiler = book({"play", "7", "--mine"});
     CHECK(without_compiler.code == 2);
     CHECK_THAT(without_compiler.err, ContainsSubstring("Without --mine the demo runs on ours"));
+}
+
+// The map
+
+TEST_CASE("the map has each section behind all that it needs, and links to those that stand") {
+    const SmallBook book;
+    const auto entry = [](int number, const std::string &title, const std::string &needs,
+                          const std::string &chapter = "") {
+        return Entry{0, number, title, chapter, "", "", needs, 5};
+    };
+    const std::string map =
+        section_map(book.tree, {entry(6, "Reflection", "", "chapters/06_reflection/README.md"),
+                                entry(7, "Walls & floors", "6", "chapters/07_wall_meeting/README.md"),
+                                entry(8, "Springs", "6, 7 for 8.2")});
+    CHECK_THAT(map,
+               ContainsSubstring("<a href=\"chapter_06_reflection.html\" aria-label=\"6 Reflection\">")
+                   && ContainsSubstring("aria-label=\"7 Walls &amp; floors: needs 6\"")
+                   && ContainsSubstring("<g class=\"to-come\"><title>8 Springs, to come: needs 6, 7 for 8.2</title>"));
+    std::vector<int> edges; // where each box begins, from left to right
+    const std::regex box{"<rect x=\"(\\d+)\""};
+    for (std::sregex_iterator found{map.begin(), map.end(), box}, end; found != end; ++found)
+        edges.push_back(std::stoi((*found)[1]));
+    REQUIRE(edges.size() == 3);
+    CHECK((edges[0] < edges[1] && edges[1] < edges[2]));
+    const auto lines = [&](const std::string &kind) {
+        const std::regex line{"<path" + kind + " d"};
+        return std::distance(std::sregex_iterator{map.begin(), map.end(), line}, {});
+    };
+    CHECK(lines("") == 4); // 6 to 7; and 6 to 8, which passes the middle column
+    CHECK(lines(" class=\"in-part\"") == 1);
+    CHECK(section_map(book.tree, {entry(6, "Reflection", ""), entry(7, "Walls", "")}).empty());
 }
 
 // What is done

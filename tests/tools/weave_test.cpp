@@ -4,6 +4,7 @@
 #include "book/glossary.hpp"
 #include "book/links.hpp"
 #include "book/markdown.hpp"
+#include "book/prerequisites.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "loop/renamed.hpp"
@@ -938,4 +939,37 @@ TEST_CASE("below the box of an exercise, a forge's command opens the demo of tha
                                           "<!-- demo: room mine | Throw. -->\n");
     book.weave();
     CHECK_THAT(book.text(), ContainsSubstring("*Play it:* `./course play 7.1 --mine`. Throw.\n"));
+}
+
+TEST_CASE("what a chapter needs is in its line \"You need\": links to sections, some for one exercise alone") {
+    const auto needs = [](const std::string &line) {
+        return needs_cell(prerequisites("# 8\n\n" + line + "\nMore.\n").value());
+    };
+    const std::string one = "[section 1](../01_motion/README.md)", seven = "[7.5](../07_wall/README.md#size)";
+    CHECK(needs("You need vectors from school.").empty());
+    CHECK(needs("You need " + one + " and " + seven + ", and [a dictionary](https://example.org).") == "1, 7");
+    CHECK(needs("You need " + one + "; only 8.2 calls functions of " + seven + ".") == "1, 7 for 8.2");
+    CHECK(needs("You need loops; only 8.2 needs " + seven + "; all need " + one + '.') == "7 for 8.2, 1");
+    CHECK(needs("You need " + one + "; 8.3 needs " + one + " again.") == "1");
+    CHECK_FALSE(prerequisites("# 8\n\nDo you need it? You need it.\n"));
+    for (const char *cell : {"", "1", "1, 7 for 8.2, 9"}) CHECK(needs_cell(read_needs(cell)) == cell);
+}
+
+TEST_CASE("the contents' column `needs` is woven from the chapters, and is kept for what is to come") {
+    const Book book;
+    const std::string head =
+                          "# A book\n\n## Contents\n\n| | section | about | minutes | needs |\n|--:|:--|:--|--:|:--|\n",
+                      to_come = "| 8 | Springs | *to come* | | 7 |\n\n## Glossary\n",
+                      row = "| 7 | [Wall](chapters/07_wall/README.md) | walls | 5 |";
+    book.put("book.md", head + row + " |\n" + to_come);
+    CHECK_THAT(book.check().text,
+               ContainsSubstring("chapters/07_wall/README.md:1: say in a line that begins with \"You need\""));
+    book.edit_chapter("Plan a minute.\n", "You need [motion](../01_motion/README.md).\n");
+    book.put("chapters/01_motion/README.md", "# 1 Motion\n");
+    CHECK_THAT(book.check().text, ContainsSubstring("book.md:7: the column `needs` is not what Wall says"));
+    CHECK(book.weave().code == all_well);
+    CHECK(book.text("book.md") == head + row + " 1 |\n" + to_come);
+    CHECK(book.check().code == all_well);
+    book.edit_chapter("01_motion", "07_wall");
+    CHECK_THAT(book.check().text, ContainsSubstring("is not an earlier section: 7."));
 }

@@ -38,7 +38,8 @@ std::vector<Entry> contents(std::string_view book) {
         for (const auto &[line, cells] : table)
             if (const auto number = number_in(cells[0].words); number && cells.size() > 1)
                 entries.push_back({line, *number, cells[1].words, cells[1].link, cells.size() > 2 ? cells[2].words : "",
-                                   cells.size() > 3 ? cells[3].words : "", cells.size()});
+                                   cells.size() > 3 ? cells[3].words : "", cells.size() > 4 ? cells[4].words : "",
+                                   cells.size()});
         if (!entries.empty()) return entries;
     }
     return {};

@@ -9,7 +9,7 @@
 
 namespace course {
 
-/// A row of book.md's contents: `| 7 | [Walls](chapters/07_walls/README.md) | what it is about | 90 + 150 |`.
+/// A row of book.md's contents: `| 7 | [Walls](chapters/07_walls/README.md) | what it is about | 90 + 150 | 1 |`.
 struct Entry {
     int line = 0; ///< from 1
     int number = 0;
@@ -17,6 +17,7 @@ struct Entry {
     std::string chapter; ///< what the title links to; "" for a section to come
     std::string about;   ///< "what it is about"; "" if there is no such column
     std::string minutes; ///< "" if there is no such column
+    std::string needs;   ///< "1, 7 for 11.8", see prerequisites.hpp; "" if there is no such column
     std::size_t columns = 0;
 };
 

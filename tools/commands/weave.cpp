@@ -6,6 +6,7 @@
 #include "book/demo_places.hpp"
 #include "book/glossary.hpp"
 #include "book/links.hpp"
+#include "book/prerequisites.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
@@ -73,7 +74,7 @@ class Command {
         ++chapters;
     }
 
-    /// The book's front page, whose glossary is woven from all chapters.
+    /// The book's front page, whose glossary and contents are woven from all chapters.
     void book() {
         const fs::path file = tree.root / "book.md";
         if (!fs::exists(file)) return;
@@ -83,7 +84,10 @@ class Command {
         }
         const Glossary glossary = weave_glossary(read_file(file), file, terms_of(tree));
         add(glossary.findings);
-        page(page_of_book(tree), glossary.book, glossary.differences);
+        Needs needs = weave_needs(tree, glossary.book, file);
+        add(needs.findings);
+        needs.differences.insert(needs.differences.end(), glossary.differences.begin(), glossary.differences.end());
+        page(page_of_book(tree), needs.book, needs.differences);
     }
 
     /// The links of the pages beside it.

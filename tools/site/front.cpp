@@ -7,6 +7,7 @@
 #include "site/demos.hpp"
 #include "site/gaps.hpp"
 #include "site/html.hpp"
+#include "site/section_map.hpp"
 
 #include <algorithm>
 
@@ -65,7 +66,10 @@ std::string sections_of(const Tree &tree, const std::vector<Entry> &entries) {
 std::string front_page(const Tree &tree) {
     const std::vector<Entry> entries = contents(read_file(tree.root / "book.md"));
     return filled(read_file(tree.root / "docs" / "front.md"),
-                  {{"begin", begin_link(tree, entries)}, {"sections", sections_of(tree, entries)}}, "docs/front.md");
+                  {{"begin", begin_link(tree, entries)},
+                   {"sections", sections_of(tree, entries)},
+                   {"map", section_map(tree, entries)}},
+                  "docs/front.md");
 }
 
 } // namespace course
