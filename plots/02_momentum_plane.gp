@@ -13,7 +13,7 @@ set label "energy\n22 J" at 2.6,4.3 left textcolor lt 3
 set label 'before' at 3.45,-2.5 right
 set label 'after' at -3.6,2.75 right
 set label 'in the middle' at 0.4,0.4 left offset 0.8,0.4
-set label 'printed' at -3.1,1.45 left textcolor lt 6
+set label 'printed' at -3.2,1.3 left textcolor lt 6
 yours = with_yours("ARG3 using 1:2 every ::1::1 with points lt 2 pt 6 ps 2 lw 2 title 'yours'")
 plot sample [0:2*pi] '+' using (sqrt(22.0) * cos($1)):(sqrt(44.0 / 3) * sin($1)) with lines lt 3 notitle, \
      [-7:7] '+' using 1:((2 - 2 * $1) / 3) with lines lt 1 notitle, \
