@@ -120,19 +120,17 @@ std::string words_in_box(const std::string &words, double x, double y) {
         return fmt::format("<tspan x=\"{:.0f}\" y=\"{:.0f}\">{}</tspan>", x, y + below, escaped(text));
     };
     if (cut == words.npos) return "<text>" + line(words, 5) + "</text>";
-    return "<text>" + line(words.substr(0, cut), -4) + line(words.substr(cut + 1), 15) + "</text>";
+    return "<text>" + line(words.substr(0, cut), -4) + ' ' + line(words.substr(cut + 1), 15) + "</text>";
 }
 
 std::string box_of_section(const Tree &tree, const Entry &entry, double x, double y) {
     const std::string words = std::to_string(entry.number) + ' ' + entry.title;
     const std::string label =
         words + (entry.chapter.empty() ? ", to come" : "") + (entry.needs.empty() ? "" : ": needs " + entry.needs);
-    const std::string box =
-        "<title>" + escaped(label) + "</title>"
-        + fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" rx=\"8\"/>",
-                      x - box_width / 2, y - box_height / 2, box_width, box_height)
-        + words_in_box(words, x, y);
-    if (entry.chapter.empty()) return "<g class=\"to-come\">" + box + "</g>\n";
+    const std::string box = fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" rx=\"8\"/>",
+                                        x - box_width / 2, y - box_height / 2, box_width, box_height)
+                            + words_in_box(words, x, y);
+    if (entry.chapter.empty()) return "<g class=\"to-come\"><title>" + escaped(label) + "</title>" + box + "</g>\n";
     return "<a href=\"" + page_name(tree, tree.root / entry.chapter) + ".html\" aria-label=\"" + escaped(label) + "\">"
            + box + "</a>\n";
 }
