@@ -131,7 +131,7 @@ State next(State now, const Input &in) {
     const auto sky = static_cast<Sky>(in["In the sky"]);
     if (in.handle >= 0) drag(now, sky, in);
     if (in.key == "s") now.helicopter = {}, now.helicopter_marks.clear();
-    if (in.key == "f") fire(now);
+    if (in.key == "f" || (in.pressed && sky < plate)) fire(now);
     if (in.key == "e") now.engine = !now.engine;
     if (in.key == "b") break_in_two(now);
     if (in.key == "ArrowUp") now.thrust = std::min(now.thrust + 20, 600.0);

@@ -22,7 +22,8 @@ enum Game {
 const std::vector<std::string_view> with_ball{"asks once a frame",          "asks 7.1",      "asks 7.2",
                                               "bounces once a frame (7.2)", "bounces (7.4)", "has a size (7.5)"};
 const demo::About about{
-    "A ball in a room with seven walls. Drag the tip of its arrow to throw it, or a corner.",
+    "A ball in a room with seven walls. Drag the tip of its arrow to throw it, or a corner; it turns to where you "
+    "press.",
     {0, -0.5},
     {12, 7.5},
     {demo::choice("The game",
@@ -116,8 +117,10 @@ State next(State now, const Input &in) {
     }
     Vec2 &velocity = now.ball.velocity;
     if (in.key == "t") velocity = {0.8 * velocity.x() - 0.6 * velocity.y(), 0.6 * velocity.x() + 0.8 * velocity.y()};
+    const Vec2 to_pointer = in.pointer - now.ball.position;
+    if (in.pressed && in.handle < 0 && to_pointer.norm() > 0) velocity = velocity.norm() * to_pointer.normalized();
     if (in.handle == 0) { // while somebody aims, time stands still
-        const Vec2 aimed = (in.pointer - now.ball.position) / arrow_time;
+        const Vec2 aimed = to_pointer / arrow_time;
         if (aimed.norm() > 0) velocity = aimed * std::clamp(1.0, 1 / aimed.norm(), 60 / aimed.norm());
         return now;
     }
