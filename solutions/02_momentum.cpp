@@ -1,5 +1,8 @@
 #include "momentum.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace momentum {
 
 //> Solution 2.1: net force, and acceleration
@@ -69,9 +72,13 @@ double impulse(const Body &a, const Body &b, double restitution) {
 //> Solution 2.6: Newton's cradle
 std::vector<double> newtons_cradle(const std::vector<Cart> &carts) {
     for (const Cart &cart : carts) require_cart(cart);
+    double fastest = 0; // [m/s]
+    for (const Cart &cart : carts) fastest = std::max(fastest, std::abs(cart.velocity));
+    const double rounding = 1e-12 * fastest; // an approach as slow as that may be nothing but rounding
+
     std::vector<Cart> row = carts;
     for (std::size_t i = 0; i + 1 < row.size();) {
-        if (row[i].velocity <= row[i + 1].velocity) {
+        if (row[i].velocity - row[i + 1].velocity <= rounding) {
             ++i; // this pair and all to its left have no reason to collide
             continue;
         }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 using momentum::Body, momentum::Cart, momentum::CentreOfMassFrame, momentum::Velocities;
@@ -51,11 +52,14 @@ TEST_CASE("without forces there is no acceleration, whatever the mass", "[2.1]")
     CHECK_THAT(acceleration_due_to({}, 1), IsNear(Vec2{0, 0}));
     CHECK_THAT(acceleration_due_to({}, 250), IsNear(Vec2{0, 0}));
     CHECK_THAT(acceleration_due_to({{0, 0}, {0, 0}}, 3), IsNear(Vec2{0, 0}));
+    acceleration_due_to({{6, -3}}, 1);
+    CHECK_THAT(acceleration_due_to({}, 1), IsNear(Vec2{0, 0})); // and nothing is left of those before
 }
 
 TEST_CASE("two opposite forces of the same strength cancel; with a third, that one is left", "[2.1]") {
     CHECK_THAT(acceleration_due_to({{7, -2}, {-7, 2}}, 3), IsNear(Vec2{0, 0}, rounding));
     CHECK_THAT(acceleration_due_to({{7, -2}, {0, 5}, {-7, 2}}, 1), IsNear(Vec2{0, 5}, rounding));
+    CHECK_THAT(acceleration_due_to({{7, -2}, {0, 0}, {-7, 2}, {0, 5}}, 1), IsNear(Vec2{0, 5}, rounding));
 }
 
 TEST_CASE("the order of the forces makes no difference, nor does cutting one of them into parts", "[2.1]") {
@@ -224,12 +228,13 @@ TEST_CASE("from a train that moves along the rail, the same collision is seen, o
 
 //> Very unequal
 TEST_CASE("a light cart bounces off a very heavy one, and is hit away by it at twice its velocity", "[2.2]") {
-    const double heavy = 1e5, light = 1e-5, almost = 1e-8; // ten digits of the mass are missing
+    const double heavy = 1e5, light = 0.1, almost = 1e-5; // a millionth of the momentum is missing
     CHECK_THAT(elastic_collision({light, 5}, {heavy, 0}), IsNear(Velocities{-5, 0}, almost));
     CHECK_THAT(elastic_collision({heavy, 5}, {light, 0}), IsNear(Velocities{5, 10}, almost));
     CHECK_THAT(elastic_collision({heavy, 5}, {light, -5}), IsNear(Velocities{5, 15}, almost));
     // 1 kg at 3 m/s and 9999 kg at rest: together 3 / 10000 m/s
-    CHECK_THAT(elastic_collision({1, 3}, {9999, 0}), IsNear(Velocities{-2.9994, 0.0006}, rounding));
+    CHECK_THAT(elastic_collision({1, 3}, {9999, 0}), IsNear(Velocities{-2.9994, 0.0006}, 1e-8));
+    CHECK_THAT(elastic_collision({9999, 0}, {1, -3}), IsNear(Velocities{-0.0006, 2.9994}, 1e-8));
 }
 
 //> Apart
@@ -269,9 +274,15 @@ TEST_CASE("elastic_collision allows masses from 1e-9 to 1e5 kg, velocities up to
     CHECK_THAT(elastic_collision({1e5, 1e5}, {1e5, -1e5}), IsNear(Velocities{-1e5, 1e5}, rounding));
     CHECK_THAT(elastic_collision({1e-9, 1e5}, {1e-9, -1e5}), IsNear(Velocities{-1e5, 1e5}, rounding));
     CHECK_THAT(elastic_collision({1e-100, 5}, {1e-100, 0}),
-               IsNear(Velocities{0, 5}, 1e-9)); // even lighter: fewer digits
-    CHECK_THAT(elastic_collision({1e5, 1e5}, {1e-9, -1e5}), IsNear(Velocities{1e5, 3e5}, rounding));
-    CHECK_THAT(elastic_collision({1, 1e-9}, {2, 0}).b * 1e9, IsNear(2.0 / 3, rounding).of("velocity of b [1e-9 m/s]"));
+               IsNear(Velocities{0, 5}, 1e-9));              // even lighter: fewer digits
+    CHECK_THAT(elastic_collision({1e5, 1e5}, {1e4, -1e5}).b, // an answer beyond 1e5
+               IsNear(2.9e6 / 11, 1e-11).of("velocity of b [m/s]"));
+    elastic_collision({1e5, 1e5}, {1e-9, -1e5}); // allowed, but no digit need be right
+    CHECK_THAT(elastic_collision({1e5, 4}, {5e4, -2}), IsNear(Velocities{0, 6}, rounding));
+    CHECK_THAT(elastic_collision({1e-9, 4}, {3e-9, 0}), IsNear(Velocities{-2, 2}, rounding));
+    CHECK_THAT(elastic_collision({1, 1e-20}, {2, 0}).b * 1e20,
+               IsNear(2.0 / 3, rounding).of("velocity of b [1e-20 m/s]"));
+    CHECK_THAT(elastic_collision({2, 100 + 1e-8}, {3, 100}), IsNear(Velocities{100 - 2e-9, 100 + 8e-9}, rounding));
     CHECK_THAT(elastic_collision({2, 100.5}, {3, 100}), IsNear(Velocities{99.9, 100.4}, rounding)); // barely faster
     CHECK_THAT(elastic_collision({2, -99.5}, {3, -100}), IsNear(Velocities{-100.1, -99.6}, rounding));
 }
@@ -283,6 +294,7 @@ TEST_CASE("a cart with a mass of 0 or less, or with a number out of range, is re
     CHECK_REFUSED(elastic_collision({2, 4}, {-3, -2}));
     CHECK_REFUSED(elastic_collision({2, 4}, {-1e-300, -2}));
     CHECK_REFUSED(elastic_collision({0, -4}, {3, 2})); // even if they move apart
+    CHECK_REFUSED(elastic_collision({0, 4}, {3, 4}));  // or are equally fast
     CHECK_OUT_OF_RANGE_REFUSED(elastic_collision, {{2, 4}, {3, -2}});
     CHECK_OUT_OF_RANGE_REFUSED(elastic_collision, {{2, -4}, {3, 2}}); // even if they move apart
     elastic_collision({2, 4}, {3, -2});                               // good input is still answered
@@ -426,16 +438,22 @@ TEST_CASE("erratum E2.9: kinetic energy does not stay, \"elastic or not\": clay 
 TEST_CASE("collide allows masses from 1e-9 to 1e5 kg, velocities up to ±1e5, and any restitution from 0 to 1",
           "[2.3]") {
     CHECK_THAT(collide({1e5, 1e5}, {1e5, -1e5}, 0.5), IsNear(Velocities{-5e4, 5e4}, rounding));
-    CHECK_THAT(collide({1e5, 1e5}, {1e-9, -1e5}, 0.5), IsNear(Velocities{1e5, 2e5}, rounding));
+    CHECK_THAT(collide({1e5, 1e5}, {1e4, -1e5}, 0.5).b, // an answer beyond 1e5
+               IsNear(1.9e6 / 11, 1e-11).of("velocity of b [m/s]"));
+    collide({1e5, 1e5}, {1e-9, -1e5}, 0.5); // allowed, but no digit need be right
+    CHECK_THAT(collide({1e5, 4}, {5e4, -2}, 0.5), IsNear(Velocities{1, 4}, rounding));
+    CHECK_THAT(collide({1e-9, 4}, {3e-9, 0}, 0.5), IsNear(Velocities{-0.5, 1.5}, rounding));
     CHECK_THAT(collide({1e-9, 1e5}, {1e-9, -1e5}, 0.5), IsNear(Velocities{-5e4, 5e4}, rounding));
     CHECK_THAT(collide({1e5, 1}, {1e5, -1}, 0.5), IsNear(Velocities{-0.5, 0.5}, rounding));
     CHECK_THAT(collide({1e-100, 6}, {1e-100, 0}, 0), IsNear(Velocities{3, 3}, 1e-9)); // even lighter: fewer digits
     // 1 kg at 3 m/s and 9999 kg at rest: together 3 / 10000 m/s
-    CHECK_THAT(collide({1, 3}, {9999, 0}, 0), IsNear(Velocities{0.0003, 0.0003}, rounding));
-    CHECK_THAT(collide({9999, 0}, {1, -3}, 0), IsNear(Velocities{-0.0003, -0.0003}, rounding));
-    CHECK_THAT(collide({1, 1e-9}, {3, 0}, 0).b * 1e9, IsNear(0.25, rounding).of("velocity of b [1e-9 m/s]"));
+    CHECK_THAT(collide({1, 3}, {9999, 0}, 0), IsNear(Velocities{0.0003, 0.0003}, 1e-8));
+    CHECK_THAT(collide({9999, 0}, {1, -3}, 0), IsNear(Velocities{-0.0003, -0.0003}, 1e-8));
+    CHECK_THAT(collide({1, 1e-20}, {3, 0}, 0.5).b * 1e20, IsNear(0.375, rounding).of("velocity of b [1e-20 m/s]"));
+    CHECK_THAT(collide({2, 100 + 1e-8}, {3, 100}, 0), IsNear(Velocities{100 + 4e-9, 100 + 4e-9}, rounding));
     CHECK_THAT(collide({2, 100.5}, {3, 100}, 0), IsNear(Velocities{100.2, 100.2}, rounding));
-    CHECK_THAT(collide({2, 4}, {3, -2}, 1e-6), IsNear(Velocities{0.4 - 3.6e-6, 0.4 + 2.4e-6}, rounding));
+    CHECK_THAT(collide({2, 4}, {3, -2}, 1e-10), IsNear(Velocities{0.4 - 3.6e-10, 0.4 + 2.4e-10}, rounding));
+    CHECK_THAT(collide({2, 4}, {3, -2}, 1 - 1e-10), IsNear(Velocities{-3.2 + 3.6e-10, 2.8 - 2.4e-10}, rounding));
 }
 
 TEST_CASE("a restitution beyond 0 to 1, a mass of 0 or less, or a number out of range is refused", "[2.3]") {
@@ -444,6 +462,8 @@ TEST_CASE("a restitution beyond 0 to 1, a mass of 0 or less, or a number out of 
     CHECK_REFUSED(collide({2, 4}, {3, -2}, std::nextafter(1.0, 2.0)), "the first number beyond 1");
     CHECK_REFUSED(collide({2, 4}, {3, -2}, -1e-300));
     CHECK_REFUSED(collide({2, -4}, {3, 2}, 1.5)); // even if they move apart
+    CHECK_REFUSED(collide({2, 4}, {3, 4}, 1.5));  // or are equally fast
+    CHECK_REFUSED(collide({0, 4}, {3, 4}, 0.5));
     CHECK_REFUSED(collide({0, 4}, {3, -2}, 0.5));
     CHECK_REFUSED(collide({2, 4}, {0, -2}, 0.5));
     CHECK_REFUSED(collide({-2, 4}, {3, -2}, 0.5));
@@ -539,19 +559,29 @@ TEST_CASE("seen from a centre of mass near a heavy cart, the light one has nearl
     CHECK_THAT(centre_of_mass_frame({1, 1e5}, {9999, -1e5}), // an answer beyond 1e5
                IsNear(CentreOfMassFrame{-99980, 199980, -20, 1.9998e10}, 1e-11));
     CHECK_THAT(centre_of_mass_frame({1e-100, 2}, {1e-100, 0}), IsNear(CentreOfMassFrame{1, 1, -1, 0}, 1e-9));
-    CHECK_THAT(centre_of_mass_frame({1, 1e-9}, {3, 0}).a * 1e9,
-               IsNear(0.75, rounding).of("velocity of a, seen from there [1e-9 m/s]"));
+    // 10 mg at 1000 m/s and 100 t at rest: together 1e-7 m/s, but for ten digits
+    const double missing = 1e-10;
+    CHECK_THAT(centre_of_mass_frame({1e-5, 1000}, {1e5, 0}),
+               IsNear(CentreOfMassFrame{1e-7, 1000 * (1 - missing), -1e-7, 5 * (1 - missing)}, rounding));
+    CHECK_THAT(
+        centre_of_mass_frame({1e5, 1000}, {1e-5, 0}),
+        IsNear(CentreOfMassFrame{1000 * (1 - missing), 1e-7, -1000 * (1 - missing), 5 * (1 - missing)}, rounding));
+    const CentreOfMassFrame slow = centre_of_mass_frame({1, 1e-20}, {3, 0});
+    CHECK_THAT(slow.a * 1e20, IsNear(0.75, rounding).of("velocity of a, seen from there [1e-20 m/s]"));
+    CHECK_THAT(slow.energy * 1e40, IsNear(0.375, 1e-11).of("energy seen from there [1e-40 J]"));
 }
 
 //> Two fast carts, and a slow collision
 TEST_CASE("two carts at 1e5 m/s with a difference of 2^-10 m/s are seen at their shares of it, to twelve digits",
           "[2.4]") {
-    const double slow = std::ldexp(1, -10); // [m/s]: exact, as are both velocities
-    const CentreOfMassFrame seen = centre_of_mass_frame({2, 99999 + slow}, {3, 99999});
-    CHECK_THAT(seen.a / slow, IsNear(0.6, rounding).of("velocity of a, in units of the difference"));
-    CHECK_THAT(seen.b / slow, IsNear(-0.4, rounding).of("velocity of b, in units of the difference"));
-    CHECK_THAT(seen.energy / (slow * slow),
-               IsNear(0.6, 1e-11).of("energy, in units of 1 kg and the difference squared"));
+    for (const int exponent : {-10, -36}) {          // at last the smallest difference that there is at 1e5 m/s
+        const double slow = std::ldexp(1, exponent); // [m/s]: exact, as are both velocities
+        const CentreOfMassFrame seen = centre_of_mass_frame({2, 99999 + slow}, {3, 99999});
+        CHECK_THAT(seen.a / slow, IsNear(0.6, rounding).of("velocity of a, in units of the difference"));
+        CHECK_THAT(seen.b / slow, IsNear(-0.4, rounding).of("velocity of b, in units of the difference"));
+        CHECK_THAT(seen.energy / (slow * slow),
+                   IsNear(0.6, 1e-11).of("energy, in units of 1 kg and the difference squared"));
+    }
 }
 
 TEST_CASE("seen from a centre of mass: a mass of 0 or less, or a number out of range, is refused", "[2.4]") {
@@ -619,6 +649,7 @@ TEST_CASE("a wall, which nothing can move, turns 2 kg at 5 m/s around with 20 N 
     CHECK_THAT(impulse({0, 0}, {0.5, -5}, 1), IsNear(20.0, rounding));   // a wall on the left
     CHECK_THAT(impulse({0.5, 5}, {0, 0}, 0), IsNear(10.0, rounding));    // and clay stays at it
     CHECK_THAT(impulse({0.5, 5}, {0, -1}, 0.5), IsNear(18.0, rounding)); // a piston at -1 m/s: 1.5 · 6 · 2
+    CHECK_THAT(impulse({0, 1}, {0.5, -5}, 0.5), IsNear(18.0, rounding)); // one on the left
     CHECK_THAT(impulse({0.5, 5}, {0, 5.5}, 0.5), IsNear(0.0));           // one that moves away faster
 }
 
@@ -644,10 +675,13 @@ TEST_CASE("an impulse is right for inverse masses from 1e-9 to 1e5 per kg, and v
     CHECK_THAT(impulse({0.5, 3}, {1e-100, 0}, 0), IsNear(6.0, 1e-9));
     CHECK_THAT(impulse({1e5, 2}, {0, 0}, 0) * 1e5, IsNear(2.0, rounding).of("impulse [1e-5 N s]"));
     CHECK_THAT(impulse({1e5, 2}, {1e-9, 0}, 0) * 1e5, IsNear(2.0, rounding).of("impulse [1e-5 N s]"));
-    CHECK_THAT(impulse({0.5, 1e-9}, {0.5, 0}, 0) * 1e9, IsNear(1.0, rounding).of("impulse [1e-9 N s]"));
-    // two carts at 1e5 m/s, which approach each other at 2^-10 m/s
-    CHECK_THAT(impulse({0.5, 99999 + std::ldexp(1, -10)}, {0.125, 99999}, 0.5) * std::ldexp(1, 10),
-               IsNear(2.4, rounding).of("impulse [2^-10 N s]"));
+    CHECK_THAT(impulse({1e5, 2}, {1e-5, 0}, 0) * 1e5, IsNear(2 - 2e-10, rounding).of("impulse [1e-5 N s]"));
+    CHECK_THAT(impulse({0.5, 1e-20}, {0.5, 0}, 0) * 1e20, IsNear(1.0, rounding).of("impulse [1e-20 N s]"));
+    CHECK_THAT(impulse({0.5, 3}, {0, 0}, 1e-10), IsNear(6 + 6e-10, rounding));
+    CHECK_THAT(impulse({0.5, 3}, {0, 0}, 1 - 1e-10), IsNear(12 - 6e-10, rounding));
+    // two carts at 1e5 m/s, which approach each other as slowly as a double can say
+    CHECK_THAT(impulse({0.5, 99999 + std::ldexp(1, -36)}, {0.125, 99999}, 0.5) * std::ldexp(1, 36),
+               IsNear(2.4, rounding).of("impulse [2^-36 N s]"));
 }
 
 TEST_CASE("a negative inverse mass, a restitution beyond 0 to 1, or a number out of range is refused", "[2.5]") {
@@ -660,6 +694,7 @@ TEST_CASE("a negative inverse mass, a restitution beyond 0 to 1, or a number out
     CHECK_REFUSED(impulse({0.5, 4}, {0.25, -2}, std::nextafter(1.0, 2.0)), "the first number beyond 1");
     CHECK_REFUSED(impulse({-1e-300, 4}, {0.25, -2}, 1));
     CHECK_REFUSED(impulse({0, 4}, {0, -2}, 1.1)); // even if nothing can move them
+    CHECK_REFUSED(impulse({0, too_large}, {0.25, -2}, 1), "a wall at the first velocity beyond 1e5");
     CHECK_OUT_OF_RANGE_REFUSED(impulse, {{0.5, 4}, {0.25, -2}, 0.5});
     CHECK_OUT_OF_RANGE_REFUSED(impulse, {{0.5, -4}, {0.25, 2}, 0.5}); // even if they move apart
     impulse({0.5, 4}, {0.25, -2}, 0.5);                               // good input is still answered
@@ -701,6 +736,7 @@ TEST_CASE("of up to a hundred equal carts, each leaves at a velocity with which 
     for (int i = 0; i < course::cases(3000); ++i) {
         std::vector<double> velocities(std::size_t(i == 0 ? 100 : dice.whole(1, 20)));
         for (double &velocity : velocities) velocity = dice.real(-10, 10);
+        if (i == 0) std::ranges::sort(velocities, std::greater{}); // every two collide: 4950 collisions
 
         const std::vector<double> after = newtons_cradle(equal_carts(dice.real(0.1, 10), velocities));
 
@@ -721,6 +757,8 @@ TEST_CASE("no carts, a single cart, or carts that do not approach each other: no
 TEST_CASE("two carts in a row collide as in 2.2; a third one is pushed on by the second", "[2.6]") {
     using List = std::vector<double>;
     CHECK_THAT(newtons_cradle({{2, 4}, {3, -2}}), IsNear(List{-3.2, 2.8}, 1e-10));
+    // nearly equal carts do not quite swap: together 1 / 2.000001
+    CHECK_THAT(newtons_cradle({{1, 1}, {1.000001, 0}}), IsNear(List{-1e-6 / 2.000001, 2 / 2.000001}, 1e-10));
     // 2 and 1 kg: 2, 8 m/s; 1 and 3 kg: together 8/4 = 2: -4, 4; 2 and 1 kg: together 0: -2, 4; and 4 do not approach 4
     CHECK_THAT(newtons_cradle({{2, 6}, {1, 0}, {3, 0}}), IsNear(List{-2, 4, 4}, 1e-10));
     // seen in a mirror, the leftmost pair is another one: 3 and 1 kg first, but only the right pair approaches at first
@@ -746,7 +784,7 @@ TEST_CASE("rows of up to ten unequal carts: as found pair by pair, with each imp
         std::vector<long double> want;
         for (const Cart &cart : carts) want.push_back(cart.velocity);
         for (std::size_t k = 0; k + 1 < want.size(); ++k) {
-            if (want[k] <= want[k + 1]) continue;
+            if (want[k] - want[k + 1] <= 1e-14L) continue; // no more than rounding
             const long double j = 2 * (want[k] - want[k + 1]) / (1.0L / carts[k].mass + 1.0L / carts[k + 1].mass);
             want[k] -= j / carts[k].mass;
             want[k + 1] += j / carts[k + 1].mass;
@@ -756,11 +794,23 @@ TEST_CASE("rows of up to ten unequal carts: as found pair by pair, with each imp
     }
 }
 
+//>
+TEST_CASE("a row comes to an end, although rounding can make neighbours approach again and again", "[2.6]") {
+    using List = std::vector<double>;
+    const double third = 1.0 / 3;
+    // where carts end equally fast, one formula or another finds the left one faster, by the last digit, for ever
+    CHECK_THAT(newtons_cradle({{1, 0}, {1, -1}, {1, -1}, {2, -1}, {2, -1}}),
+               IsNear(List{-4 * third, -1, -1, -1, -third}, 1e-10));
+    CHECK_THAT(newtons_cradle({{1, 3}, {5, 2}, {3, 1}}), IsNear(List{4 * third, 4 * third, 8 * third}, 1e-10));
+    CHECK_THAT(newtons_cradle({{5, -1}, {1, 1}, {3, -3}}), IsNear(List{-7 * third, -7 * third, third}, 1e-10));
+    CHECK_THAT(newtons_cradle({{4.5, 0.1}, {1.5, -0.1}, {6.2, 0.2}}), IsNear(List{0, 0.2, 0.2}, 1e-10));
+}
+
 //> Laws of a row
 TEST_CASE("the carts of a row keep their momentum and their kinetic energy, and nobody approaches anybody", "[2.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(3000); ++i) {
-        std::vector<Cart> carts(std::size_t(dice.whole(2, 10)));
+        std::vector<Cart> carts(std::size_t(i == 0 ? 30 : dice.whole(2, 10)));
         for (Cart &cart : carts) cart = random_cart(dice);
 
         const std::vector<double> after = newtons_cradle(carts);
@@ -789,6 +839,7 @@ TEST_CASE("in a row, masses from 1e-9 to 1e5 kg are allowed, velocities up to ±
     CHECK_THAT(newtons_cradle({{1, 1e5}, {1, 0}, {1, -1e5}}), IsNear(List{-1e5, 0, 1e5}, 1e-10));
     const std::vector<double> slow = newtons_cradle({{1, 1e-9}, {1, 0}, {3, 0}});
     CHECK_THAT(slow.back() * 1e9, IsNear(0.5, 1e-10).of("velocity of the last cart [1e-9 m/s]"));
+    CHECK_THAT(newtons_cradle({{1, 1 + 1e-9}, {1, 1}}), IsNear(List{1, 1 + 1e-9}, 1e-10));
     List before(300), after(300);
     before.front() = after.back() = 3;
     CHECK_THAT(newtons_cradle(equal_carts(2, before)), IsNear(after, 1e-9));
@@ -799,7 +850,7 @@ TEST_CASE("a cart in a row with a mass of 0 or less, or with a number out of ran
     CHECK_REFUSED(newtons_cradle({{2, 4}, {3, -2}, {-1, 0}}));
     CHECK_REFUSED(newtons_cradle({{0, 1}}));
     CHECK_REFUSED(newtons_cradle({{2, -4}, {-1e-300, 2}}));
-    CHECK_OUT_OF_RANGE_REFUSED(newtons_cradle, {{{2, 4}, {3, 0}, {1, -2}}});
+    CHECK_OUT_OF_RANGE_REFUSED(newtons_cradle, {{{2, -4}, {3, 0}, {1, 2}}}); // even if none would collide
     CHECK_REFUSED(newtons_cradle({{2, 4}, {3, too_large}}), "the first number beyond 1e5, as a velocity");
     newtons_cradle({{2, 4}, {3, -2}}); // good input is still answered
 }

@@ -7,15 +7,17 @@
 /// Section 2: what forces do to a cart, and what two carts do to each other.
 /// The carts roll on a straight rail, so their velocities are numbers: positive to the right, negative to the left.
 /// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
-/// An answer is right to twelve digits of the largest velocity or force that it is made of, unless its function says
-/// otherwise; with masses below 1e-9 kg it may be right to fewer.
+/// An answer is right to twelve digits of the largest velocity that it is made of, or of the sizes of all forces added up
+/// (of a thousand at most), unless its function says otherwise.
+/// After a collision, one digit fewer may be right for each factor of ten by which one mass is larger than the other;
+/// with masses below 1e-9 kg any answer may be right to fewer.
 namespace momentum {
 
 using course::Vec2;
 
 //> Acceleration due to forces
 /// The acceleration of a body while all of these forces act on it together [m/s²]. Without forces it is (0, 0).
-/// @param forces  [N]
+/// @param forces  [N], any number of them
 /// @param mass    [kg], more than 0
 /// @throws std::invalid_argument if `mass` is not positive, or a number is not within ±1e5.
 Vec2 acceleration_due_to(const std::vector<Vec2> &forces, double mass);
@@ -87,7 +89,8 @@ double impulse(const Body &a, const Body &b, double restitution);
 //> Newton's cradle
 /// The velocities of carts in a row, after all of their collisions [m/s].
 /// The gaps between them are so small that all of this happens in one moment. All collisions are elastic, and of two carts
-/// each: whenever neighbours approach each other, the leftmost such pair collides next, until there is none.
+/// each: whenever neighbours approach each other, the leftmost such pair collides next, until there is none. An approach
+/// slower than 1e-12 of the largest speed may be left alone: rounding can bring one about again and again, without end.
 /// Right to ten digits of the largest velocity for up to ten carts with masses from 0.1 to 10 kg, and for up to a hundred
 /// of equal mass. For other rows fewer digits may be right, and with a very light cart between heavy ones it may take hours.
 /// @param carts  from left to right, any number of them

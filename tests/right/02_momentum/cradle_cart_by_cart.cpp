@@ -7,7 +7,7 @@ static void settle(const std::vector<Cart> &carts, std::vector<double> &velociti
     if (count < 2) return;
     settle(carts, velocities, count - 1);
     const std::size_t a = count - 2, b = count - 1;
-    while (velocities[a] > velocities[b]) {
+    while (velocities[a] - velocities[b] > 1e-12) { // more than rounding
         const double j =
             2 * (velocities[a] - velocities[b]) * carts[a].mass * carts[b].mass / (carts[a].mass + carts[b].mass);
         velocities[a] -= j / carts[a].mass;
