@@ -35,7 +35,7 @@ constexpr double table[]{50, 55, 62, 71, 82, 95};
 const motion::State table_start{{table[0], 0}, {4, 0}};
 
 /// A metre of the plate is 50 px long. In the other picture, time runs to the right and the position upwards.
-const Vec2 plate_origin{420, 25}, sightings_origin{20, 20}, sightings_scale{100, 6}; // [px], [px/s] and [px/m]
+const Vec2 plate_origin{420, 25}, sightings_origin{20, 36}, sightings_scale{100, 5}; // [px], [px/s] and [px/m]
 
 struct State {
     Helicopter helicopter;
@@ -223,11 +223,11 @@ demo::Picture motion_through(const std::vector<Vec2> &seen_at) {
         const double t = 0.1 * tenth, x = found.x_0 + t * (found.v_0 + t * found.a / 2);
         curve.push_back(sightings_origin + Vec2{t, x}.cwiseProduct(sightings_scale));
     }
-    demo::Picture seen{{{Shape::line, Colour::line, 1.5, 1, {{0, 20}, {640, 20}}},
+    demo::Picture seen{{{Shape::line, Colour::line, 1.5, 1, {{0, 36}, {640, 36}}},
                         {Shape::line, Colour::line, 1.5, 1, {{20, 0}, {20, 200}}}}};
-    for (int second = 1; second <= 6; ++second)
+    for (int second = 1; second <= 5; ++second)
         seen.shapes.push_back(
-            {Shape::words, Colour::dim, 0, 1, {{10 + 100.0 * second, 2}}, std::to_string(second) + " s"});
+            {Shape::words, Colour::dim, 0, 1, {{10 + 100.0 * second, 8}}, std::to_string(second) + " s"});
     seen.shapes.push_back({Shape::line, Colour::blue, 2, 1, curve});
     seen.shapes.push_back({Shape::discs, Colour::ink, 4, 1, seen_at});
     seen.shapes.push_back({Shape::handle, Colour::ink, 0, 1, seen_at});

@@ -158,12 +158,12 @@ describe('a demo', { concurrency: 2 }, () => {
     await demo.page.evaluate(() => scrollTo(0, 0));
     await demo.wait(200);
     const time = await demo.read('time');
-    await demo.wait(700);
+    await demo.wait(2500);
     assert.equal(await demo.read('time'), time);
     await demo.canvas.evaluate((it) => it.scrollIntoView({ block: 'center' }));
     await demo.wait(300);
     const later = await demo.read('time');
-    assert.ok(later > time && later < time + 0.6, `${time} s, then ${later} s`);
+    assert.ok(later > time && later < time + 2, `${time} s, then ${later} s`);
     await demo.done();
   });
 
@@ -253,9 +253,7 @@ describe('07, the room', { concurrency: 2 }, () => {
     }
     await demo.done();
   });
-});
 
-describe('11, fireworks', { concurrency: 2 }, () => {
   test('asked 7.1, the next wall is so many arrows away', async () => {
     const demo = await open(seven);
     await demo.choose('asks 7.1');
@@ -306,7 +304,9 @@ describe('11, fireworks', { concurrency: 2 }, () => {
     assert.deepEqual([await demo.read('7.6 says'), await demo.read('rounded sign')], [-1, -1]);
     await demo.done();
   });
+});
 
+describe('11, fireworks', { concurrency: 2 }, () => {
   test('a click is a burst where it was; three sparks are three; a full pool stays as large', async () => {
     const demo = await open(eleven), centre = await demo.at(12, 9, [24, 14]);
     await demo.choose('none');
@@ -520,7 +520,7 @@ describe('01, flight', { concurrency: 2 }, () => {
   });
 
   test('1.7 finds the motion through three sightings, which keep their order', async () => {
-    const demo = await open(first), at = (t, x) => [20 + 100 * t, 20 + 6 * x, [640, 200]];
+    const demo = await open(first), at = (t, x) => [20 + 100 * t, 36 + 5 * x, [640, 200]];
     const motion = async () => [await demo.read('position at 0 s'), await demo.read('velocity at 0 s'), await demo.read('acceleration')];
     await demo.choose('three sightings (1.7)');
     assert.deepEqual(await motion(), [3, 2, 2]);

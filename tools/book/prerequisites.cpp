@@ -10,7 +10,7 @@
 namespace course {
 namespace {
 
-constexpr std::string_view beginning = "You need ";
+constexpr std::string_view line_of_needs = "You need ";
 constexpr std::size_t needs_column = 4; // of the contents, from 0
 
 /// `section` of "../07_segment_intersection/README.md".
@@ -37,7 +37,7 @@ std::string with_last_cell(std::string row, const std::string &text) {
 std::optional<std::vector<Prerequisite>> prerequisites(std::string_view chapter) {
     static const std::regex link{R"((\d+\.\d+)|\[[^\]]*\]\(([^)]*)\)|[.;]\s)"};
     for (const Line &each : lines_of(chapter)) {
-        if (!each.text.starts_with(beginning)) continue;
+        if (!each.text.starts_with(line_of_needs)) continue;
         const std::string line{each.text};
         std::vector<Prerequisite> needed;
         std::string exercise; // the last one since a semicolon or a full stop

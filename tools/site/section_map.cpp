@@ -28,9 +28,9 @@ struct Stop {
 };
 
 /// Sections in columns: what needs nothing is in the first, and each other one is behind all that it needs.
-class Columns {
+class MapColumns {
   public:
-    explicit Columns(const std::vector<Entry> &entries) {
+    explicit MapColumns(const std::vector<Entry> &entries) {
         for (const Entry &entry : entries) place(entry);
         for (std::size_t k = 1; k < columns.size(); ++k) sort(k);
         for (auto &column : columns)
@@ -138,7 +138,7 @@ std::string box_of_section(const Tree &tree, const Entry &entry, double x, doubl
 } // namespace
 
 std::string section_map(const Tree &tree, const std::vector<Entry> &entries) {
-    const Columns columns{entries};
+    const MapColumns columns{entries};
     if (columns.count() < 2) return "";
     std::string lines, boxes;
     columns.each([&](std::size_t k, const Stop &stop) {
