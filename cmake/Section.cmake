@@ -285,6 +285,7 @@ function(finish_course)
   put_into_json(json node ${NODE})
   put_list_into_json(json flags ${COURSE_LOOP})
   put_list_into_json(json precompiled ${COURSE_LOOP_PCH})
+  put_list_into_json(json assembler ${COURSE_LOOP_ASSEMBLER})
   put_list_into_json(json includes ${COURSE_INCLUDES})
   put_list_into_json(json link ${extra} ${COURSE_LOOP_LINK}) # a sanitizer's flags are the linker's, too
   set(number 0)

@@ -86,13 +86,15 @@ TEST_CASE("no file can put its own mistake down to the machine or to a limit") {
 
 TEST_CASE("a file may include only the system, Eigen and chapters/, whatever the path looks like") {
     const auto elsewhere = [](const std::string &rule) {
-        const auto found = included_from_elsewhere(rule, "/home/a b/07.cpp", {"/usr/include", "/course/chapters"});
+        const auto found =
+            included_from_elsewhere(rule, "/home/a b/07.cpp", "/scratch", {"/usr/include", "/course/chapters"});
         return found ? found->string() : "";
     };
     CHECK(elsewhere("x.o: /home/a\\ b/07.cpp /usr/include/math.h \\\n /course/chapters/07_x/x.hpp\n").empty());
     CHECK(elsewhere("x.o: /home/a\\ b/07.cpp /usr/include/../../dev/zero\n") == "/dev/zero");
     CHECK(elsewhere("x.o: /home/a\\ b/07.cpp /course/chapters/../solutions/07.cpp\n") == "/course/solutions/07.cpp");
     CHECK(elsewhere("x.o: /home/a\\ b/07.cpp \\\n /usr/included\n") == "/usr/included");
+    CHECK(elsewhere("x.o: /home/a\\ b/07.cpp notes.txt\n") == "/scratch/notes.txt");
     CHECK(elsewhere("x.o: /home/a\\ b/07.cpp /n/\\#\\ $$.hpp\n") == "/n/# $.hpp");
     CHECK(elsewhere("x.o: /home/a\\ b/07.cpp \\\n \\\n /home/a\\ b/more.hpp") == "/home/a b/more.hpp");
 }

@@ -30,14 +30,14 @@ bool is_below(const fs::path &file, const fs::path &folder) {
 
 } // namespace
 
-std::optional<fs::path> included_from_elsewhere(std::string_view rule, const fs::path &file,
+std::optional<fs::path> included_from_elsewhere(std::string_view rule, const fs::path &file, const fs::path &from,
                                                 const std::vector<fs::path> &allowed) {
     std::error_code ignored; // where a link cannot be followed, its name is compared
     std::vector<fs::path> folders;
     for (const fs::path &folder : allowed) folders.push_back(fs::weakly_canonical(folder, ignored));
     const fs::path own = fs::weakly_canonical(file, ignored);
     for (const std::string &name : files_of(rule)) {
-        const fs::path read = fs::weakly_canonical(name, ignored);
+        const fs::path read = fs::weakly_canonical(from / name, ignored);
         const auto is_home = [&](const fs::path &folder) { return is_below(read, folder); };
         if (read != own && std::none_of(folders.begin(), folders.end(), is_home)) return read;
     }

@@ -40,6 +40,7 @@ constexpr double longest_test = 180;
 struct Toolbox {
     std::string compiler, cmake, nm;
     std::vector<std::string> link, flags, precompiled; ///< the last: what puts the precompiled header before a file
+    std::vector<std::string> assembler; ///< before the file where it lists what it reads; empty if it cannot
     fs::path server, missing;
     std::vector<fs::path> includes;   ///< folders with what a student's file may include
     std::vector<std::string> earlier; ///< objects: the solutions of the sections that this one builds on
@@ -56,6 +57,7 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
                   json.at("link"),
                   json.at("flags"),
                   json.at("precompiled"),
+                  json.at("assembler"),
                   {},
                   {},
                   {},
@@ -132,7 +134,6 @@ class Scratch {
 
     fs::path operator/(const char *name) const { return folder / name; }
 
-  private:
     fs::path folder;
 };
 
@@ -235,18 +236,25 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     bring_up_to_date(tree, section, w);
     const Scratch scratch{tree.build};
     const std::string object = scratch / "student.o", subject = scratch / "subject";
-    const RunOptions limited{
-        .deadline = longest_wait, .limits = compiler_limits, .environment = {"TMPDIR=" + (scratch / "").string()}};
+    const RunOptions limited{.deadline = longest_wait,
+                             .folder = scratch.folder,
+                             .limits = compiler_limits,
+                             .environment = {"TMPDIR=" + (scratch / "").string()}};
 
-    const std::string includes = scratch / "includes";
+    const std::string includes = scratch / "includes", assembled = scratch / "assembled";
     auto compile = compile_command(w, tree, section, file, object, false);
     compile.insert(compile.end(), {"-MD", "-MF", includes});
+    compile.insert(compile.end(), w.assembler.begin(), w.assembler.end());
+    if (!w.assembler.empty()) compile.push_back(assembled);
     const auto compiled = run(compile, limited);
     const std::string said = plain_output(compiled.err);
     if (auto why = stopped_by_a_limit(compiled, said); !why.empty())
         return not_built(stopped(Kind::does_not_compile, std::move(why)));
     if (compiled.code != 0) return not_built(diagnose_compiler(said, file, name, renamed(tree, section)));
-    if (const auto elsewhere = included_from_elsewhere(read_file(includes), file, w.includes))
+    auto elsewhere = included_from_elsewhere(read_file(includes), file, scratch.folder, w.includes);
+    if (!elsewhere && !w.assembler.empty()) // it is in the scratch folder, as is what the compiler hands to it
+        elsewhere = included_from_elsewhere(read_file(assembled), file, scratch.folder, {scratch.folder});
+    if (elsewhere)
         return not_built(stopped(Kind::does_not_compile,
                                  "Your file includes " + tree.shown(*elsewhere)
                                      + ", which a check does not allow: it may include headers of the system, of Eigen "
