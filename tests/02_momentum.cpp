@@ -584,6 +584,7 @@ TEST_CASE("two carts at 1e5 m/s with a difference of 2^-10 m/s are seen at their
     }
 }
 
+//>
 TEST_CASE("seen from a centre of mass: a mass of 0 or less, or a number out of range, is refused", "[2.4]") {
     CHECK_REFUSED(centre_of_mass_frame({0, 4}, {3, -2}));
     CHECK_REFUSED(centre_of_mass_frame({2, 4}, {0, -2}));
@@ -621,7 +622,7 @@ TEST_CASE("the impulse changes both velocities to those that part at `restitutio
 }
 
 //>
-TEST_CASE("an impulse depends on the difference of the velocities, and not on who is called a", "[2.5]") {
+TEST_CASE("an impulse depends on the difference of the velocities, and not on which of them is called a", "[2.5]") {
     Dice dice;
     for (int i = 0; i < course::cases(10000); ++i) {
         const auto [a, b] = random_pair(dice);
@@ -768,6 +769,8 @@ TEST_CASE("two carts in a row collide as in 2.2; a third one is pushed on by the
 //> The leftmost pair first
 TEST_CASE("if two pairs approach each other, the left one collides first, and that makes a difference", "[2.6]") {
     using List = std::vector<double>;
+    // kg: 2 1 3 1; m/s: 3 3 0 -3, then 3 -1.5 1.5 -3, then 0 4.5 1.5 -3, then 0 0 3 -3, then 0 0 0 6
+    CHECK_THAT(newtons_cradle({{2, 3}, {1, 3}, {3, 0}, {1, -3}}), IsNear(List{0, 0, 0, 6}, 1e-10));
     // 1 and 2 kg: together 1: -1, 2; 2 and 1 kg: together 1/3: -4/3, 8/3; 1 and 2 kg: together -11/9: -13/9, -10/9
     CHECK_THAT(newtons_cradle({{1, 3}, {2, 0}, {1, -3}}), IsNear(List{-13.0 / 9, -10.0 / 9, 11.0 / 3}, 1e-10));
 }

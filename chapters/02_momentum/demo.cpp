@@ -14,8 +14,7 @@ const std::vector<std::string_view> with_masses{
     "between walls (2.5)"};
 
 const demo::About about{
-    "Carts on a rail. Above them, their two velocities are one point, beside a line of momentum and an ellipse of "
-    "energy.",
+    "Carts on a straight rail, or balls on strings, which collide.",
     {0, 0},
     {12, 8},
     {demo::choice("The game",

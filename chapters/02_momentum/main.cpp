@@ -16,7 +16,10 @@ std::string rail(const std::vector<std::pair<char, double>> &carts) {
 
 //> Two carts are pulled
 void print_pulled(std::ostream &out) {
-    const std::vector<Vec2> forces{{6, 4}, {0, -20}, {0, 16}}; // a rope, a weight and the rail [N]
+    const auto forces_on = [](const Cart &cart) { // a rope, its weight, and what the rail has to carry [N]
+        const double weight = 10 * cart.mass;
+        return std::vector<Vec2>{{6, 4}, {0, -weight}, {0, weight - 4}};
+    };
     out << row({{"t [s]", 7}, {"2 kg [m/s]", 12}, {"3 kg [m/s]", 12}, {"the rail, 12 m long", 0}});
     RailCart light{1, {2, 0}}, heavy{1, {3, 0}};
     for (int frame = 0; frame <= 150; ++frame) {
@@ -25,8 +28,8 @@ void print_pulled(std::ostream &out) {
                         {text(light.cart.velocity), 12},
                         {text(heavy.cart.velocity), 12},
                         {rail({{'2', light.x}, {'3', heavy.x}}), 0}});
-        next_frame(light, forces, 1.0 / 60);
-        next_frame(heavy, forces, 1.0 / 60);
+        next_frame(light, forces_on(light.cart), 1.0 / 60);
+        next_frame(heavy, forces_on(heavy.cart), 1.0 / 60);
     }
 }
 

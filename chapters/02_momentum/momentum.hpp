@@ -47,13 +47,13 @@ Velocities elastic_collision(const Cart &a, const Cart &b);
 //> Collision with restitution
 /// The velocities of cart a and cart b after they have collided, with cart a on the left of cart b.
 /// Carts that do not approach each other do not collide: their velocities stay as they are.
-/// @param restitution  how much of the speed at which they approached they part with [1], from 0 to 1
+/// @param restitution  the speed at which they part, divided by that at which they approached [1], from 0 to 1
 /// @throws std::invalid_argument if a mass is not positive, `restitution` is not within 0 to 1, or a number is not
 ///         within ±1e5.
 Velocities collide(const Cart &a, const Cart &b, double restitution);
 
 //> Seen from the centre of mass
-/// Two carts, as somebody sees them who moves along with their centre of mass.
+/// Two carts, as seen by somebody who moves along with their centre of mass.
 struct CentreOfMassFrame {
     double velocity{}; ///< of the centre of mass, seen from the rail [m/s]
     double a{};        ///< velocity of cart a, seen from the centre of mass [m/s]
@@ -64,8 +64,8 @@ struct CentreOfMassFrame {
 
 //> Centre-of-mass frame
 /// Two carts, seen from their centre of mass, whether they approach each other or not.
-/// `a` and `b` are right to twelve digits of the difference of the two velocities, and `energy` to eleven digits of
-/// itself, however fast the centre of mass is.
+/// `a` and `b` are right to twelve digits of the difference of the two velocities, and `energy` to its first eleven
+/// digits, however fast the centre of mass is.
 /// @throws std::invalid_argument if a mass is not positive, or a number is not within ±1e5.
 CentreOfMassFrame centre_of_mass_frame(const Cart &a, const Cart &b);
 
@@ -78,10 +78,10 @@ struct Body {
 };
 
 //> Impulse
-/// The impulse that two bodies exert on each other when they collide, with body a on the left of body b [N s]: positive, it
-/// pushes a to the left and b to the right. 0 if they do not approach each other, or if nothing can move either of them.
-/// It is right to twelve digits of itself, with inverse masses of 0, or from 1e-9 per kg on.
-/// @param restitution  how much of the speed at which they approached they part with [1], from 0 to 1
+/// The impulse that two bodies exert on each other when they collide, with body a on the left of body b [N s]: it pushes a
+/// to the left and b to the right. 0 if they do not approach each other, or if nothing can move either of them.
+/// Its first twelve digits are right if each inverse mass is 0, or 1e-9 per kg or more.
+/// @param restitution  the speed at which they part, divided by that at which they approached [1], from 0 to 1
 /// @throws std::invalid_argument if an inverse mass is negative, `restitution` is not within 0 to 1, or a number is not
 ///         within ±1e5.
 double impulse(const Body &a, const Body &b, double restitution);

@@ -57,6 +57,13 @@ TEST_CASE("a compiler's guess at a name of one or two letters is left out: any o
     CHECK(said(useful) == useful);
 }
 
+TEST_CASE("an else behind a missing } is explained, whatever the compiler calls it") {
+    for (const char *words : {"expected ‘}’ before ‘else’", "expected expression"})
+        CHECK(diagnose_compiler("/x/02.cpp:4:5: error: " + std::string{words} + "\n    else x = 2;\n    ^\n",
+                                "/x/02.cpp", "02.cpp")
+                  .sentence.ends_with(". Is a } missing above this line?"));
+}
+
 TEST_CASE("what GCC says of a vector whose parts are gone is said in words") {
     const std::string file = "/x/11.cpp", place = file + ":97:29: warning: ";
     const std::string parts = " + offsetof(Eigen::Matrix<double, 2, 1>, <unnamed>))’ may be used uninitialized\n";

@@ -79,7 +79,7 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
 +++i;
  return i;
 
-7.1 ends_twice, 8 of 13: a line that has come is not the one that goes
+7.1 ends_twice, 8 of 13, got [0]: a line that has come is not the one that goes
  int i = 0;
 +return i;
 
@@ -103,7 +103,7 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
     CHECK_THAT(course.read("list.cmake"),
                ContainsSubstring("add_test([[07_wall_meeting.wrong_starts_at_one]] [[tests]] [[subject]] --answer "
                                  "wrong_starts_at_one --exercise 7.1 --expect red)")
-                   && ContainsSubstring("--answer wrong_ends_twice --exercise 7.1 --expect [[8 of 13]])")
+                   && ContainsSubstring("--answer wrong_ends_twice --exercise 7.1 --expect [=[8 of 13, got [0]]=])")
                    && ContainsSubstring("--answer right_solution_7_2 --exercise 7.2 --expect all)"));
 }
 

@@ -1,6 +1,7 @@
 // Judging: one verdict for each test, what stopped a compiler, and whose fault it was.
 
 #include "ground/complaint.hpp"
+#include "loop/diagnosis.hpp"
 #include "loop/includes.hpp"
 #include "loop/judge.hpp"
 #include "loop/stopped.hpp"
@@ -50,6 +51,16 @@ TEST_CASE("a test passes only if exactly one verdict says so") {
     CHECK(kinds(passed("first") + passed("second").substr(0, 40)) == std::vector{well, none});
     CHECK(kinds(passed("first") + "{\"kind\": 7}\n[]\n" + passed("second")) == std::vector{well, well});
     CHECK_FALSE(Judgement{}.all_passed());
+}
+
+TEST_CASE("bad input that is accepted because a line of the stub is gone: the verdict shows that line") {
+    const std::string stub = "// 2.1 core\nint f(int x) {\n    require_cart(x);\n    throw course::NotYet{\"\"};\n}\n"
+                             "// 2.2 core\nint g(int x) {\n    require_cart(x);\n    throw course::NotYet{\"\"};\n}\n"
+                             "// 2.3 core\nint h(int x) {\n    throw course::NotYet{\"\"};\n}\n";
+    const std::string gone = "int f(int x) { return x; }\nint g(int x) {\n\trequire_cart(x);\n\treturn x;\n}\n";
+    CHECK_THAT(explain_accepted(gone, stub, "2.1"), ContainsSubstring("put `require_cart(x);` back"));
+    CHECK(explain_accepted(stub, stub, "2.1").empty());
+    CHECK(explain_accepted("", stub, "2.3").empty()); // the lesson of this one is to refuse
 }
 
 TEST_CASE("a compiler that a limit has stopped is told from one that found an error") {

@@ -130,7 +130,7 @@ TEST_CASE("the verdicts that chapter 1 shows for the first tries of 1.3 and 1.4 
     CHECK(is_in_order(lines_in_box(chapter, "1.4"), verdict));
 }
 
-TEST_CASE("the numbers of passed tests that a chapter names are those of its wrong answers, and each ✓ has all") {
+TEST_CASE("the counts of tests, and each `got`, that a chapter names are those of its wrong answers; each ✓ has all") {
     const std::string section = GENERATE(from_range(all_chapters()));
     const std::string tests = course::read_file(root / "tests" / (section + ".cpp"));
     const auto tests_of = [&](const std::string &exercise) {
@@ -140,7 +140,7 @@ TEST_CASE("the numbers of passed tests that a chapter names are those of its wro
 
     std::set<std::string> named, held;
     const std::regex box{R"(Your turn: (\d+\.\d+))"}, count{R"((\d+) of (\d+))"}, red{"> {5}✗ (.+)"},
-        green{R"(✓ (\d+\.\d+) \w+, \w+: (\d+) tests passed)"};
+        green{R"(✓ (\d+\.\d+) \w+, \w+: (\d+) tests passed)"}, code{"`([^`]*)`"};
     std::istringstream lines{course::read_file(root / "chapters" / section / "README.md")};
     std::string exercise;
     for (std::string line; std::getline(lines, line);) {
@@ -151,11 +151,15 @@ TEST_CASE("the numbers of passed tests that a chapter names are those of its wro
         if (std::regex_match(line, found, red)) CHECK(tests.find('"' + found[1].str() + '"') != std::string::npos);
         for (std::sregex_iterator at{line.begin(), line.end(), count}, end; at != end; ++at)
             if (at->str(2) == tests_of(exercise)) named.insert(exercise + ", " + at->str());
+        if (line.find("`got`") == line.npos && line.find("`gave`") == line.npos) continue;
+        for (std::sregex_iterator at{line.begin(), line.end(), code}, end; at != end; ++at)
+            if (at->str(1).find_first_of("0123456789") != line.npos) named.insert(exercise + ", got " + at->str(1));
     }
 
     const std::string wrong = course::read_file(root / "tests/wrong" / (section + ".diff"));
-    const std::regex head{R"(\n(\d+\.\d+) \w+, (\d+ of \d+): )"};
+    const std::regex head{R"(\n(\d+\.\d+) \w+(?:, (\d+ of \d+))?(?:, (got [^:\n]+))?: )"};
     for (std::sregex_iterator at{wrong.begin(), wrong.end(), head}, end; at != end; ++at)
-        held.insert(at->str(1) + ", " + at->str(2));
+        for (int part : {2, 3})
+            if ((*at)[part].matched) held.insert(at->str(1) + ", " + at->str(part));
     CHECK(named == held);
 }

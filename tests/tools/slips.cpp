@@ -47,7 +47,7 @@ double field_of_an_optional(const std::optional<Spark> &found) {
     return found.age;                          // It may be nothing: ask first, if (found), and then write found->age.
 }
 double field_of_a_struct(const Spark &spark) {
-    return spark.speed;                        // nothing
+    return spark.speed;                        // Look up the fields of Spark in the header.
 }
 bool compared_optional(const std::optional<Spark> &found, const std::optional<double> &t) {
     if (found > 0) return true;                // An optional may be nothing: ask first, if (found), and then compare *found, or its field found->t.
@@ -56,7 +56,7 @@ bool compared_optional(const std::optional<Spark> &found, const std::optional<do
     return x > 0;
 }
 int whole_number(double fraction, int shades) {
-    int shade = fraction * shades;             // An int has no digits after the decimal point: to drop them, write int(…).
+    int shade = fraction * shades;             // An int has no digits after the decimal point: to keep them, write double; to drop them, int(…).
     return shade;
 }
 double two_types(double t, const std::vector<Spark> &pool, int capacity) {
@@ -68,7 +68,7 @@ double two_types(double t, const std::vector<Spark> &pool, int capacity) {
 }
 std::vector<Vec2> two_values(double x, double y, std::vector<Vec2> list, Spark spark) {
     list.push_back(x, y);                      // push_back takes one value: put braces round it, push_back({a, b}).
-    list.push_back(spark);                     // nothing
+    list.push_back(spark);                     // A Spark is a struct: use its fields, one at a time.
     return list;
 }
 std::vector<Vec2> one_point(const Vec2 &a, const std::optional<Vec2> &found, double t) {
@@ -125,11 +125,11 @@ void automatic(Vec2 a, Vec2 b) {
     c += b;                                    // Write Vec2 in the place of auto.
 }
 Spark two_returned(Vec2 a, double b) {
-    return a, b;                               // Two values need braces: return {a, b};
+    return a, b;                               // Two values need braces: return {first, second};
 }
 Vec2 two_components_returned(double x, double y) {
     if (x > 0) return std::max(x, y);          // A Vec2 has two components: write Vec2{x, y}.
-    return x, y;                               // Two values need braces: return {a, b};
+    return x, y;                               // Two values need braces: return {first, second};
 }
 std::optional<Vec2> none_returned() {
     return none;                               // To answer nothing, write return {};
@@ -149,8 +149,8 @@ Vec2 missing_stars(Vec2 start, Vec2 velocity, double t) {
     return start + velocity t;                 // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
 }
 Spark two_in_parentheses(Vec2 a, double b) {
-    if (b > 0) return (a + 2 * (a - a), b);    // Two values need braces: return {a, b};
-    return 2 * (a + a), b;                     // Two values need braces: return {a, b};
+    if (b > 0) return (a + 2 * (a - a), b);    // Two values need braces: return {first, second};
+    return 2 * (a + a), b;                     // Two values need braces: return {first, second};
 }
 Vec2 unknown_names(const Spark &spark, const std::vector<Spark> &pool) {
     Vec2 sum = position + spark.position;      // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
@@ -170,5 +170,27 @@ bool warnings(double t, const std::vector<Spark> &pool) {
     for (int i = 0; i < pool.size(); ++i) t += 1;  // The size of a list is a std::size_t: for (std::size_t i = 0; …).
     if (t = 1) return true;                    // = gives a value; to compare, write ==.
     return 0 <= t <= 1;                        // Compare two at a time: a < b && b < c.
+}
+struct Two { double a{}, b{}; };
+Two two_of(const Spark &first, const Spark &second) {
+    if (first.age < 0) return {first, second}; // In the braces are the fields of the result, in the header's order: where one is a number, write a.mass, say, and not the whole a.
+    two_of(first.age, 2);                      // A whole Spark is wanted here, not one of its fields: a, not a.mass.
+    Two two = two_of(first, second);
+    two.a = two.b.age;                         // That is a number already: it has no fields.
+    return two;
+}
+double compared_with_one_sign(const Spark &spark, const double age) {
+    if (age = 0) return 1;                     // = gives a value; to compare, write ==.
+    if (age < 0 || spark.age + age = 0) return 1;  // = gives a value; to compare, write ==.
+    while (spark.age = age) return 1;          // = gives a value; to compare, write ==.
+    if (age >= 0) age = 1;                     // It is const, so it cannot be changed: copy it, and change the copy.
+    spark.age + age = 3;                       // nothing
+    return 0;
+}
+std::vector<double> other_lists(const std::vector<Spark> &pool, const std::vector<Vec2> &forces, Vec2 sum) {
+    std::vector<double> ages;
+    for (const Spark &spark : pool) ages.push_back(spark); // A Spark is a struct: use its fields, one at a time.
+    for (const Vec2 &force : forces) sum =+ force; // To add to a value, write += and not =+.
+    return pool;                               // The lists hold different things: begin an empty one, and fill it with push_back.
 }
 bool nothing(bool none, Vec2 a);               // The header gives this function another result: copy its line from there.

@@ -13,7 +13,8 @@ namespace course {
 namespace {
 
 constexpr const char *call_it = "A call needs parentheses: a.x(), not a.x.";
-constexpr const char *whole_number = "An int has no digits after the decimal point: to drop them, write int(…).";
+constexpr const char *whole_number =
+    "An int has no digits after the decimal point: to keep them, write double; to drop them, int(…).";
 constexpr const char *two_at_a_time = "Compare two at a time: a < b && b < c.";
 constexpr const char *no_way_back = "Some path through this function has no `return`.";
 constexpr const char *copy_it = "It is const, so it cannot be changed: copy it, and change the copy.";
@@ -23,6 +24,13 @@ constexpr const char *no_call = "A field has no parentheses: write a.position, n
 constexpr const char *answer_nothing = "To answer nothing, write return {};";
 constexpr const char *answer_a_list = "A list needs braces: return {a}; for one value, return {}; for none.";
 constexpr const char *double_quotes = "Text needs double quotes: \"like this\".";
+constexpr const char *compare_it = "= gives a value; to compare, write ==.";
+constexpr const char *missing_brace = "Is a } missing above this line?";
+constexpr const char *number_already = "That is a number already: it has no fields.";
+constexpr const char *other_list = "The lists hold different things: begin an empty one, and fill it with push_back.";
+constexpr const char *fields_in_braces =
+    "In the braces are the fields of the result, in the header's order: where one is a "
+    "number, write a.mass, say, and not the whole a.";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
 /// A slip that the compiler's words alone give away, or together with a word of its notes.
@@ -55,10 +63,11 @@ constexpr std::array slips{
     Slip{"call to 'require_number", "",
          "require_range takes numbers, Vec2s and lists of them: give it a struct's "
          "fields one by one, as start.position, start.velocity."},
-    Slip{"assignment used as truth value", "", "= gives a value; to compare, write ==."},
-    Slip{"result of an assignment as a condition", "", "= gives a value; to compare, write ==."},
-    Slip{"function-definition is not allowed here", "", "Is a } missing above this line?"},
-    Slip{"function definition is not allowed here", "", "Is a } missing above this line?"},
+    Slip{"assignment used as truth value", "", compare_it},
+    Slip{"result of an assignment as a condition", "", compare_it},
+    Slip{"function-definition is not allowed here", "", missing_brace},
+    Slip{"function definition is not allowed here", "", missing_brace},
+    Slip{"expected '}' before 'else'", "", missing_brace},
     Slip{"ambiguating new declaration", "", same_result},
     Slip{"functions that differ only in their return type", "", same_result},
     Slip{"to 'const char*'", "", double_quotes},
@@ -101,7 +110,9 @@ bool is_number(std::string_view type) {
 
 /// A struct of the course or the student's own: State, as the compiler writes it; or else nothing.
 std::string struct_name(std::string_view type) {
-    if (type.starts_with("const ")) type.remove_prefix(6);
+    for (const char *word : {"const ", "struct "})
+        if (type.starts_with(word)) type.remove_prefix(std::string_view{word}.size());
+    if (type.ends_with('&')) type.remove_suffix(1);
     if (const std::size_t colon = type.rfind(':'); colon != type.npos) type.remove_prefix(colon + 1);
     const bool is_name =
         type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789") == type.npos;
@@ -134,7 +145,7 @@ std::string about_return(const Said &said) {
     if (back == code.npos) return {};
     const std::string_view answer = code.substr(back + 7, code.find(';', back) - back - 7);
     const bool is_about_it = contains(said.words, "conver") || contains(said.words, "left operand of comma");
-    if (has_comma(answer) && is_about_it) return "Two values need braces: return {a, b};";
+    if (has_comma(answer) && is_about_it) return "Two values need braces: return {first, second};";
     for (const char *none : {"nothing", "none", "None", "null"})
         if (answer == none && (contains(said.words, "was not declared") || contains(said.words, "undeclared")))
             return answer_nothing;
@@ -193,16 +204,62 @@ std::string about_braces(const Said &said) {
     return {};
 }
 
-/// A field of a struct that an optional holds, asked of the optional.
+/// if (a = b), where a cannot be changed.
+std::string about_condition(const Said &said) {
+    bool cannot_assign = false;
+    for (const char *words : {"assignment of ", "left operand of assignment", "cannot assign to", "is not assignable"})
+        if (contains(said.words, words)) cannot_assign = true;
+    const std::size_t begins = std::min(said.code.find("if ("), said.code.find("while ("));
+    if (!cannot_assign || begins == said.code.npos) return {};
+    int open = 0;
+    for (std::size_t i = said.code.find('(', begins); i + 1 < said.code.size(); ++i) {
+        if (said.code[i] == '(') ++open;
+        if (said.code[i] == ')' && --open == 0) break;
+        const bool compares = said.code[i + 1] == '=' || contains("=<>!", said.code.substr(i - 1, 1));
+        if (said.code[i] == '=' && !compares) return compare_it;
+    }
+    return {};
+}
+
+/// A field that a struct or a number does not have; or of a struct that an optional holds, asked of the optional.
 std::string about_member(const Said &said) {
     const auto names = in_quotes(said.words);
+    const bool no_struct =
+        contains(said.words, "which is of non-class type '") || contains(said.words, "is not a structure or union");
+    if (no_struct && !names.empty() && is_number(names.back())) return number_already;
     const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
-    if (names.size() < 2 || (!gcc && !clang) || !is_optional(gcc ? names[0] : names[1])) return {};
+    if (names.size() < 2 || (!gcc && !clang)) return {};
+    const std::string &asked = gcc ? names[0] : names[1];
+    if (const std::string name = struct_name(asked); !name.empty() && !contains(said.words, "did you mean"))
+        return "Look up the fields of " + name + " in the header.";
+    if (!is_optional(asked)) return {};
     return "It may be nothing: ask first, if (found), and then write found->" + (gcc ? names[1] : names[0]) + '.';
+}
+
+/// A struct where a list of numbers or vectors is to grow, or a number where a function wants the whole struct.
+std::string about_argument(const Said &said) {
+    std::vector<std::string> types = in_quotes(said.words); // GCC; of Clang's words the note says it
+    if (const auto note = between(said.notes, "no known conversion from ", "\n"); note && types.size() < 2)
+        types = in_quotes(*note);
+    const std::string pushed{between(said.words, "push_back(", ")").value_or(types.empty() ? "" : types.front())};
+    std::string list; // what it is a list of
+    for (const std::string &type : types)
+        if (list.empty()) list = between(type, "vector<", ">").value_or("");
+    if (contains(said.words, "push_back") && !struct_name(pushed).empty() && !list.empty() && struct_name(list).empty())
+        return about_fields(struct_name(pushed));
+    const bool gcc = said.words.starts_with("invalid initialization of reference of type '");
+    if ((!gcc && !said.words.starts_with("no matching function for call to '")) || types.size() < 2) return {};
+    const std::string whole = struct_name(types[gcc ? 0 : 1]);
+    return is_number(types[gcc ? 1 : 0]) && !whole.empty()
+               ? "A whole " + whole + " is wanted here, not one of its fields: a, not a.mass."
+               : "";
 }
 
 /// Two operands that do not go together.
 std::string about_operands(const Said &said) {
+    if ((contains(said.words, "operand type is '") || contains(said.words, "to unary expression"))
+        && contains(said.code, "=+"))
+        return "To add to a value, write += and not =+.";
     const bool gcc = contains(said.words, "operand types are '") || contains(said.words, "invalid operands of types '");
     if (!gcc && !contains(said.words, "invalid operands to binary expression (")) return {};
     if (contains(said.words, "operator^") || (!gcc && contains(said.code, "^")))
@@ -283,6 +340,11 @@ std::string about_conversion(const Said &said) {
     if (to.starts_with("std::vector<") && contains(said.code, "return ") && !from.starts_with("<brace-enclosed")
         && !contains(from, "std::vector<"))
         return answer_a_list;
+    if (contains(from, "vector<") && contains(to, "vector<")) return other_list;
+    if (contains(said.code, "return {")
+        && ((from.starts_with("<brace-enclosed") && !struct_name(to).empty())
+            || (!struct_name(from).empty() && is_number(to))))
+        return fields_in_braces;
     if (is_optional(from) && !is_optional(to))
         return "It may be nothing: ask first, if (found), and then write *found.";
     if (is_vector(from) && is_number(to))
@@ -330,8 +392,11 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
 } // namespace
 
 std::string advice(const Said &said) {
-    for (const auto about : {about_return, about_semicolon, about_missing_star, about_braces, about_member,
-                             about_operands, about_conversion, about_two_types, about_header, about_unknown_name})
+    const std::string_view code = without_blanks(said.code);
+    if (said.words == "expected expression" && code.starts_with("else")) return missing_brace; // as Clang says it
+    for (const auto about :
+         {about_return, about_condition, about_semicolon, about_missing_star, about_braces, about_member,
+          about_argument, about_operands, about_conversion, about_two_types, about_header, about_unknown_name})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;

@@ -361,4 +361,18 @@ std::string explain_missing(std::string_view symbols, const std::string &header,
     return says + (says.empty() ? "" : ".") + (near.empty() ? "" : " Yours has `" + near + "`: is that it, misspelt?");
 }
 
+std::string explain_accepted(std::string_view text, std::string_view stub, const std::string &exercise) {
+    const auto count = [](std::string_view of, std::string_view wanted) {
+        const auto lines = lines_of(of);
+        return std::ranges::count_if(lines, [&](const Line &line) { return without_blanks(line.text) == wanted; });
+    };
+    const std::string_view function = between(stub, "// " + exercise + ' ', "throw course::NotYet").value_or("");
+    for (const Line &line : lines_of(function))
+        if (const std::string_view refuses = without_blanks(line.text);
+            contains(refuses, "require") && count(text, refuses) < count(stub, refuses))
+            return " The function began with lines that did so when you got it: put `" + std::string{refuses}
+                   + "` back, and any others. Accepted were:";
+    return {};
+}
+
 } // namespace course

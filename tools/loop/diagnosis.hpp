@@ -49,4 +49,9 @@ Verdict diagnose_linker(std::string_view errors, const std::string &shown_name, 
 std::string explain_missing(std::string_view symbols, const std::string &header, const std::string &function,
                             const std::vector<Renamed> &renamed = {});
 
+/// What helps if bad input was accepted, to be added to that sentence: the first of the lines that refused it in the
+/// stub, above the `throw` of this exercise, and that the student's file has no longer. Empty if all are there.
+/// @param stub  the text of the file as it was when the student got it
+std::string explain_accepted(std::string_view text, std::string_view stub, const std::string &exercise);
+
 } // namespace course

@@ -162,6 +162,18 @@ void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Se
     }
 }
 
+/// For input that was accepted, although lines that came with the function refused it.
+void help_the_accepting(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section,
+                        std::string_view text) {
+    for (auto &verdict : verdicts)
+        if (!verdict.accepted.empty())
+            if (const auto more = explain_accepted(text, read_file(tree.stub(section)), verdict.exercise);
+                !more.empty()) {
+                verdict.sentence.back() = '.'; // instead of the colon before the list
+                verdict.sentence += more;
+            }
+}
+
 /// Runs the tests against a subject.
 /// @return what they printed: a line of JSON for each verdict
 std::string run_tests(const Tree &tree, const Section &section, const std::string &subject, unsigned seed) {
@@ -275,6 +287,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
 
     Judgement judgement{{}, one_for_each(tests_of(tree, section), run_tests(tree, section, subject, seed)), warnings};
     help_the_missing(judgement.verdicts, tree, section, w, object);
+    help_the_accepting(judgement.verdicts, tree, section, text);
     return judgement;
 }
 

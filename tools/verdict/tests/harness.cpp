@@ -205,8 +205,16 @@ std::string passed_of_all() {
     return std::to_string(passed) + " of " + std::to_string(verdicts.size());
 }
 
+/// Whether the first verdict that is red shows this answer, as `got` or as what the call `gave`, whatever its unit.
+bool first_shows(const std::string &answer) {
+    const auto red = std::ranges::find_if(verdicts, [](const Verdict &v) { return !v.passed(); });
+    if (red == verdicts.end()) return false;
+    const auto is_it = [&](const std::string &text) { return (text + ' ').starts_with(answer + ' '); };
+    return is_it(red->got) || (red->call && is_it(red->call->answer));
+}
+
 /// Whether the verdicts are the ones that CI wants of this subject: all passed, none started, one that is red, or just so
-/// many passed.
+/// many passed, and the first that is red shows some answer: "8 of 13, got t = 0.5".
 bool as_expected(std::string_view expect) {
     const auto passed = [](const Verdict &v) { return v.passed(); };
     const auto no_verdict = [](const Verdict &v) { return v.kind == Kind::no_verdict; };
@@ -214,6 +222,9 @@ bool as_expected(std::string_view expect) {
     if (expect == "none") return nothing_started();
     if (expect == "all") return std::all_of(verdicts.begin(), verdicts.end(), passed);
     if (std::any_of(verdicts.begin(), verdicts.end(), untouched)) return false;
+    if (const std::size_t got = expect.find("got "); got != expect.npos)
+        return first_shows(std::string{expect.substr(got + 4)})
+               && (got == 0 || expect.substr(0, got) == passed_of_all() + ", ");
     if (expect != "red") return passed_of_all() == expect;
     return !std::all_of(verdicts.begin(), verdicts.end(), passed);
 }
@@ -240,7 +251,8 @@ int main(int argc, char **argv) {
     app.add_option("--answer", answer, "which one, of a program that holds many answers");
     app.add_option("--exercise", exercise, "only the tests of this one, as 7.2");
     app.add_option("--expect", expect,
-                   "exit with 0 if the verdicts are: all (passed), none (started), red, or so many: \"8 of 13\"");
+                   "exit with 0 if the verdicts are: all (passed), none (started), red, or so many: \"8 of 13\", "
+                   "\"8 of 13, got 0.5\"");
     app.add_flag("--all-cases", all_cases, "every generated case, instead of a hundredth");
     app.add_flag("--catalogue", list, "list the exercises as JSON, and leave");
     CLI11_PARSE(app, argc, argv);
@@ -254,7 +266,7 @@ int main(int argc, char **argv) {
     tell = print;
     prepare_for_subjects(cores().front());
     // In CI the machine may be slow; but a wrong one may well hang, and will be no less wrong after a minute.
-    const bool red = expect == "red";
+    const bool red = expect == "red" || expect.starts_with("got ");
     Session here{subject, app.count("--expect") > 0 && !red ? Patience{60, 600, 60} : Patience{}, answer};
     run_tests(here, seed, {.exercise = exercise, .until_red = red});
 
