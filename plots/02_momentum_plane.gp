@@ -10,7 +10,7 @@ set xtics 2; set ytics 2
 set xlabel 'velocity of A [m/s]'; set ylabel 'velocity of B [m/s]'
 set label 'momentum 2 N s' at -5.6,4.5 left textcolor lt 1
 set label "energy\n22 J" at 2.6,4.3 left textcolor lt 3
-set label 'before' at 3.45,-2.5 right
+set label 'before' at 3.15,-2.3 right
 set label 'after' at -3.6,2.75 right
 set label 'in the middle' at 0.4,0.4 left offset 0.8,0.4
 set label 'printed' at -3.2,1.3 left textcolor lt 6
