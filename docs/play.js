@@ -347,9 +347,12 @@
       const away = handles().map((point) => Math.hypot(onto(point)[0] - x, onto(point)[1] - y)), least = Math.min(...away);
       return { x: about.low[0] + x / scale(), y: about.high[1] - y / scale(), handle: least < (pointerType === 'mouse' ? 14 : 26) ? away.indexOf(least) : -1 };
     }
+    let tap = false; // a finger is on the picture, and may yet scroll the page: it presses when it is lifted
     canvas.addEventListener('pointerdown', (event) => {
       if (!about || event.button !== 0) return;
-      Object.assign(hand, near(event), { chosen: -1, pressed: true, inside: true });
+      const at = near(event);
+      tap = event.pointerType === 'touch' && at.handle < 0;
+      Object.assign(hand, at, { chosen: -1, pressed: !tap, inside: true });
       canvas.setPointerCapture(event.pointerId);
       rest();
     });
@@ -361,7 +364,12 @@
       rest();
     });
     for (const end of ['pointerup', 'pointercancel'])
-      canvas.addEventListener(end, (event) => (hand.handle = -1, hand.inside = event.pointerType === 'mouse' && end === 'pointerup', rest()));
+      canvas.addEventListener(end, (event) => {
+        const lifted = end === 'pointerup';
+        Object.assign(hand, { handle: -1, inside: lifted && event.pointerType === 'mouse', pressed: hand.pressed || (lifted && tap) });
+        tap = false;
+        rest();
+      });
     canvas.addEventListener('pointerleave', () => (hand.inside = hand.handle >= 0));
     // A finger scrolls the page, unless it begins on a handle.
     canvas.addEventListener('touchstart', (event) => {

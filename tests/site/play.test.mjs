@@ -36,6 +36,15 @@ async function open(name, { width = 1280, touch = false, mine = null, ...more } 
     button: (name) => figure.getByRole('button', { name, exact: true }),
     choose: (words) => figure.locator('fieldset label', { hasText: words }).click(),
     slide: (name, value) => figure.locator('.controls > label', { hasText: name }).locator('input').fill(String(value)),
+    // A finger comes down, moves and is lifted.
+    stroke: async ([x, y], [to_x, to_y]) => {
+      const session = await context.newCDPSession(page);
+      const send = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
+      await send('touchStart', { x, y });
+      for (let i = 1; i <= 5; i++) await send('touchMove', { x: x + ((to_x - x) * i) / 5, y: y + ((to_y - y) * i) / 5 });
+      await send('touchEnd');
+      await page.waitForTimeout(100);
+    },
     read: async (name) => Number((await figure.locator('dl > div').filter({ has: page.locator('dt', { hasText: new RegExp(`^${name}$`) }) }).locator('b').textContent()).replace('−', '-')),
     speeds: async () => (await figure.locator('dl > div').filter({ has: page.locator('dt', { hasText: 'its speed' }) }).locator('b').allTextContents()).map(Number),
     picture: () => canvas.evaluate((it) => it.toDataURL()),
@@ -131,12 +140,8 @@ describe('a demo', { concurrency: 2 }, () => {
     const phone = await open(seven, { width: 390, touch: true, deviceScaleFactor: 2 });
     await phone.still();
     const first = await phone.picture(), scrolled = await phone.page.evaluate(() => scrollY);
-    const [x, y] = await phone.at(...room(4, 7)), session = await phone.context.newCDPSession(phone.page);
-    const send = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
-    await send('touchStart', { x: x + 5, y });
-    for (let i = 1; i <= 5; i++) await send('touchMove', { x: x + 5, y: y + 4 * i });
-    await send('touchEnd');
-    await phone.wait(100);
+    const [x, y] = await phone.at(...room(4, 7));
+    await phone.stroke([x + 5, y], [x + 5, y + 20]);
     assert.notEqual(await phone.picture(), first);
     assert.equal(await phone.page.evaluate(() => scrollY), scrolled);
     await phone.done();
@@ -292,6 +297,19 @@ describe('07, the room', { concurrency: 2 }, () => {
     const t = await demo.read('t at the next wall');
     assert.ok(Math.abs(t * speed * 0.1 - 3) < 0.1, `3 m away: ${t}`);
     await demo.done();
+  });
+
+  test('a finger that scrolls the page turns nothing, one that taps does', async () => {
+    const phone = await open(seven, { width: 390, touch: true });
+    await phone.still();
+    const first = await phone.picture(), place = await phone.page.evaluate(() => scrollY);
+    const [x, y] = await phone.at(...room(8, 2));
+    await phone.stroke([x, y], [x, y - 150]);
+    assert.ok((await phone.page.evaluate(() => scrollY)) > place + 50);
+    assert.equal(await phone.picture(), first);
+    await phone.page.touchscreen.tap(...(await phone.at(...room(8, 2))));
+    assert.notEqual(await phone.picture(), first);
+    await phone.done();
   });
 
   test('7.6 cannot tell the side of two arrows that rounding has to the left; one that is turned points to a side', async () => {
