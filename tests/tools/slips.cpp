@@ -173,7 +173,7 @@ bool warnings(double t, const std::vector<Spark> &pool) {
 }
 struct Two { double a{}, b{}; };
 Two two_of(const Spark &first, const Spark &second) {
-    if (first.age < 0) return {first, second}; // In the braces are the fields of the result, in the header's order: where one is a number, write a.mass, say, and not the whole a.
+    if (first.age < 0) return {first, second}; // The braces hold the fields of the result, in the order of the header; a number is a.mass, say, not the whole a.
     two_of(first.age, 2);                      // A whole Spark is wanted here, not one of its fields: a, not a.mass.
     Two two = two_of(first, second);
     two.a = two.b.age;                         // That is a number already: it has no fields.

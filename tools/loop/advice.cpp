@@ -29,8 +29,8 @@ constexpr const char *missing_brace = "Is a } missing above this line?";
 constexpr const char *number_already = "That is a number already: it has no fields.";
 constexpr const char *other_list = "The lists hold different things: begin an empty one, and fill it with push_back.";
 constexpr const char *fields_in_braces =
-    "In the braces are the fields of the result, in the header's order: where one is a "
-    "number, write a.mass, say, and not the whole a.";
+    "The braces hold the fields of the result, in the order of the header; a number is "
+    "a.mass, say, not the whole a.";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
 /// A slip that the compiler's words alone give away, or together with a word of its notes.

@@ -370,8 +370,8 @@ std::string explain_accepted(std::string_view text, std::string_view stub, const
     for (const Line &line : lines_of(function))
         if (const std::string_view refuses = without_blanks(line.text);
             contains(refuses, "require") && count(text, refuses) < count(stub, refuses))
-            return " The function began with lines that did so when you got it: put `" + std::string{refuses}
-                   + "` back, and any others. Accepted were:";
+            return " When you got it, the function began with lines that refuse it: put `" + std::string{refuses}
+                   + "` back, and any others. These were accepted:";
     return {};
 }
 
