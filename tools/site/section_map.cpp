@@ -12,7 +12,7 @@ namespace course {
 namespace {
 
 // As wide as a figure, so that its letters are as large as theirs.
-constexpr double map_width = 480, box_width = 132, box_height = 46, slot_height = 56; // [px]
+constexpr double map_width = 480, box_width = 144, box_height = 46, slot_height = 56; // [px]
 
 /// A line to a stop from one in the column before.
 struct Join {
