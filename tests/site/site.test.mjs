@@ -79,6 +79,8 @@ async function inaccessible(page, part = 'html') {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => node.html).join(' | ')}`);
 }
 
+// All pages on a phone by night and on a desk by day, and these two the other way round as well.
+const looked = (name, width, colours) => (width === 390) === (colours === 'dark') || ['index.html', chapters[0]].includes(name);
 for (const width of [390, 1280])
   for (const colours of ['light', 'dark'])
     describe(`${width} px, ${colours}`, { concurrency: 2 }, () => {
@@ -87,7 +89,7 @@ for (const width of [390, 1280])
         context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme: colours });
       });
       after(() => context.close());
-      for (const name of pages)
+      for (const name of pages.filter((name) => looked(name, width, colours)))
         test(name, async () => {
           const { page, troubles } = await open(name, { context });
           assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), colours);
