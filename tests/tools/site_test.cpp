@@ -838,6 +838,10 @@ TEST_CASE("play opens an exercise's demo at the first place below its box, or el
     CHECK_THAT(book.with({"play", "7.9"}, "exit 0").err, ContainsSubstring("7.9"));
     REQUIRE(book.make(place + place + box("7.2")).code == 0);
     CHECK(opened("7.2") == "demo-room-2\n"); // none below it
+    book.can_compile_for_pages();
+    REQUIRE(book.make(box("7.1") + "<!-- demo: room | Ours. -->\n\n" + place).code == 0);
+    CHECK(opened("7.1") == "demo-room\n");
+    CHECK_THAT(book.with({"play", "7.1", "--mine"}, "exit 0").out, ContainsSubstring("#demo-room-2\n"));
 }
 
 TEST_CASE("play --watch compiles at once and at each save, and not in between") {

@@ -117,11 +117,12 @@ int number_in_section(const std::string &exercise) {
 }
 
 /// Where a chapter's demo is opened. For an exercise: at the first place below its box, or else below a later box. For
-/// a section: at its first place, or at the first that begins with the reader's code.
+/// a section: at its first place. For the reader's code: at the first such place that begins with it.
 std::string place_of_demo(const Tree &tree, const Section &section, const std::string &exercise, bool mine) {
     const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
     const auto found = std::find_if(marks.begin(), marks.end(), [&](const DemoMark &mark) {
-        return exercise.empty() ? mark.mine || !mine : number_in_section(mark.exercise) >= number_in_section(exercise);
+        return (mark.mine || !mine)
+               && (exercise.empty() || number_in_section(mark.exercise) >= number_in_section(exercise));
     });
     const auto place = found != marks.end() ? found : exercise.empty() ? marks.begin() : marks.end() - 1;
     return demo_id(*place, static_cast<std::size_t>(place - marks.begin()));
