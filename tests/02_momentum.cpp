@@ -404,7 +404,7 @@ TEST_CASE("erratum E2.4: a pea of 1 g at 10 000 km/s has a hundredth of the mome
     // In tonnes and km/s: the train has 1000 · 0.001 = 1 t km/s, the pea 1e-6 · 1e4 = 0.01 t km/s.
     // Meeting head-on as clay, they go on the way of the train, at all but a hundredth of its speed.
     const Velocities after = collide({1000, 0.001}, {1e-6, -1e4}, 0);
-    CHECK_THAT(after.a * 1000, IsNear(0.99, 1e-8).of("velocity of the train [m/s]")); // its own mass is 1e-9 of the train's
+    CHECK_THAT(after.a * 1000, IsNear(0.99, 1e-8).of("velocity of the train [m/s]")); // slowed by a hundredth
 }
 
 //> Erratum E2.6
