@@ -159,7 +159,7 @@ TEST_CASE("the counts of tests, and each `got`, that a chapter names are those o
     const std::string wrong = course::read_file(root / "tests/wrong" / (section + ".diff"));
     const std::regex head{R"(\n(\d+\.\d+) \w+(?:, (\d+ of \d+))?(?:, (got [^:\n]+))?: )"};
     for (std::sregex_iterator at{wrong.begin(), wrong.end(), head}, end; at != end; ++at)
-        for (int part : {2, 3})
+        for (const std::size_t part : {2u, 3u})
             if ((*at)[part].matched) held.insert(at->str(1) + ", " + at->str(part));
     CHECK(named == held);
 }
