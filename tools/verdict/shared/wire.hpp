@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -145,6 +147,28 @@ struct Header {
     Frame frame{};
     std::uint32_t call = 0; ///< number of the call that this is, or answers
     std::uint32_t size = 0; ///< bytes that follow
+};
+
+/// What has been read from a pipe at once, which is more than was asked for, and has not been taken yet.
+class Arrived {
+  public:
+    std::array<char, 64 << 10> room; ///< for a read: a pipe holds no more at a time
+
+    void came(std::size_t bytes) { rest = {room.data(), bytes}; }
+    bool empty() const { return rest.empty(); }
+
+    /// Moves what is here of so many bytes to a place, and says in both what is still missing.
+    /// @return whether nothing is
+    bool take(char *&into, std::size_t &size) {
+        const std::size_t here = std::min(size, rest.size());
+        into = std::copy_n(rest.begin(), here, into);
+        rest.remove_prefix(here);
+        size -= here;
+        return size == 0;
+    }
+
+  private:
+    std::string_view rest;
 };
 
 constexpr std::uint32_t largest_frame = 16u

@@ -6,7 +6,6 @@
 #include "verdict/student/missing.hpp"
 #include "verdict/student/serve.hpp"
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -43,21 +42,16 @@ void write_all(const char *data, std::size_t size) {
     }
 }
 
-char arrived[64 << 10];  // what has been read from the pipe, which holds no more at a time
-std::string_view unread; // the rest of it
+Arrived arrived;
 
 bool read_all(void *data, std::size_t size) {
     char *to = static_cast<char *>(data);
-    for (;;) {
-        const std::size_t here = std::min(size, unread.size());
-        to = std::copy_n(unread.begin(), here, to);
-        unread.remove_prefix(here);
-        size -= here;
-        if (size == 0) return true;
-        const long got = system_read(request_fd, arrived, sizeof arrived);
+    while (!arrived.take(to, size)) {
+        const long got = system_read(request_fd, arrived.room.data(), arrived.room.size());
         if (got <= 0) return false;
-        unread = {arrived, static_cast<std::size_t>(got)};
+        arrived.came(static_cast<std::size_t>(got));
     }
+    return true;
 }
 
 std::uint32_t call_number = 0;

@@ -224,12 +224,7 @@ bool Subject::is_starved([[maybe_unused]] double processor_time) const {
 
 bool Subject::read_all(void *data, std::size_t size, Clock::time_point deadline, double processor_time) {
     char *into = static_cast<char *>(data);
-    for (;;) {
-        const std::size_t here = std::min(size, unread.size());
-        into = std::copy_n(unread.begin(), here, into);
-        unread.remove_prefix(here);
-        size -= here;
-        if (size == 0) return true;
+    while (!arrived.take(into, size)) {
         while (!ready_for(POLLIN, from, deadline)) {
             if (!is_starved(processor_time)) {
                 silence = Silence::late;
@@ -237,14 +232,15 @@ bool Subject::read_all(void *data, std::size_t size, Clock::time_point deadline,
             }
             deadline = Clock::now() + std::chrono::milliseconds{20};
         }
-        const ssize_t got = ::read(from, arrived.data(), arrived.size());
+        const ssize_t got = ::read(from, arrived.room.data(), arrived.room.size());
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) {
             silence = Silence::ended;
             return false;
         }
-        unread = {arrived.data(), static_cast<std::size_t>(got)};
+        arrived.came(static_cast<std::size_t>(got));
     }
+    return true;
 }
 
 std::optional<Subject::Received> Subject::receive(Clock::time_point deadline, double processor_time) {
@@ -276,7 +272,7 @@ std::optional<int> Subject::finish(Clock::time_point deadline, double processor_
 
 bool Subject::said_more() {
     char byte = 0;
-    return !unread.empty() || (ready_for(POLLIN, from, Clock::now()) && ::read(from, &byte, 1) > 0);
+    return !arrived.empty() || (ready_for(POLLIN, from, Clock::now()) && ::read(from, &byte, 1) > 0);
 }
 
 bool Subject::left_processes() {

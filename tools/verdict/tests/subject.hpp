@@ -5,7 +5,6 @@
 #include "verdict/tests/nameless_file.hpp"
 #include "verdict/tests/shut_in.hpp"
 
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -62,8 +61,7 @@ class Subject {
     pid_t process = -1;
     pid_t group = -1;
     int to = -1, from = -1;
-    std::array<char, 64 << 10> arrived; ///< what has been read from the pipe, which holds no more at a time
-    std::string_view unread;            ///< the rest of it
+    wire::Arrived arrived;
     NamelessFile output;
 };
 
