@@ -136,11 +136,8 @@ void play(const Tree &tree, const PlayOptions &options) {
     std::string page = "play.html", exercise;
     std::optional<Section> section;
     if (!options.section.empty()) {
-        if (is_number_of_exercise(options.section)) {
-            const FoundExercise found = find_exercise(tree, options.section);
-            section = found.section;
-            exercise = found.exercise.number;
-        } else section = tree.section(options.section);
+        section = tree.section(options.section);
+        if (is_number_of_exercise(options.section)) exercise = find_exercise(tree, options.section).exercise.number;
         if (std::none_of(all.begin(), all.end(), [&](const Demo &d) { return d.section.name == section->name; }))
             throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
         page =

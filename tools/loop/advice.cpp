@@ -204,6 +204,11 @@ std::string about_braces(const Said &said) {
     return {};
 }
 
+/// An `else` without its block, as Clang says it.
+std::string about_else(const Said &said) {
+    return said.words == "expected expression" && without_blanks(said.code).starts_with("else") ? missing_brace : "";
+}
+
 /// if (a = b), where a cannot be changed.
 std::string about_condition(const Said &said) {
     bool cannot_assign = false;
@@ -392,10 +397,8 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
 } // namespace
 
 std::string advice(const Said &said) {
-    const std::string_view code = without_blanks(said.code);
-    if (said.words == "expected expression" && code.starts_with("else")) return missing_brace; // as Clang says it
     for (const auto about :
-         {about_return, about_condition, about_semicolon, about_missing_star, about_braces, about_member,
+         {about_else, about_return, about_condition, about_semicolon, about_missing_star, about_braces, about_member,
           about_argument, about_operands, about_conversion, about_two_types, about_header, about_unknown_name})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
