@@ -3,6 +3,7 @@
 
 #include "ground/files.hpp"
 #include "ground/process.hpp"
+#include "own_folder.hpp"
 #include "whole_answer.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -156,8 +157,8 @@ TEST_CASE("a section's program prints one part alone, and lists its parts for a 
 }
 
 TEST_CASE("check --file takes a file of any name, and says what is wrong with one that it cannot read as text") {
-    std::string name = (fs::temp_directory_path() / "handed in XXXXXX").string();
-    const fs::path folder = ::mkdtemp(name.data());
+    const course::OwnFolder own;
+    const fs::path &folder = own.path;
     const auto said = [](const fs::path &file) {
         const auto done = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
                                        "check", "7.2", "--file", file.string()},
@@ -180,7 +181,6 @@ TEST_CASE("check --file takes a file of any name, and says what is wrong with on
     fs::resize_file(folder / "large.cpp", 1'000'000);
     CHECK(said(folder / "large.cpp").ends_with("code 0"));
     CHECK(said(folder / "none.cpp").ends_with("does it exist, and may you read it?\ncode 2"));
-    fs::remove_all(folder);
 }
 
 TEST_CASE("an option or a section that is empty is an error, not one that was not given") {
@@ -200,8 +200,8 @@ TEST_CASE("an option or a section that is empty is an error, not one that was no
 
 TEST_CASE(
     "an earlier JUnit file is removed before anything is judged; a place that cannot be written is an error then") {
-    std::string name = (fs::temp_directory_path() / "reports XXXXXX").string();
-    const fs::path folder = ::mkdtemp(name.data());
+    const course::OwnFolder own;
+    const fs::path &folder = own.path;
     const auto check_into = [](const fs::path &junit, const std::string &file) {
         return course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL, "check",
                             "7.2", "--file", COURSE_ROOT "/" + file, "--junit", junit.string()});
@@ -220,12 +220,11 @@ TEST_CASE(
 
     CHECK(check_into(folder / "new.xml", "solutions/07_segment_intersection.cpp").code == 0);
     CHECK(course::read_file(folder / "new.xml").starts_with("<?xml"));
-    fs::remove_all(folder);
 }
 
 TEST_CASE("watching judges at once, at each save and at Enter, and q leaves") {
-    std::string name = (fs::temp_directory_path() / "watched XXXXXX").string();
-    const fs::path folder = ::mkdtemp(name.data());
+    const course::OwnFolder own;
+    const fs::path &folder = own.path;
     const fs::path file = folder / "mine.cpp";
     fs::copy(fs::path{COURSE_ROOT} / "tests/verdicts/syntax_error.cpp", file); // judged by the compiler alone: quick
 
@@ -237,5 +236,4 @@ TEST_CASE("watching judges at once, at each save and at Enter, and q leaves") {
     CHECK(watched.code == 0);
     CHECK(count(watched.out, "does not compile") == 3);
     CHECK(count(watched.out, "Waiting for you to save.") == 3);
-    fs::remove_all(folder);
 }

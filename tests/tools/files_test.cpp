@@ -2,6 +2,7 @@
 
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
+#include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -26,20 +27,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "files XXXXXX").string();
-        path = ::mkdtemp(name.data());
-    }
-    ~Folder() { fs::remove_all(path); }
-    Folder(const Folder &) = delete;
-    Folder &operator=(const Folder &) = delete;
-
+struct Folder : OwnFolder {
     std::size_t files() const {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator{path}, fs::directory_iterator{}));
     }
-
-    fs::path path;
 };
 
 struct Unmount {

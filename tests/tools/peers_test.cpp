@@ -2,23 +2,14 @@
 
 #include "../peers/peer.hpp"
 #include "ground/files.hpp"
+#include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
-
-#include <unistd.h>
 
 namespace {
 
 /// A file of kept differences, and the comparison that is made against it.
 struct Kept {
-    Kept() {
-        std::string name = (std::filesystem::temp_directory_path() / "peers XXXXXX").string();
-        folder = ::mkdtemp(name.data());
-    }
-    ~Kept() { std::filesystem::remove_all(folder); }
-    Kept(const Kept &) = delete;
-    Kept &operator=(const Kept &) = delete;
-
     int compare(double apart, const std::string &what = "a speed [m/s]") const {
         std::string program = "peer", kept = file().string();
         char *arguments[]{program.data(), kept.data()};
@@ -31,9 +22,9 @@ struct Kept {
         CHECK(compare(apart) == 0);
         ::unsetenv("COURSE_GOLDEN");
     }
-    std::filesystem::path file() const { return folder / "07_wall.txt"; }
+    std::filesystem::path file() const { return folder.path / "07_wall.txt"; }
 
-    std::filesystem::path folder;
+    course::OwnFolder folder;
 };
 
 } // namespace

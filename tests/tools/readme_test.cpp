@@ -1,12 +1,12 @@
 #include "ground/files.hpp"
 #include "ground/process.hpp"
+#include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <regex>
 #include <set>
@@ -33,12 +33,11 @@ std::string without_lines(const std::string &text) {
 
 /// What `./course check` says of a student's file: of an exercise or a section.
 std::string verdict_on(const std::string &attempt, const std::string &what = "1.1") {
-    std::string name = (std::filesystem::temp_directory_path() / "first attempt.XXXXXX").string();
-    const std::filesystem::path folder = ::mkdtemp(name.data()), file = folder / "first attempt.cpp";
+    const course::OwnFolder folder;
+    const std::filesystem::path file = folder.path / "first attempt.cpp";
     course::write_file(file, attempt);
     const auto said = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, "NO_COLOR=1",
                                    COURSE_TOOL, "check", what, "--file", file.string()});
-    std::filesystem::remove_all(folder);
     return without_lines(said.out);
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+// A folder for one test, gone in the end.
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace course {
+
+struct OwnFolder {
+    OwnFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "a test XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error{"no folder for a test"};
+        path = name;
+    }
+    ~OwnFolder() { std::filesystem::remove_all(path); }
+    OwnFolder(const OwnFolder &) = delete;
+    OwnFolder &operator=(const OwnFolder &) = delete;
+
+    std::filesystem::path path;
+};
+
+} // namespace course
