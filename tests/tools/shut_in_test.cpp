@@ -2,6 +2,7 @@
 // test of the protection would show nothing.
 
 #ifdef __linux__ // elsewhere nothing shuts a subject in
+#include "ground/complaint.hpp"
 #include "ground/hidden.hpp"
 #include "verdict/tests/subject.hpp"
 
@@ -55,6 +56,9 @@ std::string children() {
     return all;
 }
 
+/// Shuts this process itself in once more, as if it were a subject; false when the kernel has had enough.
+bool shut_in_for_good() { return ShutIn{ATTACK, {.calls = false, .descriptors = false}}.shut(); }
+
 #ifndef __SANITIZE_ADDRESS__ // whose leak checker must see
 /// Whether a child of a process can read what /proc has of that process; both are nobody, if we are root.
 bool child_sees_parent(bool hidden) {
@@ -96,6 +100,22 @@ TEST_CASE(
     CHECK(attack(what, {}) == "Operation not permitted\n");
     // Landlock keeps a process from tracing others and signalling them as well.
     CHECK(attack(what, {.files = false, .calls = false}) == "done\n");
+}
+
+TEST_CASE("what the kernel says it can do and then refuses keeps a subject from starting") {
+    if (!protection_of_this_kernel().files) SKIP("this kernel has no Landlock, or a sanitizer is in the way");
+    int status = -1;
+    if (const pid_t child = ::fork(); child != 0) ::waitpid(child, &status, 0);
+    else {
+        while (shut_in_for_good()) {} // a process can be shut in sixteen times
+        try {
+            const Subject subject{ATTACK, "inherit:", {}};
+            ::_exit(1);
+        } catch (const MachineTrouble &trouble) {
+            ::_exit(std::string_view{trouble.what()}.starts_with("cannot shut the student's process in") ? 0 : 2);
+        }
+    }
+    CHECK(status == 0);
 }
 
 TEST_CASE("a subject has no descriptors but its own five") {

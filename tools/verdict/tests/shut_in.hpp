@@ -27,7 +27,9 @@ class ShutIn {
     ShutIn(const ShutIn &) = delete;
     ShutIn &operator=(const ShutIn &) = delete;
 
-    void shut() const; ///< from here on, and for every program that this process becomes
+    /// From here on, and for every program that this process becomes.
+    /// @return false if the kernel refuses what it says it can do; errno says why
+    [[nodiscard]] bool shut() const;
 
   private:
     int rules = -1; ///< Landlock's; -1: none

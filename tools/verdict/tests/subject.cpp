@@ -65,6 +65,12 @@ void set_limits() {
     limit(RLIMIT_NOFILE, 64);
 }
 
+/// What kept a process from becoming a subject. The words are the same for both sides of the fork.
+struct Trouble {
+    const char *what;
+    int error;
+};
+
 /// What a subject needs to become one, made ready before the fork.
 struct Start {
     const char *program;
@@ -74,7 +80,7 @@ struct Start {
     int requests, replies, output, trouble; ///< descriptors
 };
 
-/// Between fork and exec: only what is safe there. What goes wrong is told by its number.
+/// Between fork and exec: only what is safe there.
 [[noreturn]] void become(const Start &start) {
     ::setsid(); // a group of its own, so that one signal reaches all of it
 #ifdef __linux__
@@ -90,10 +96,11 @@ struct Start {
     if (start.limited) set_limits();
     char *arguments[] = {const_cast<char *>("subject"), nullptr};
     char *environment[] = {const_cast<char *>("LC_ALL=C.UTF-8"), start.answer, nullptr};
-    start.shut_in.shut();
-    ::execve(start.program, arguments, environment);
-    const int error = errno;
-    if (::write(start.trouble, &error, sizeof error) < 0) ::_exit(126);
+    const bool shut_in = start.shut_in.shut();
+    if (shut_in) ::execve(start.program, arguments, environment);
+    const Trouble trouble{shut_in ? "cannot start the student's process" : "cannot shut the student's process in",
+                          errno};
+    if (::write(start.trouble, &trouble, sizeof trouble) < 0) ::_exit(126);
     ::_exit(127);
 }
 
@@ -170,13 +177,13 @@ Subject::Subject(const std::filesystem::path &program, const std::string &answer
     to = requests[1];
     ::fcntl(to, F_SETFL, O_NONBLOCK); // a subject that does not read shall not stop us
     from = replies[0];
-    int error = 0;
+    Trouble told{};
     ssize_t got = 0; // the end, when the program has started
-    while ((got = ::read(trouble[0], &error, sizeof error)) < 0 && errno == EINTR) {}
+    while ((got = ::read(trouble[0], &told, sizeof told)) < 0 && errno == EINTR) {}
     ::close(trouble[0]);
     if (got <= 0) return;
-    errno = error;
-    give_up("cannot start the student's process");
+    errno = told.error;
+    give_up(told.what);
 }
 
 Subject::~Subject() {
