@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <regex>
 #include <thread>
@@ -51,9 +53,8 @@ void need_compiler(const Tree &tree, bool yes) {
     if (can_compile_demos(tree)) return;
     run({"cmake", tree.build.string()}); // it may have been installed since
     if (can_compile_demos(tree)) return;
-    const std::vector<std::string> packages{
-        "clang-14", "lld-14", "libclang-rt-14-dev-wasm32", "libc++-14-dev-wasm32", "libc++abi-14-dev-wasm32",
-        "wasi-libc"};
+    std::ifstream list{tree.root / "tools" / "setup" / "needs_of_pages"};
+    const std::vector<std::string> packages{std::istream_iterator<std::string>{list}, {}};
     std::vector<std::string> command{"apt-get", "install", "--no-install-recommends"};
     const bool is_root = run({"id", "-u"}).out == "0\n";
     if (!is_root) command.insert(command.begin(), "sudo");
