@@ -516,7 +516,7 @@ TEST_CASE("a section that is not built yet is listed as such, and a broken catal
 
 TEST_CASE("hints come one by one, the last names the solution, and --again starts from the first") {
     const SmallCourse course;
-    const std::string first = "7.1, hint 1 of 2: where to look\n\nUnder the first stone.\n\n",
+    const std::string first = "7.1, hint 1 of 2: where to begin\n\nUnder the first stone.\n\n",
                       last = "7.1, hint 2 of 2: the first line\n\nreturn 1;\n\n";
     CHECK(course({"hint", "7.1"}).out == first + "The next one: ./course hint 7.1\n");
     CHECK(course({"hint", "first"}).out == last + "That was the last one. `./course solution 7.1` shows ours.\n");

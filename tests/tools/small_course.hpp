@@ -93,7 +93,7 @@ struct SmallCourse {
     static constexpr const char *chapter = R"(# 7 Walls that meet
 
 <details>
-<summary>7.1, a hint: where to look</summary>
+<summary>7.1, a hint: where to begin</summary>
 
 Under the *first* stone.
 </details>

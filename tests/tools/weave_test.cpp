@@ -117,7 +117,7 @@ plot ARG1
 | 7.1 | `length`: a wall's | core | 5 min |
 
 <details>
-<summary>7.1, a hint: where to look</summary>
+<summary>7.1, a hint: where to begin</summary>
 
 Pythagoras: $\sqrt{\Delta x^2 + \Delta y^2}$, see `std::hypot` and [the idea](#7-wall).
 </details>
@@ -641,7 +641,8 @@ TEST_CASE("exercises of the header without a row, a hint, a solution, rows witho
                             "... | core |` there."},
                  std::tuple{"| core | 5 min |", "| stretch | 5 min |",
                             "README.md:46: the header declares no exercise like this row;"},
-                 std::tuple{"7.1, a hint: where", "7.2, a hint: where", "the chapter has no hint for 7.1;"},
+                 std::tuple{"7.1, a hint: where", "7.2, a hint: where", "no hint says how 7.1 is begun;"},
+                 std::tuple{"7.1, a hint: where to begin", "7.1, a hint: it is red", "no hint says how 7.1 is begun;"},
                  std::tuple{"../../plots/07_wall_path.svg", "wall.hpp",
                             "plots/07_wall_path.gp:1: the chapter does not show this figure;"});
     book.edit_chapter(was, is);
@@ -796,7 +797,7 @@ TEST_CASE("hints come with number, title and a text that a terminal can show") {
     const std::vector<Hint> all = hints(book.text());
     REQUIRE(all.size() == 2);
     CHECK(all[0].number == "7.1");
-    CHECK(all[0].title == "where to look");
+    CHECK(all[0].title == "where to begin");
     CHECK(all[0].text == "Pythagoras: √(Δx² + Δy²), see std::hypot and the idea.\n");
     CHECK(all[1].number == "7.2");
     CHECK(all[1].title == "which w");

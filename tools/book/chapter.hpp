@@ -33,10 +33,10 @@ struct Chapter {
 /// Reads a chapter's text; findings will name `file`.
 Chapter read_chapter(std::string_view text, const std::filesystem::path &file);
 
-/// A fold `<summary>7.2, a hint: where to look</summary>`.
+/// A fold `<summary>7.2, a hint: where to begin</summary>`.
 struct Hint {
     std::string number; ///< "7.2"
-    std::string title;  ///< "where to look"
+    std::string title;  ///< "where to begin"
     std::string text;   ///< for a terminal, see plain_text
 };
 

@@ -281,12 +281,14 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std
                 {header, one.line,
                  fmt::format("the chapter's table has no row for this exercise; write `| {} | `{}`: ... | {} |` there.",
                              one.number, one.function, one.tier)});
-        if (std::none_of(all_hints.begin(), all_hints.end(),
-                         [&](const Hint &hint) { return hint.number == one.number; }))
-            missing.push_back({header, one.line,
-                               fmt::format("the chapter has no hint for {0}; write a fold `<summary>{0}, a hint: "
-                                           "...</summary>`.",
-                                           one.number)});
+        const auto first_hint =
+            std::ranges::find_if(all_hints, [&](const Hint &hint) { return hint.number == one.number; });
+        if (first_hint == all_hints.end() || first_hint->title != "where to begin")
+            missing.push_back(
+                {header, one.line,
+                 fmt::format("no hint says how {0} is begun; write a fold `<summary>{0}, a hint: where to "
+                             "begin</summary>`, before its other hints.",
+                             one.number)});
         const std::string title = "Solution " + one.number;
         if (std::none_of(solutions.begin(), solutions.end(),
                          [&](const Chunk &c) { return c.title == title || c.title.starts_with(title + ":"); }))
