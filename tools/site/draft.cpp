@@ -41,6 +41,18 @@ std::string without_repetitions(const std::string &contents) {
     return std::regex_replace(contents, said, "");
 }
 
+/// The spaces in "7.2 N s": a number and its unit stay on one line.
+std::vector<std::string_view> spaces_before_units(std::string_view text) {
+    static const std::regex quantity{"\\d(\\s)(?:N(\\s)s|px|[mk]?m|k?g|m?s|N|J|Hz|rad|%|kB|MB|GB)(?![A-Za-z0-9])"};
+    std::vector<std::string_view> result;
+    using Found = std::regex_iterator<std::string_view::iterator>;
+    for (Found found{text.begin(), text.end(), quantity}, end; found != end; ++found)
+        for (const std::size_t space : {1, 2})
+            if ((*found)[space].matched)
+                result.push_back(text.substr(static_cast<std::size_t>(found->position(space)), 1));
+    return result;
+}
+
 /// A formula with the comma behind it in its last unbreakable piece: a browser would begin a line with it otherwise.
 /// A screen reader passes over the pieces, and reads the comma behind the formula's MathML.
 std::string with_mark(std::string formula, const std::string &mark) {
@@ -125,6 +137,9 @@ std::string Draft::finished(const std::vector<std::string> &typeset, const Inter
             body.replace(e.outer(), listing(e, known, is_source));
             return false;
         }
+        if (!is_source && e.name() != "code" && e.name() != "pre")
+            for (const std::string_view text : e.own_texts())
+                for (const std::string_view space : spaces_before_units(text)) body.replace(space, "&#160;");
         if (e.name() == "h2") seen.clear(); // so that each part of a chapter has its links
         if (e.name() == "code" && known) {
             const auto found = known->names.find(e.text());

@@ -87,6 +87,15 @@ std::vector<Element> Element::children() const {
     return result;
 }
 
+std::vector<std::string_view> Element::own_texts() const {
+    std::vector<std::string_view> result;
+    const GumboVector &all = node->v.element.children;
+    for (unsigned i = 0; i < all.length; ++i)
+        if (const auto *child = static_cast<const GumboNode *>(all.data[i]); child->type == GUMBO_NODE_TEXT)
+            result.push_back(view(child->v.text.original_text));
+    return result;
+}
+
 Html::Html(std::string text_)
     : source{std::make_unique<std::string>(std::move(text_))},
       output{gumbo_parse_with_options(&kGumboDefaultOptions, source->data(), source->size())} {}

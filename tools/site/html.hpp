@@ -27,6 +27,7 @@ struct Element {
     std::string_view opening() const; ///< "<p>"
     std::string text() const;         ///< its words, without entities
     std::vector<Element> children() const;
+    std::vector<std::string_view> own_texts() const; ///< the pieces of text in it that are in no element within
 };
 
 class Html {
