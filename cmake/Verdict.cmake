@@ -37,8 +37,11 @@ else()
   set(COURSE_LOOP_PCH -include ${COURSE_PCH})
 endif()
 set(COURSE_LOOP_ASSEMBLER) # before the file where the assembler lists what it reads, as for `.incbin "..."`
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_SYSTEM_NAME STREQUAL Linux)
+if(CMAKE_SYSTEM_NAME STREQUAL Linux)
   set(COURSE_LOOP_ASSEMBLER -Xassembler --MD -Xassembler)
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang) # has an assembler of its own, which lists nothing
+    list(PREPEND COURSE_LOOP_ASSEMBLER -fno-integrated-as)
+  endif()
 endif()
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/loop)
 file(COPY_FILE ${PROJECT_SOURCE_DIR}/tools/verdict/student/student.hpp ${COURSE_PCH} ONLY_IF_DIFFERENT)

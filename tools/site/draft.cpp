@@ -47,9 +47,8 @@ std::vector<std::string_view> spaces_before_units(std::string_view text) {
     std::vector<std::string_view> result;
     using Found = std::regex_iterator<std::string_view::iterator>;
     for (Found found{text.begin(), text.end(), quantity}, end; found != end; ++found)
-        for (const std::size_t space : {1, 2})
-            if ((*found)[space].matched)
-                result.push_back(text.substr(static_cast<std::size_t>(found->position(space)), 1));
+        for (const auto &space : {(*found)[1], (*found)[2]})
+            if (space.matched) result.push_back(text.substr(static_cast<std::size_t>(space.first - text.begin()), 1));
     return result;
 }
 
