@@ -1,0 +1,135 @@
+#include "gravity_wells.hpp"
+
+#include <numbers>
+
+namespace gravity_wells {
+
+//> Solution 3.1: gravity
+Vec2 gravity(const PointMass &body, const PointMass &other, double G) {
+    course::require_range(body.position, body.mass, other.position, other.mass, G);
+    course::require(body.mass >= 0, "mass [kg] must not be negative", body.mass);
+    course::require(other.mass >= 0, "mass [kg] must not be negative", other.mass);
+    course::require(G >= 0, "G [N m²/kg²] must not be negative", G);
+    const Vec2 towards = other.position - body.position;
+    const double r = towards.norm();
+    if (r == 0) return {0, 0};
+    return G * body.mass * other.mass / (r * r) * (towards / r);
+}
+
+//> Solution: a good fall
+static void require_fall(double height, double g) {
+    course::require(height >= 0, "height [m] must not be negative", height);
+    course::require(g > 0, "g [m/s²] must be positive", g);
+}
+
+//> Solution 3.2: time to fall
+double time_to_fall(double height, double velocity, double g) {
+    course::require_range(height, velocity, g);
+    require_fall(height, g);
+    const double impact = std::sqrt(velocity * velocity + 2 * g * height); // how fast it hits the floor [m/s]
+    return (velocity + impact) / g;
+}
+
+//> Solution 3.3: fall and land
+Fall fall_and_land(const Fall &now, double g, double dt) {
+    course::require_range(now.height, now.velocity, now.time, g, dt);
+    require_fall(now.height, g);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    const double t = time_to_fall(now.height, now.velocity, g);
+    if (t <= dt) return {0, now.velocity - g * t, now.time + t};
+    return {now.height + now.velocity * dt - g * dt * dt / 2, now.velocity - g * dt, now.time + dt};
+}
+
+//> Solution 3.4: circular orbit
+double circular_orbit_speed(double mass, double radius, double G) {
+    course::require_range(mass, radius, G);
+    course::require(mass >= 0, "mass [kg] must not be negative", mass);
+    course::require(radius > 0, "radius [m] must be positive", radius);
+    course::require(G >= 0, "G [N m²/kg²] must not be negative", G);
+    return std::sqrt(G * mass / radius);
+}
+
+//> Solution: a good step
+static void require_step(const State &ship, double mu, double dt) {
+    course::require_range(ship.position, ship.velocity, mu, dt);
+    course::require(mu >= 0, "mu [m³/s²] must not be negative", mu);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+}
+
+//> Solution 3.5: one step of an orbit
+State orbit_step(const State &ship, double mu, double dt) {
+    require_step(ship, mu, dt);
+    const Vec2 acceleration = gravity({ship.position, 1}, {{0, 0}, mu}, 1);
+    const Vec2 velocity = ship.velocity + dt * acceleration;
+    return {ship.position + dt * velocity, velocity};
+}
+
+//> Solution 3.6: softened gravity
+Vec2 softened_gravity(const Vec2 &position, double mu, double epsilon) {
+    course::require_range(position, mu, epsilon);
+    course::require(mu >= 0, "mu [m³/s²] must not be negative", mu);
+    course::require(epsilon > 0, "epsilon [m] must be positive", epsilon);
+    const double softened = std::sqrt(position.squaredNorm() + epsilon * epsilon);
+    return -mu / (softened * softened * softened) * position;
+}
+
+//> Solution: the pull of a well
+/// The acceleration of a ship in a well at (0, 0) [m/s²], also beyond the range of 3.1.
+static Vec2 pull_at(const Vec2 &position, double mu) {
+    const double r = position.norm();
+    if (r == 0) return {0, 0};
+    return -mu / (r * r) * (position / r);
+}
+
+//> Solution 3.7: leapfrog
+static State leapfrog_step(const State &ship, double mu, double dt) {
+    const Vec2 halfway = ship.velocity + dt / 2 * pull_at(ship.position, mu); // the velocity in the middle of the step
+    const Vec2 position = ship.position + dt * halfway;
+    return {position, halfway + dt / 2 * pull_at(position, mu)};
+}
+
+//> Solution 3.7: Runge–Kutta
+static State runge_kutta_step(const State &ship, double mu, double dt) {
+    const auto slope = [&](const State &at) { return State{at.velocity, pull_at(at.position, mu)}; };
+    const auto along = [&](const State &slope_there, double time) {
+        return State{ship.position + time * slope_there.position, ship.velocity + time * slope_there.velocity};
+    };
+    const State k1 = slope(ship), k2 = slope(along(k1, dt / 2)), k3 = slope(along(k2, dt / 2)),
+                k4 = slope(along(k3, dt));
+    return {ship.position + dt / 6 * (k1.position + 2 * k2.position + 2 * k3.position + k4.position),
+            ship.velocity + dt / 6 * (k1.velocity + 2 * k2.velocity + 2 * k3.velocity + k4.velocity)};
+}
+
+//> Solution 3.7: all four
+Integrators step_all(const Integrators &before, double mu, double dt) {
+    for (const State &ship : {before.explicit_euler, before.semi_implicit, before.leapfrog, before.runge_kutta})
+        require_step(ship, mu, dt);
+    const auto &[position, velocity] = before.explicit_euler;
+    return {{position + dt * velocity, velocity + dt * pull_at(position, mu)},
+            orbit_step(before.semi_implicit, mu, dt),
+            leapfrog_step(before.leapfrog, mu, dt),
+            runge_kutta_step(before.runge_kutta, mu, dt)};
+}
+
+//> Solution 3.8: Kepler's equation
+/// The angle E for which E - eccentricity sin(E) is `mean` [rad], by Newton's method.
+static double eccentric_anomaly(double mean, double eccentricity) {
+    double angle = std::copysign(std::numbers::pi, mean); // from here it cannot overshoot
+    for (int i = 0; i < 60; ++i)
+        angle -= (angle - eccentricity * std::sin(angle) - mean) / (1 - eccentricity * std::cos(angle));
+    return angle;
+}
+
+//> Solution 3.8: Kepler's ellipse
+Vec2 kepler_position(double semi_major, double eccentricity, double mu, double t) {
+    course::require_range(semi_major, eccentricity, mu, t);
+    course::require(semi_major > 0, "semi_major [m] must be positive", semi_major);
+    course::require(0 <= eccentricity && eccentricity < 1, "eccentricity must be from 0 to less than 1", eccentricity);
+    course::require(mu > 0, "mu [m³/s²] must be positive", mu);
+    const double turns = std::sqrt(mu / semi_major) / semi_major * t; // the even angle [rad]
+    const double angle = eccentric_anomaly(std::remainder(turns, 2 * std::numbers::pi), eccentricity);
+    return {semi_major * (std::cos(angle) - eccentricity),
+            semi_major * std::sqrt(1 - eccentricity * eccentricity) * std::sin(angle)};
+}
+//>
+} // namespace gravity_wells
