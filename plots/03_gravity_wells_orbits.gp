@@ -8,12 +8,14 @@ set size ratio -1
 set xrange [-17:9]; set yrange [-11:11]
 set xtics 10; set ytics 10
 set lmargin 3; set rmargin 0.6; set bmargin 1.6; set tmargin 1.6
-panel = "'+' using (0):(0) every ::0::0 with points lc rgb INK pt 7 ps 0.9 notitle"
-yours = "with points lt 2 pt 6 ps 0.4 notitle"
+name(k) = word('explicit semi-implicit leapfrog Runge–Kutta', k) . (k < 3 ? ' Euler' : '')
+colour(k) = int(word('6 1 3 5', k))
+yours = with_yours("ARG3 using (column(2 * k - 1)):(column(2 * k)) every 3 with points lt 2 pt 6 ps 0.5 lw 1.5 notitle")
 set multiplot layout 2,2
 do for [k = 1:4] {
-    set title word('explicit semi-implicit leapfrog Runge–Kutta', k) . (k < 3 ? ' Euler' : '') offset 0,-0.6
-    plot @panel, ARG1 using (column(2 * k - 1)):(column(2 * k)) with lines lt (k == 1 ? 6 : k == 2 ? 1 : k == 3 ? 3 : 5) notitle, \
-         @{with_yours("ARG3 using (column(2 * k - 1)):(column(2 * k)) every 3 with points lt 2 pt 6 ps 0.5 notitle")}
+    set title name(k) offset 0,-0.6
+    plot ARG1 using (column(2 * k - 1)):(column(2 * k)) with lines lt colour(k) notitle, \
+         '+' using (0):(0) every ::0::0 with points lc rgb INK pt 7 ps 0.9 notitle, \
+         @yours
 }
 unset multiplot

@@ -7,8 +7,6 @@
 using namespace gravity_wells;
 using course::row, course::text;
 
-constexpr double pi = std::numbers::pi;
-
 //> The pull at some distances
 void print_pulls(std::ostream &out) {
     out << row({{"distance [m]", 14}, {"pull on 2 kg [N]", 18}, {"acceleration [m/s²]", 0}});
@@ -48,6 +46,8 @@ void print_landing(std::ostream &out) {
 }
 
 //> Circles
+constexpr double pi = std::numbers::pi;
+
 void print_circles(std::ostream &out) {
     out << row({{"radius [m]", 12}, {"speed [m/s]", 13}, {"once around [s]", 0}});
     for (const double r : {2.0, 8.0, 32.0}) {
