@@ -76,9 +76,9 @@ Vec2 softened_gravity(const Vec2 &position, double mu, double epsilon) {
 //> Solution: the pull of a well
 /// The acceleration of a ship in a well at (0, 0) [m/s²], also beyond the range of 3.1.
 static Vec2 pull_at(const Vec2 &position, double mu) {
-    const double r = position.norm();
-    if (r == 0) return {0, 0};
-    return -mu / (r * r) * (position / r);
+    const double distance = position.norm();
+    if (distance == 0) return {0, 0};
+    return -mu / (distance * distance) * (position / distance);
 }
 
 //> Solution 3.7: leapfrog

@@ -778,7 +778,9 @@ TEST_CASE("after a quarter of the time it is well beyond a quarter of the angle:
     const double quarter = std::numbers::pi / 2; // for an ellipse of 1 m and mu = 1 m³/s²
     CHECK_THAT(kepler_position(1, 0.5, 1, quarter), IsNear(Vec2{-0.93513086, 0.77974089}, 1e-8));
     CHECK_THAT(kepler_position(1, 0.5, 1, -quarter), IsNear(Vec2{-0.93513086, -0.77974089}, 1e-8));
-    CHECK_THAT(kepler_position(1, 0.5, 1, quarter - 2 * std::numbers::pi), IsNear(Vec2{-0.93513086, 0.77974089}, 1e-8));
+    for (const int turns : {-7, -1, 1, 3}) // and at the same place some turns before or after
+        CHECK_THAT(kepler_position(1, 0.5, 1, quarter + turns * 2 * std::numbers::pi),
+                   IsNear(Vec2{-0.93513086, 0.77974089}, 1e-8));
 }
 
 //> On the ellipse

@@ -151,8 +151,8 @@ void trace_push(std::ostream &out) {
     out << "# 4 x[m]\t4 y[m]\t7 x[m]\t7 y[m]\t10 x[m]\t10 y[m]\t12 x[m]\t12 y[m]\t14.2 x[m]\t14.2 y[m]\n";
     std::vector<Ship> ships;
     for (const double push : {4.0, 7.0, 10.0, 12.0, 14.2}) ships.push_back({{{8, 0}, {0, push}}});
-    for (int step = 0; step <= 20000; ++step) {
-        if (step % 100 == 0)
+    for (int step = 0; step <= 26000; ++step) {
+        if (step % 130 == 0)
             for (const Ship &ship : ships)
                 out << ship.state.position.x() << '\t' << ship.state.position.y()
                     << (&ship == &ships.back() ? '\n' : '\t');
