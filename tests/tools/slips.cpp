@@ -91,7 +91,7 @@ double operands(Vec2 a, Vec2 b, double t) {
     a = a ^ 2;                                 // ^ is not a power: write t * t.
     a = a + 1;                                 // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
     if (a < b) return 1;                       // No vector is larger than another: compare their components, or their lengths.
-    a = a / b;                                 // nothing
+    a = a / b;                                 // No vector can be divided by a vector: divide by its length, a / a.norm().
     if (1 < a) return 1;                       // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
     t = a;                                     // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
     Vec2 c = t;                                // A Vec2 has two components: write Vec2{x, y}.
@@ -192,5 +192,15 @@ std::vector<double> other_lists(const std::vector<Spark> &pool, const std::vecto
     for (const Spark &spark : pool) ages.push_back(spark); // A Spark is a struct: use its fields, one at a time.
     for (const Vec2 &force : forces) sum =+ force; // To add to a value, write += and not =+.
     return pool;                               // The lists hold different things: begin an empty one, and fill it with push_back.
+}
+Vec2 powers_and_lengths(const Vec2 &a, const Vec2 &b, const Spark &spark, double t) {
+    const double length = a.norm;              // A call needs parentheses: a.x(), not a.x.
+    const double twice = 2t;                   // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
+    const double square = t²;                  // ² is not C++: write t * t.
+    const double cube = t ** 3;                // ** is not a power: write t * t.
+    if t < 1 return a;                         // An if needs parentheses: if (t < 1) …
+    two_of(spark, a);                          // A Spark is wanted here: put its fields in braces, in the order of the header.
+    two_of(two_of(spark, spark), spark);       // A Spark is wanted here: put its fields in braces, in the order of the header.
+    return a;
 }
 bool nothing(bool none, Vec2 a);               // The header gives this function another result: copy its line from there.

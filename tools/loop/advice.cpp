@@ -12,6 +12,7 @@
 namespace course {
 namespace {
 
+constexpr const char *missing_star = "Is a * missing? A product needs it: 2 * t, 2 * (a + b).";
 constexpr const char *call_it = "A call needs parentheses: a.x(), not a.x.";
 constexpr const char *whole_number =
     "An int has no digits after the decimal point: to keep them, write double; to drop them, int(…).";
@@ -43,8 +44,11 @@ struct Slip {
 constexpr std::array slips{
     Slip{"non-void function", "", no_way_back},
     Slip{"no return statement", "", no_way_back},
+    Slip{"unable to find numeric literal operator", "", missing_star},
+    Slip{"invalid suffix '", "", missing_star},
     Slip{"unresolved overloaded function type", "", call_it},
     Slip{"cannot resolve overloaded function", "", call_it},
+    Slip{"(Eigen::MatrixBase<Vec2>::)() const' to type", "", call_it},
     Slip{"no match for call to '(const Vec2) ()'", "", no_call},
     Slip{"no match for call to '(Vec2) ()'", "", no_call},
     Slip{"call to object of type 'const Vec2'", "", no_call},
@@ -166,11 +170,10 @@ std::string about_semicolon(const Said &said) {
 
 /// 0.5(a + b), 2 t
 std::string about_missing_star(const Said &said) {
-    constexpr const char *star = "Is a * missing? A product needs it: 2 * t, 2 * (a + b).";
     const auto names = in_quotes(said.words);
     if (contains(said.words, "expression cannot be used as a function")
         || (said.words.starts_with("called object type '") && is_number(names[0])))
-        return star;
+        return missing_star;
     if (!said.words.starts_with("expected") || !contains(said.words, "';'")) return {};
     const std::size_t caret = said.caret.find('^');
     if (caret >= said.code.size()) return {};
@@ -182,7 +185,21 @@ std::string about_missing_star(const Said &said) {
         0, static_cast<std::size_t>(std::find_if_not(right.begin(), right.end(), is_in_a_name) - right.begin()));
     for (const char *statement : {"", "return", "if", "for", "while", "else", "const", "auto", "double", "int"})
         if (word == statement) return {};
-    return star;
+    return missing_star;
+}
+
+/// t², t ** 2
+std::string about_power(const Said &said) {
+    if (contains(said.words, "²") || contains(said.words, "<U+00B2>")) return "² is not C++: write t * t.";
+    const bool dereferences =
+        contains(said.words, "type argument of unary '*'") || contains(said.words, "indirection requires pointer");
+    return dereferences && contains(said.code, "**") ? "** is not a power: write t * t." : "";
+}
+
+/// if t < 1
+std::string about_if(const Said &said) {
+    const bool no_bracket = said.words.starts_with("expected '(' ");
+    return no_bracket && contains(said.code, "if ") ? "An if needs parentheses: if (t < 1) …" : "";
 }
 
 /// 2 * {x, y}: Clang names the operator, GCC stops at the brace, as it does elsewhere too. {x, y} / 2: both want a ;.
@@ -254,9 +271,11 @@ std::string about_argument(const Said &said) {
         return about_fields(struct_name(pushed));
     const bool gcc = said.words.starts_with("invalid initialization of reference of type '");
     if ((!gcc && !said.words.starts_with("no matching function for call to '")) || types.size() < 2) return {};
-    const std::string whole = struct_name(types[gcc ? 0 : 1]);
-    return is_number(types[gcc ? 1 : 0]) && !whole.empty()
-               ? "A whole " + whole + " is wanted here, not one of its fields: a, not a.mass."
+    const std::string whole = struct_name(gcc ? types.front() : types.back()), &given = types[gcc ? 1 : 0];
+    if (whole.empty()) return {};
+    if (is_number(given)) return "A whole " + whole + " is wanted here, not one of its fields: a, not a.mass.";
+    return is_vector(given) || !struct_name(given).empty()
+               ? "A " + whole + " is wanted here: put its fields in braces, in the order of the header."
                : "";
 }
 
@@ -281,6 +300,8 @@ std::string about_operands(const Said &said) {
     const bool asks_order = contains(asked, gcc ? "operator<" : " < ") || contains(asked, gcc ? "operator>" : " > ");
     if (is_vector(left) && is_vector(right) && asks_order)
         return "No vector is larger than another: compare their components, or their lengths.";
+    if (is_vector(left) && is_vector(right) && contains(asked, gcc ? "operator/" : " / "))
+        return "No vector can be divided by a vector: divide by its length, a / a.norm().";
     if ((is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right)))
         return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
                "a.norm().";
@@ -397,9 +418,9 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
 } // namespace
 
 std::string advice(const Said &said) {
-    for (const auto about :
-         {about_else, about_return, about_condition, about_semicolon, about_missing_star, about_braces, about_member,
-          about_argument, about_operands, about_conversion, about_two_types, about_header, about_unknown_name})
+    for (const auto about : {about_else, about_return, about_condition, about_semicolon, about_missing_star, about_power,
+                             about_if, about_braces, about_member, about_argument, about_operands, about_conversion,
+                             about_two_types, about_header, about_unknown_name})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;
