@@ -13,7 +13,7 @@ set label '4 m/s' at 2.2,2.9 left textcolor lt 4
 set label '7' at -2.0,5.4 left textcolor lt 3
 set label '10' at -6.0,7.1 right textcolor lt 1
 set label '12' at -10.5,9.8 right textcolor lt 5
-set label '14.2: escapes' at -9.2,13.8 right textcolor lt 6
+set label 'still faster' at -8.5,13.8 right textcolor lt 6
 yours = with_yours("for [k = 1:5] ARG3 using (column(2 * k - 1)):(column(2 * k)) every 4 with points lt 2 pt 6 ps 0.6 lw 1.5 title (k == 1 ? 'yours' : '')")
 plot ARG1 using 1:2 with lines lt 4 notitle, \
      ARG1 using 3:4 with lines lt 3 notitle, \

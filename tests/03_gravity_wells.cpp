@@ -103,7 +103,12 @@ TEST_CASE("erratum E3.1: two people of 70 kg, 1 m apart, pull with 3.27e-7 N, an
     // in units of 1000 km, 1000 s and 1e24 kg, G is 66.7, and forces on kilograms are still in newtons
     const Vec2 of_the_earth = gravity({{0, 6.38}, 70}, {{0, 0}, 5.98}, 66.7);
     CHECK_THAT(of_the_earth.y(), IsNear(-685.936164, 1e-9).of("weight of a person [N]"));
-    CHECK_THAT(-of_the_earth.y() / 4.45, IsNear(154.143, 1e-5).of("weight of a person [pounds]")); // E3.2: not 155
+}
+
+//> Erratum E3.2
+TEST_CASE("erratum E3.2: a person of 70 kg weighs 154 pounds, not 155, at 4.45 N for each pound", "[3.1]") {
+    const Vec2 weight = gravity({{0, 6.38}, 70}, {{0, 0}, 5.98}, 66.7);
+    CHECK_THAT(-weight.y() / 4.45, IsNear(154.143, 1e-5).of("weight of a person [pounds]"));
 }
 
 //> Erratum E3.4
@@ -114,6 +119,13 @@ TEST_CASE("erratum E3.4: a refrigerator and a baseball fall alike, exactly; only
         const Vec2 acceleration = gravity({{0, 6.38}, mass}, earth, 66.7) / mass;
         CHECK_THAT(acceleration, IsNear(Vec2{0, -9.79908806}, 1e-9).of("acceleration [m/s²]"));
     }
+}
+
+//> Erratum E3.6
+TEST_CASE("erratum E3.6: a centimetre from a hole the pull is 10 000 times that at a metre: a game has to expect it",
+          "[3.1]") {
+    CHECK_THAT(gravity({{0.01, 0}, 2}, {{0, 0}, 800}, 1), IsNear(Vec2{-1.6e7, 0}, rounding));
+    CHECK_THAT(gravity({{1, 0}, 2}, {{0, 0}, 800}, 1), IsNear(Vec2{-1600, 0}, rounding));
 }
 
 //> Erratum E3.8
@@ -321,13 +333,23 @@ TEST_CASE("exactly at the border: a frame that ends just before the landing, and
                IsNear(Fall{0, -1.0099504938362078, 0.00099504938362078}, rounding));
 }
 
-//> Errata E3.11 and E3.12
+//> Erratum E3.11
+TEST_CASE("erratum E3.11: after 20 frames of 1 px per frame more it has fallen 200 px; the printed loop has 190",
+          "[3.3]") {
+    int printed = 0, velocity = 0; // with y downwards: move, then accelerate
+    for (int frame = 0; frame < 20; ++frame) printed += velocity++;
+    CHECK_THAT(double(printed), IsNear(190.0)); // 20 · 19 / 2
+
+    const Fall ours = fall_and_land({479, 0, 0}, 1, 20);
+    CHECK_THAT(479 - ours.height, IsNear(200.0, rounding).of("fallen [px]")); // 20² / 2
+}
+
+//> Erratum E3.12
 TEST_CASE("erratum E3.12: the printed loop ends 17 px below the bottom; a fall of 479 px takes 30.95 frames", "[3.3]") {
-    int y = 0, velocity = 0, frames = 0; // as printed, with y downwards: move, then accelerate by 1 px per frame
-    for (; y < 479; ++frames) y += velocity++;
+    int printed = 0, velocity = 0, frames = 0;
+    for (; printed < 479; ++frames) printed += velocity++;
     CHECK_THAT(double(frames), IsNear(32.0));
-    CHECK_THAT(double(y), IsNear(496.0));     // E3.11: 32 · 31 / 2
-    CHECK_THAT(32 * 32 / 2.0, IsNear(512.0)); // ... and not ½ g t², as the formula above it says
+    CHECK_THAT(double(printed), IsNear(496.0));
 
     Fall ours{479, 0, 0};
     for (int frame = 0; frame < 32; ++frame) ours = fall_and_land(ours, 1, 1);

@@ -185,7 +185,7 @@ void add_words(demo::Picture &seen, const Vec2 &at, const char *words) {
 
 void draw_hole(demo::Picture &seen, double size) {
     seen.shapes.push_back({Shape::discs, Colour::violet, size + 0.35, 0.35, {{0, 0}}});
-    add(seen, Shape::discs, Colour::ink, size, {{0, 0}});
+    add(seen, Shape::discs, Colour::violet, size, {{0, 0}});
     add_words(seen, {-1.1, -2.1}, "hole");
 }
 
@@ -218,9 +218,9 @@ demo::Picture ship_near_hole(const State &now, const Input &in) {
     case ship_and_hole:
         seen.readouts.push_back({"nearest", "m", now.nearest, 2});
         seen.readouts.push_back({"farthest", "m", now.farthest, 2});
-        seen.readouts.push_back({"pull", "m/s²", pull.norm(), 1});
+        seen.readouts.push_back({"acceleration", "m/s²", pull.norm(), 1});
         break;
-    case softened: seen.readouts.push_back({"pull", "m/s²", pull.norm(), 1}); break;
+    case softened: seen.readouts.push_back({"acceleration", "m/s²", pull.norm(), 1}); break;
     case circles: seen.readouts.push_back({"farthest", "m", now.farthest, 2}); break;
     default:
         seen.readouts.push_back({"circular speed here", "m/s", r > 0 ? circular_orbit_speed(hole.mass, r, G) : 0, 2});
@@ -266,7 +266,7 @@ demo::Picture comet_and_sun(const State &now, const Input &in) {
     demo::Picture seen;
     const double e = in["eccentricity"],
                  turn = 2 * 3.141592653589793 * std::sqrt(semi_major * semi_major * semi_major / mu);
-    const auto at = [&](double part) { return kepler_position(semi_major, e, mu, part * turn) + Vec2{2, 0}; };
+    const auto at = [&](double part) -> Vec2 { return kepler_position(semi_major, e, mu, part * turn) + Vec2{2, 0}; };
     std::vector<Vec2> orbit, marks;
     for (int k = 0; k <= 96; ++k) orbit.push_back(at(k / 96.0));
     for (int k = 0; k < 12; ++k) marks.push_back(at(k / 12.0));
