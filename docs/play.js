@@ -188,7 +188,7 @@
       };
       named('space', 'pause'), named('.', 'step'), named('r', 'reset');
       if (handles().length > 0) named('h', 'next handle'), named('arrow keys', 'move it');
-      about.keys.forEach(({ key, meaning }, i) => ownKeys[i].push(named({ ArrowUp: '↑', ArrowDown: '↓' }[key] ?? key, meaning.toLowerCase())));
+      about.keys.forEach(({ key, meaning }, i) => ownKeys[i].push(named({ ArrowUp: '↑', ArrowDown: '↓', ArrowLeft: '←', ArrowRight: '→' }[key] ?? key, meaning.toLowerCase())));
       showWhatCounts();
     }
 

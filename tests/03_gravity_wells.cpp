@@ -138,6 +138,7 @@ TEST_CASE("erratum E3.8: one metre higher up, g differs in the seventh digit, no
 //>
 TEST_CASE("positions and masses up to ±1e5 are allowed, bodies far apart, close together, and tiny masses", "[3.1]") {
     CHECK_THAT(gravity({{1e5, 0}, 1e5}, {{-1e5, 0}, 1e5}, 1e5), IsNear(Vec2{-25000, 0}, rounding));
+    CHECK_THAT(gravity({{1e5, -1e5}, 1e5}, {{1e5, 1e5}, 1e5}, 1e5), IsNear(Vec2{0, 25000}, rounding));
     CHECK_THAT(gravity({{1e-6, 0}, 2}, {{0, 0}, 800}, 1), IsNear(Vec2{-1.6e15, 0}, rounding));
     CHECK_THAT(Vec2{1e30 * gravity({{3e4, 4e4}, 1e-9}, {{0, 0}, 1e-9}, 1e-3)},
                IsNear(Vec2{-0.24, -0.32}, rounding).of("pull [1e-30 N]"));
@@ -635,6 +636,8 @@ TEST_CASE("a well without strength does not pull; one twice as strong pulls twic
 TEST_CASE("softened_gravity allows positions and mu up to 1e5, and a small epsilon", "[3.6]") {
     CHECK_THAT(Vec2{1e5 * softened_gravity({1e5, 0}, 1e5, 1e-3)}, IsNear(Vec2{-1, 0}, rounding).of("pull [1e-5 m/s²]"));
     CHECK_THAT(softened_gravity({3e4, 0}, 1e5, 4e4) * 1e5, IsNear(Vec2{-2.4, 0}, rounding).of("pull [1e-5 m/s²]"));
+    CHECK_THAT(Vec2{softened_gravity({-1e5, 1e5}, 1e5, 1e5) * 1e5},
+               IsNear(Vec2{1 / std::sqrt(27.0), -1 / std::sqrt(27.0)}, rounding).of("pull [1e-5 m/s²]"));
     CHECK_THAT(Vec2{softened_gravity({1e-6, 0}, 1, 1e-6) / 1e12},
                IsNear(Vec2{-std::sqrt(0.125), 0}, rounding).of("pull [1e12 m/s²]"));
 }
@@ -857,6 +860,8 @@ TEST_CASE("on ellipses as long as 0.99 it starts fast, and is found again after 
         CHECK_THAT(kepler_position(1, e, 1, angle - e * std::sin(angle)), IsNear(want, 1e-9));
     }
     CHECK_THAT(Vec2{kepler_position(1e5, 0.2, 1e5, 0) / 1e5}, IsNear(Vec2{0.8, 0}, 1e-9).of("position [1e5 m]"));
+    CHECK_THAT(Vec2{kepler_position(1e5, 0.9, 1e5, 1e5 * (1.8 - 0.9 * std::sin(1.8))) / 1e5},
+               IsNear(Vec2{std::cos(1.8) - 0.9, std::sqrt(0.19) * std::sin(1.8)}, 1e-9).of("position [1e5 m]"));
     CHECK_THAT(kepler_position(0.01, 0, 1e-6, std::numbers::pi / 2), IsNear(Vec2{0, 0.01}, 1e-11));
 }
 
