@@ -9,7 +9,7 @@ set xrange [-21:11]; set yrange [-15:15]
 set xtics 5; set ytics 5
 set xlabel 'x [m]'; set ylabel 'y [m]'
 set label 'ship' at 8.4,-0.9 left
-set label '4 m/s' at 2.2,2.9 left textcolor lt 4
+set label '5 m/s' at 1.2,1.7 left textcolor lt 4
 set label '7' at -2.0,5.4 left textcolor lt 3
 set label '10' at -6.0,7.1 right textcolor lt 1
 set label '12' at -10.5,9.8 right textcolor lt 5
