@@ -10,8 +10,8 @@ set xrange [8e-5:0.03]; set yrange [1e-12:40]
 set ytics 1000
 set format y '10^{%T}'; set format x '10^{%T}'
 set xlabel 'length of a step, of a turn'; set ylabel 'error [m]'
-set label 'explicit, 1' at 1.2e-4,0.6 left textcolor lt 6
-set label 'semi-implicit, 1' at 1.2e-4,3e-3 left textcolor lt 1
+set label 'explicit, 1' at 1.2e-4,2.5 left textcolor lt 6
+set label 'semi-implicit, 1' at 1.2e-4,6e-3 left textcolor lt 1
 set label 'leapfrog, 2' at 2.2e-4,4e-6 left textcolor lt 3
 set label 'Runge–Kutta, 4' at 1.6e-3,2e-9 left textcolor lt 5
 yours = with_yours("for [k = 2:5] ARG3 using 1:(column(k)) with points lt 2 pt 6 ps 1.2 lw 2 title (k == 2 ? 'yours' : '')")
