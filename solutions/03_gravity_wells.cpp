@@ -89,26 +89,34 @@ static State leapfrog_step(const State &ship, double mu, double dt) {
 }
 
 //> Solution 3.7: Runge–Kutta
+/// A state that has gone along this slope for so long [s].
+static State along(const State &from, const State &slope, double time) {
+    return {from.position + time * slope.position, from.velocity + time * slope.velocity};
+}
+
+static State slope_at(const State &ship, double mu) { return {ship.velocity, pull_at(ship.position, mu)}; }
+
 static State runge_kutta_step(const State &ship, double mu, double dt) {
-    const auto slope = [&](const State &at) { return State{at.velocity, pull_at(at.position, mu)}; };
-    const auto along = [&](const State &slope_there, double time) {
-        return State{ship.position + time * slope_there.position, ship.velocity + time * slope_there.velocity};
-    };
-    const State k1 = slope(ship), k2 = slope(along(k1, dt / 2)), k3 = slope(along(k2, dt / 2)),
-                k4 = slope(along(k3, dt));
-    return {ship.position + dt / 6 * (k1.position + 2 * k2.position + 2 * k3.position + k4.position),
-            ship.velocity + dt / 6 * (k1.velocity + 2 * k2.velocity + 2 * k3.velocity + k4.velocity)};
+    const State k1 = slope_at(ship, mu);
+    const State k2 = slope_at(along(ship, k1, dt / 2), mu);
+    const State k3 = slope_at(along(ship, k2, dt / 2), mu);
+    const State k4 = slope_at(along(ship, k3, dt), mu);
+    State after = along(ship, k1, dt / 6);
+    after = along(after, k2, dt / 3);
+    after = along(after, k3, dt / 3);
+    return along(after, k4, dt / 6);
 }
 
 //> Solution 3.7: all four
 Integrators step_all(const Integrators &before, double mu, double dt) {
     for (const State &ship : {before.explicit_euler, before.semi_implicit, before.leapfrog, before.runge_kutta})
         require_step(ship, mu, dt);
-    const auto &[position, velocity] = before.explicit_euler;
-    return {{position + dt * velocity, velocity + dt * pull_at(position, mu)},
-            orbit_step(before.semi_implicit, mu, dt),
-            leapfrog_step(before.leapfrog, mu, dt),
-            runge_kutta_step(before.runge_kutta, mu, dt)};
+    Integrators after;
+    after.explicit_euler = along(before.explicit_euler, slope_at(before.explicit_euler, mu), dt);
+    after.semi_implicit = orbit_step(before.semi_implicit, mu, dt);
+    after.leapfrog = leapfrog_step(before.leapfrog, mu, dt);
+    after.runge_kutta = runge_kutta_step(before.runge_kutta, mu, dt);
+    return after;
 }
 
 //> Solution 3.8: Kepler's equation

@@ -46,7 +46,6 @@ constexpr double hole_radius = 0.6, ground = -9; // [m]
 constexpr double burn_time = 0.25;               // for one press of a key [s]
 constexpr double burn_force = 8;                 // 2 kg get 1 m/s faster with each burn [N]
 constexpr double semi_major = 8;                 // of the comet's ellipse [m]
-constexpr std::size_t trail_length = 400;
 
 struct State {
     Game game = you_guess;
@@ -127,7 +126,7 @@ void fly(State &now, const Input &in, double dt) {
     if (r < hole_radius && now.game != softened) now.over = true;
     if (ship.position.cwiseAbs().maxCoeff() > 1000) now.over = true; // it has escaped
     now.trail.push_back(ship.position);
-    if (now.trail.size() > trail_length) now.trail.erase(now.trail.begin());
+    if (now.trail.size() > 400) now.trail.erase(now.trail.begin());
 }
 
 void one_step_of(State &now, const Input &in) {
@@ -156,7 +155,7 @@ void one_step_of(State &now, const Input &in) {
     case comet: break;
     default: fly(now, in, dt);
     }
-    if (now.over) now.time = now.game == falling ? now.time : 0;
+    if (now.over && now.game != falling) now.time = 0;
 }
 
 State next(State now, const Input &in) {
@@ -209,7 +208,7 @@ demo::Picture ship_near_hole(const State &now, const Input &in) {
                 {position, position + 0.15 * pull / std::max(1.0, pull.norm() / 40)});
         if (now.burning > 0) add(seen, Shape::line, Colour::amber, 6, {position, position - 0.15 * now.ship.thrust});
     } else {
-        add_words(seen, {-3, 2}, position.norm() < 100 ? "swallowed" : "escaped");
+        add_words(seen, {-3, 2}, position.norm() < 9 ? "swallowed" : "escaped");
     }
     const double r = position.norm();
     seen.readouts = {{"distance", "m", r, 2}, {"speed", "m/s", velocity.norm(), 2}};
@@ -256,7 +255,7 @@ demo::Picture above_the_moon(const State &now, const Input &in) {
                            0.9,
                            {feet + Vec2{-0.7, 0.8}, feet + Vec2{0.7, 0.8}, feet + Vec2{0.4, 2}, feet + Vec2{-0.4, 2}}});
     if (now.burning > 0) add(seen, Shape::line, Colour::amber, 6, {feet + Vec2{0, 0.7}, feet + Vec2{0, -0.6}});
-    if (now.over) add_words(seen, {-6, ground + 3}, now.lander.velocity > -2 ? "landed softly" : "too fast");
+    if (now.over) add_words(seen, {-6, ground + 3}, now.lander.velocity > -2 ? "landed" : "too fast");
     seen.readouts = {
         {"height", "m", height, 3}, {"velocity", "m/s", now.lander.velocity, 3}, {"time", "s", now.lander.time, 3}};
     return seen;
