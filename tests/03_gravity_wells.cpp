@@ -481,10 +481,9 @@ TEST_CASE("8 m from a well of 800 m³/s², at 10 m/s across, a step of 0.1 s lea
 }
 
 //> Round and round
-TEST_CASE("a ship on a circle of 8 m is still between 7.8 and 8.2 m away after two turns, in steps of 1/60 s",
-          "[3.5]") {
+TEST_CASE("a ship on a circle of 8 m is still between 7.8 and 8.2 m away after a turn, in steps of 1/60 s", "[3.5]") {
     State ship{{8, 0}, {0, 10}};
-    for (int frame = 0; frame < 604; ++frame) { // of 5.03 s each
+    for (int frame = 0; frame < 302; ++frame) { // 5.03 s
         ship = orbit_step(ship, 800, 1.0 / 60);
         CHECK_THAT(ship.position.norm(), IsAtLeast(7.8).of("distance from the well [m]"));
         CHECK_THAT(ship.position.norm(), IsAtMost(8.2).of("distance from the well [m]"));
@@ -507,12 +506,12 @@ TEST_CASE("angular momentum stays the same in every step, whatever its length, u
 }
 
 //> A long ellipse
-TEST_CASE("on a long ellipse, angular momentum stays to eleven digits for 1500 steps, and energy to a tenth", "[3.5]") {
+TEST_CASE("on a long ellipse, angular momentum stays to eleven digits for 600 steps, and energy to a tenth", "[3.5]") {
     State ship{{12, 0}, {0, 5}}; // a long ellipse: at 10 m/s it would escape at 16 m
     const double momentum = angular_momentum(ship), energy = energy_in_well(ship, 800);
-    for (int frame = 0; frame < 1500; ++frame) {
-        ship = orbit_step(ship, 800, 1.0 / 240);
-        if (frame % 50 != 0) continue;
+    for (int frame = 0; frame < 600; ++frame) {
+        ship = orbit_step(ship, 800, 1.0 / 120);
+        if (frame % 20 != 0) continue;
         CHECK_THAT(angular_momentum(ship) / momentum,
                    IsNear(1.0, 1e-11).of("angular momentum, of that at the start [1]"));
         CHECK_THAT(energy_in_well(ship, 800) / energy, IsNear(1.0, 0.1).of("energy, of that at the start [1]"));
@@ -572,7 +571,7 @@ TEST_CASE("4 m from a well of 1000 m³/s² that is softened by 3 m, the pull is 
 }
 
 //> Far away
-TEST_CASE("far away, softening makes no difference: at 10 km, 100 m/s² are left of 1e4 m³/s² times 1e6", "[3.6]") {
+TEST_CASE("far away, softening makes no difference: at 100 m, softened by 1 cm, the pull is that of 1/r²", "[3.6]") {
     const double mu = 1e4, epsilon = 0.01;
     const Vec2 far{60, 80}; // 100 m away
     CHECK_THAT(softened_gravity(far, mu, epsilon), IsNear(Vec2{-0.6, -0.8}, 1e-7));
@@ -679,15 +678,15 @@ TEST_CASE("explicit Euler moves at the old velocity, to (8, 1) m; semi-implicit 
 }
 
 //> Leapfrog
-TEST_CASE("leapfrog is pulled by 12.5 m/s² at 8 m, for 0.4 s, and at (7, 0) by 800/49 m/s², for 0.4 s", "[3.7]") {
+TEST_CASE("a leapfrog step of 0.4 s, from rest at 8 m: half of a pull, then 1 m nearer, then half of the pull there",
+          "[3.7]") {
     // at rest at 8 m: half of a step of 0.4 s gives -2.5 m/s, which moves it to 7 m; there it is pulled with 800/49 m/s²
     const Integrators after = step_all(all_from({{8, 0}, {0, 0}}), 800, 0.4);
     CHECK_THAT(after.leapfrog, IsNear(State{{7, 0}, {-2.5 - 0.2 * 800 / 49, 0}}, rounding).of("leapfrog"));
 }
 
 //> Runge and Kutta
-TEST_CASE("Runge–Kutta looks at four places; falling from 8 m in 0.4 s, three of them are 8, 8 and 7.5 m away",
-          "[3.7]") {
+TEST_CASE("a Runge–Kutta step of 0.4 s, from rest at 8 m, with its four slopes worked out by hand", "[3.7]") {
     // k1: 0 m/s, -12.5 m/s²; k2, at 8 m and -2.5 m/s: -12.5; k3, at 7.5 m and -2.5 m/s: -800/56.25; k4, at 7 m: -800/49
     const Integrators after = step_all(all_from({{8, 0}, {0, 0}}), 800, 0.4);
     const double k3 = -800 / 56.25, k4 = -800.0 / 49;
@@ -708,11 +707,11 @@ TEST_CASE("each of the four starts from its own state", "[3.7]") {
 
 //> Orders
 TEST_CASE("in half as long steps, the error after a quarter of a turn is 2, 2, 4 and 16 times smaller", "[3.7]") {
-    const std::array<double, 4> long_steps = errors_after_a_quarter(300), short_steps = errors_after_a_quarter(600);
+    const std::array<double, 4> long_steps = errors_after_a_quarter(200), short_steps = errors_after_a_quarter(400);
     constexpr double want[]{2, 2, 4, 16};
     constexpr const char *names[]{"explicit_euler: ratio of the errors [1]", "semi_implicit: ratio of the errors [1]",
                                   "leapfrog: ratio of the errors [1]", "runge_kutta: ratio of the errors [1]"};
-    for (std::size_t k = 0; k < 3; ++k) CHECK_THAT(long_steps[k] / short_steps[k], IsNear(want[k], 0.02).of(names[k]));
+    for (std::size_t k = 0; k < 3; ++k) CHECK_THAT(long_steps[k] / short_steps[k], IsNear(want[k], 0.03).of(names[k]));
     // 50 and 100 steps: more, and only the eight digits of the place where it should be would be seen
     CHECK_THAT(errors_after_a_quarter(25)[3] / errors_after_a_quarter(50)[3], IsNear(want[3], 0.2).of(names[3]));
 }
@@ -798,7 +797,7 @@ TEST_CASE("it starts at the near end of the ellipse, and is at the far end half 
 }
 
 //> A quarter of the time
-TEST_CASE("after a quarter of the time it is well beyond a quarter of the angle: near its pole it is fast", "[3.8]") {
+TEST_CASE("after a quarter of the time it is well beyond a quarter of the angle: near the well it is fast", "[3.8]") {
     const double quarter = std::numbers::pi / 2; // for an ellipse of 1 m and mu = 1 m³/s²
     CHECK_THAT(kepler_position(1, 0.5, 1, quarter), IsNear(Vec2{-0.93513086, 0.77974089}, 1e-8));
     CHECK_THAT(kepler_position(1, 0.5, 1, -quarter), IsNear(Vec2{-0.93513086, -0.77974089}, 1e-8));

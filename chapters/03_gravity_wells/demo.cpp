@@ -213,6 +213,7 @@ demo::Picture ship_near_hole(const State &now, const Input &in) {
     const double r = position.norm();
     seen.readouts = {{"distance", "m", r, 2}, {"speed", "m/s", velocity.norm(), 2}};
     switch (now.game) {
+    case circles:
     case you_guess:
     case ship_and_hole:
         seen.readouts.push_back({"nearest", "m", now.nearest, 2});
@@ -220,10 +221,9 @@ demo::Picture ship_near_hole(const State &now, const Input &in) {
         seen.readouts.push_back({"acceleration", "m/s²", pull.norm(), 1});
         break;
     case softened: seen.readouts.push_back({"acceleration", "m/s²", pull.norm(), 1}); break;
-    case circles: seen.readouts.push_back({"farthest", "m", now.farthest, 2}); break;
     default:
-        seen.readouts.push_back({"circular speed here", "m/s", r > 0 ? circular_orbit_speed(hole.mass, r, G) : 0, 2});
-        seen.readouts.push_back({"energy of each kg", "J", r > 0 ? energy_of(now.ship.state) : 0, 2});
+        seen.readouts.push_back({"circular speed here", "m/s", circular_orbit_speed(hole.mass, r, G), 2});
+        seen.readouts.push_back({"energy of each kg", "J", energy_of(now.ship.state), 2});
         seen.readouts.push_back(
             {"angular momentum", "m²/s", position.x() * velocity.y() - position.y() * velocity.x(), 6});
     }
@@ -235,8 +235,6 @@ demo::Picture above_the_moon(const State &now, const Input &in) {
     const double height = now.lander.height;
     seen.shapes.push_back({Shape::area, Colour::dim, 0, 0.4, {{-16, -11}, {16, -11}, {16, ground}, {-16, ground}}});
     add_words(seen, {-15, ground - 1.4}, "the Moon");
-    for (double mark = 5; mark < 20; mark += 5)
-        add(seen, Shape::line, Colour::dim, 1, {{-16, ground + mark}, {-15, ground + mark}});
     const Vec2 feet{0, ground + height};
     if (now.game == falling) {
         add(seen, Shape::discs, Colour::orange, 0.5, {feet + Vec2{0, 0.5}});
