@@ -44,7 +44,8 @@ const demo::Still still{2.4};
 
 constexpr double hole_radius = 0.6, ground = -9; // [m]
 constexpr double burn_time = 0.25;               // for one press of a key [s]
-constexpr double burn_force = 8;                 // 2 kg get 1 m/s faster with each burn [N]
+constexpr double burn_force = 16;                // 2 kg get 2 m/s faster with each burn [N]
+constexpr double hold = 2;                       // so long the ship hangs still, if nobody fires [s]
 constexpr double semi_major = 8;                 // of the comet's ellipse [m]
 
 struct State {
@@ -153,7 +154,8 @@ void one_step_of(State &now, const Input &in) {
         now.trail.push_back({now.lander.time, now.lander.height});
         break;
     case comet: break;
-    default: fly(now, in, dt);
+    default:
+        if (now.game != ship_and_hole || now.time > hold) fly(now, in, dt);
     }
     if (now.over && now.game != falling) now.time = 0;
 }
@@ -166,8 +168,10 @@ State next(State now, const Input &in) {
                                                    : Vec2{1, 0};
     if (in.key.substr(0, 5) == "Arrow" && !now.over) {
         if (now.game == landing) now.lander.velocity += direction.y(); // a burn of 1 m/s
-        now.ship.thrust = burn_force * direction;
-        now.burning = burn_time;
+        const Vec2 thrust = burn_force * direction;
+        now.burning = (thrust == now.ship.thrust ? now.burning : 0) + burn_time;
+        now.ship.thrust = thrust;
+        now.time = std::max(now.time, hold);
     }
     for (int due = demo::steps_due(now.spare, in, step_length(now, in)); due > 0; --due) one_step_of(now, in);
     return now;
