@@ -2,6 +2,7 @@
 # gnuplot -c 01_motion_integrators.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 set output ARG2
+set lmargin 7
 set key top left
 set xrange [-0.2:8.7]; set yrange [*<45:105<*]
 set xtics 0,1,5

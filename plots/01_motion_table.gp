@@ -2,6 +2,7 @@
 # gnuplot -c 01_motion_table.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 set output ARG2
+set lmargin 7
 set key top left
 set xrange [-0.2:5.6]; set yrange [*<45:100<*] # wider only for what is far off: yours
 set xlabel 't [frames]'; set ylabel 'x [px]'

@@ -2,6 +2,7 @@
 # gnuplot -c 03_gravity_wells_fall.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 set output ARG2
+set lmargin 7
 set key top right
 set xrange [25.5:33.6]; set yrange [-38:160]
 set xtics 1; set ytics 50

@@ -2,6 +2,7 @@
 # gnuplot -c 03_gravity_wells_pull.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 set output ARG2
+set lmargin 7
 set key top right
 set xrange [0:10]; set yrange [0:160]
 set xtics 2; set ytics 50

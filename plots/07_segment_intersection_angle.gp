@@ -4,11 +4,11 @@ load 'style.gp'
 set output ARG2
 set logscale xy
 set key bottom left
-set lmargin 7
+set lmargin 8
 set format xy '10^{%T}'
 set xrange [1e-12:1]; set yrange [1e-17:1e2]
 set xtics 1e-12,1e3,1; set ytics 1e-16,1e4,1
-set xlabel 'angle between the segments (its tangent)'; set ylabel 'error of the point [m]' offset 0.5,0
+set xlabel 'angle between the segments (its tangent)'; set ylabel 'error of the point [m]'
 set label 'largest of 501' at 4e-11,1e-3 textcolor lt 1
 set label 'middle one' at 3e-9,1e-9 right textcolor lt 3
 set label 'slope −1' at 1e-5,1e-8 textcolor rgb DIM

@@ -2,6 +2,7 @@
 # gnuplot -c 11_particles_energy.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 set output ARG2
+set lmargin 7
 set key outside top center horizontal
 set xrange [0:10]; set yrange [0:1.14]
 set ytics 0.2

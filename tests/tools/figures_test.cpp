@@ -385,6 +385,23 @@ TEST_CASE("a damaged kept trace is a difference, and publishing mends it") {
     CHECK(outdated(place.tree, place.section).empty());
 }
 
+TEST_CASE("the words at the axes of every published figure are in its picture: gnuplot drops what has no room") {
+    static const std::regex axis{"set [xy]label '([^']*)'"};
+    std::size_t counted = 0;
+    const Tree tree{COURSE_ROOT, COURSE_BUILD};
+    for (const Section &section : tree.sections())
+        for (const Figure &figure : figures_of(tree, section)) {
+            const std::string script = read_file(figure.script);
+            const std::string picture = read_file(tree.root / "plots" / (figure.name() + ".svg"));
+            for (std::sregex_iterator found{script.begin(), script.end(), axis}, end; found != end; ++found) {
+                CAPTURE(figure.name());
+                CHECK_THAT(picture, ContainsSubstring((*found)[1]));
+                ++counted;
+            }
+        }
+    CHECK(counted > 40);
+}
+
 TEST_CASE("files in plots/ without a section or without a script are found") {
     const Place place;
     place.write("plots/08_gone_x.gp", "");

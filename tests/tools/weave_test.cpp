@@ -838,7 +838,8 @@ TEST_CASE("formulas are plain in a terminal") {
         std::pair{R"(x^2 + e^{-kt} + 10^{-16})", "x² + e^(-kt) + 10⁻¹⁶"}, std::pair{R"(\{1, 2\})", "{1, 2}"},
         std::pair{R"(2\pi r)", "2πr"}, std::pair{R"(s_{\text{end}} \ne 0)", "s_end ≠ 0"},
         std::pair{R"(\left|\unknown\right|)", "|unknown|"}, std::pair{R"(a\)", "a\\"}, std::pair{R"({{a)", "a"},
-        std::pair{R"(\frac)", "/"});
+        std::pair{R"(\frac)", "/"}, std::pair{R"(1 - e\cos E)", "1 - e cos E"},
+        std::pair{R"(a\,(\cos E - e))", "a (cos E - e)"}, std::pair{R"(\varepsilon\sin t)", "ε sin t"});
     CHECK(plain_formula(tex) == plain);
 }
 

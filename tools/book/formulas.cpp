@@ -62,7 +62,7 @@ struct Reader {
 
     std::string until(char stop) {
         std::string out;
-        while (!rest.empty() && rest.front() != stop) out += one();
+        while (!rest.empty() && rest.front() != stop) add_next(out);
         if (!rest.empty()) take();
         return out;
     }
@@ -106,6 +106,16 @@ struct Reader {
         return std::string{symbol->second};
     }
 
+    /// A name keeps apart from what it follows: `e\sin E` is "e sin E".
+    void add_next(std::string &out) {
+        const bool is_command = rest.front() == '\\';
+        const std::string next = one();
+        const bool is_name = is_command && next.size() > 1 && std::isalpha(static_cast<unsigned char>(next.front())) != 0;
+        const unsigned char before = out.empty() ? ' ' : static_cast<unsigned char>(out.back());
+        if (is_name && (std::isalnum(before) != 0 || before >= 0x80)) out += ' ';
+        out += next;
+    }
+
     std::string one() {
         const char c = take();
         switch (c) {
@@ -125,7 +135,7 @@ struct Reader {
 std::string plain_formula(std::string_view tex) {
     Reader reader{tex};
     std::string text;
-    while (!reader.rest.empty()) text += reader.one();
+    while (!reader.rest.empty()) reader.add_next(text);
     std::string tidy; // one space at a time, none at the ends
     for (const char c : text)
         if (c == ' ' || c == '\n' || c == '\r') {
