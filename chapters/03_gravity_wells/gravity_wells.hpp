@@ -19,7 +19,7 @@ using motion::PointMass, motion::State;
 Vec2 gravity(const PointMass &body, const PointMass &other, double G);
 
 //> Time to fall
-/// How long something falls until it reaches the floor [s].
+/// How long something falls until it reaches the floor [s]: if it is on the floor 0, unless it is thrown upwards.
 /// Right to twelve digits of how long it would take if it were thrown upwards at that speed.
 /// @param height    above the floor at the start [m], not negative
 /// @param velocity  at the start [m/s]: positive upwards
@@ -38,8 +38,8 @@ struct Fall {
 
 //> Fall and land
 /// The fall `dt` seconds later, or when it reaches the floor, if that is earlier.
-/// There its height is 0, and its velocity and time are those of that moment. What is on the floor and does not move
-/// upwards stays as it is, and its time, too.
+/// There its height is 0, and its velocity and time are those of that moment, both as exact as `time_to_fall`.
+/// What is on the floor and does not move upwards stays as it is, and its time, too.
 /// @param g   how much faster it falls each second [m/s²], more than 0
 /// @param dt  [s], not negative
 /// @throws std::invalid_argument if `now.height` or `dt` is negative, `g` is not positive, or a number is not within ±1e5.
@@ -54,14 +54,16 @@ Fall fall_and_land(const Fall &now, double g, double dt);
 double circular_orbit_speed(double mass, double radius, double G);
 
 //> One step of an orbit
-/// A ship `dt` seconds later, by one step of semi-implicit Euler. In the middle of the well, nothing pulls at it.
+/// A ship `dt` seconds later, by one step of semi-implicit Euler: it is pulled where it is, and moves at its new velocity.
+/// In the middle of the well, nothing pulls at it.
 /// @param mu  strength of the well, which is at (0, 0): its mass times G [m³/s²], not negative
 /// @param dt  [s], not negative
 /// @throws std::invalid_argument if `mu` or `dt` is negative, or a number is not within ±1e5.
 State orbit_step(const State &ship, double mu, double dt);
 
 //> Softened gravity
-/// The acceleration of a ship in a softened well at (0, 0) [m/s²]: at a distance r, mu r / (r² + epsilon²)^(3/2).
+/// The acceleration of a ship in a softened well at (0, 0) [m/s²]: at a distance r, mu r / (r² + epsilon²)^(3/2)
+/// towards the well.
 /// @param mu       strength of the well [m³/s²], not negative
 /// @param epsilon  how far from the middle it is softened [m], more than 0
 /// @throws std::invalid_argument if `mu` is negative, `epsilon` is not positive, or a number is not within ±1e5.
@@ -87,7 +89,8 @@ Integrators step_all(const Integrators &before, double mu, double dt);
 //> Kepler's ellipse
 /// Where a ship is at time t [m], if its orbit is an ellipse around a well at (0, 0). At t = 0 it is nearest to the well,
 /// on the right of it, at (semi_major (1 - eccentricity), 0), and flies upwards: anticlockwise.
-/// Right to nine digits of `semi_major`, for eccentricities up to 0.99, and up to a hundred turns before or after t = 0.
+/// Right to nine digits of `semi_major`, for eccentricities up to 0.99, and up to a hundred turns before or after t = 0;
+/// beyond that it may be right to fewer.
 /// @param semi_major    half of the ellipse's length [m], more than 0
 /// @param eccentricity  from 0, a circle, to less than 1 [1]
 /// @param mu            strength of the well [m³/s²], more than 0
