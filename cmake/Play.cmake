@@ -69,6 +69,11 @@ macro(section_demo)
     add_dependencies(checks ${section}_demo)
     add_test(NAME ${section}.demo COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/play/script.mjs $<TARGET_FILE:${section}_demo>
       ${PROJECT_SOURCE_DIR}/demos/${section}.js)
+    file(GLOB tasks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section_number}_*.mjs) # what a place asks can be done
+    foreach(task ${tasks})
+      cmake_path(GET task STEM stem)
+      add_test(NAME ${section}.demo.${stem} COMMAND ${NODE} ${task} $<TARGET_FILE:${section}_demo>)
+    endforeach()
     if(COURSE_WASM)
       section_wasm()
     endif()

@@ -12,14 +12,14 @@ enum Game { you_guess, ship_and_hole, falling, landing, circles, one_step, softe
 const std::vector<std::string_view> with_engine{"ship and hole (3.1)", "four integrators (3.7)"};
 
 const demo::About about{
-    "A ship near a black hole.",
+    "Falling, and falling around.",
     {-16, -11},
     {16, 11},
     {demo::choice("The game",
                   {"you guess", "ship and hole (3.1)", "falling (3.2)", "landing (3.3)", "circles (3.4)", "steps (3.5)",
                    "softened (3.6)", "four integrators (3.7)", "Kepler (3.8)"},
                   you_guess),
-     {"push", "m/s", 0, 16, 0.5, 5, {}, {"you guess", "steps (3.5)", "softened (3.6)", "four integrators (3.7)"}},
+     {"push", "m/s", 0, 20, 0.5, 5, {}, {"you guess", "steps (3.5)", "softened (3.6)", "four integrators (3.7)"}},
      {"height", "m", 0, 16, 0.5, 12, {}, {"falling (3.2)", "landing (3.3)"}},
      {"throw", "m/s", -4, 4, 0.5, 2, {}, {"falling (3.2)"}},
      {"frames per second", "", 1, 60, 1, 4, {}, {"landing (3.3)"}},
@@ -43,9 +43,8 @@ const demo::About about{
 const demo::Still still{2.4};
 
 constexpr double hole_radius = 0.6, ground = -9; // [m]
-constexpr double burn_time = 0.25;               // for one press of a key [s]
-constexpr double burn_force = 16;                // 2 kg get 2 m/s faster with each burn [N]
-constexpr double hold = 2;                       // so long the ship hangs still, if nobody fires [s]
+constexpr double burst = 2, engine = 16;         // one press of a key [m/s], and how fast it comes [m/s²]
+constexpr double hold = 2;                       // so long the ship is held in place [s]
 constexpr double semi_major = 8;                 // of the comet's ellipse [m]
 
 struct State {
@@ -54,10 +53,11 @@ struct State {
     Fall lander;
     std::vector<Vec2> trail; ///< where it has been
     double nearest = 8, farthest = 8;
-    double burning{}; ///< for how much longer [s]
+    Vec2 due{0, 0}; ///< what the engine has still to add to the velocity [m/s]
     double time{}, spare{};
-    double chosen{}; ///< the sum of all controls at the start: if it changes, we begin again
-    bool over{};     ///< swallowed, or landed
+    double around{}, since{}; ///< how long the last turn has taken, and when this one began [s]
+    double chosen{};          ///< the sum of all controls at the start: if it changes, we begin again
+    bool over{};              ///< swallowed, escaped, or landed
 };
 
 /// What a change of these begins anew: all controls but the integrator, which is switched in flight.
@@ -99,8 +99,13 @@ double step_length(const State &now, const Input &in) {
     }
 }
 
+double energy_of(const motion::State &ship) { return ship.velocity.squaredNorm() / 2 - mu / ship.position.norm(); }
+
+bool is_seen(const Vec2 &at) { return std::abs(at.x()) < about.high.x() && std::abs(at.y()) < about.high.y(); }
+
 void fly(State &now, const Input &in, double dt) {
     motion::State &ship = now.ship.state;
+    const double y = ship.position.y();
     switch (now.game) {
     case circles:
     case you_guess:
@@ -124,8 +129,13 @@ void fly(State &now, const Input &in, double dt) {
     const double r = ship.position.norm();
     now.nearest = std::min(now.nearest, r);
     now.farthest = std::max(now.farthest, r);
-    if (r < hole_radius && now.game != softened) now.over = true;
-    if (ship.position.cwiseAbs().maxCoeff() > 1000) now.over = true; // it has escaped
+    const bool is_swallowed = r < hole_radius && now.game != softened;
+    const bool has_escaped = (!is_seen(ship.position) && energy_of(ship) >= 0) || r > 1000;
+    now.over = is_swallowed || has_escaped;
+    if (y < 0 && ship.position.y() >= 0) {
+        now.around = now.time - now.since;
+        now.since = now.time;
+    }
     now.trail.push_back(ship.position);
     if (now.trail.size() > 400) now.trail.erase(now.trail.begin());
 }
@@ -133,8 +143,9 @@ void fly(State &now, const Input &in, double dt) {
 void one_step_of(State &now, const Input &in) {
     const double dt = step_length(now, in);
     now.time += dt;
-    now.burning -= dt;
-    if (now.burning <= 0) now.ship.thrust = {0, 0};
+    const Vec2 gain = now.due * std::min(1.0, engine * dt / std::max(now.due.norm(), 1e-9));
+    now.due -= gain;
+    now.ship.thrust = now.ship.mass / dt * gain;
     if (now.over) {
         if (now.game != landing && now.game != falling && now.time > 2) start(now, in);
         return;
@@ -155,7 +166,8 @@ void one_step_of(State &now, const Input &in) {
         break;
     case comet: break;
     default:
-        if (now.game != ship_and_hole || now.time > hold) fly(now, in, dt);
+        if (now.game == ship_and_hole && now.time <= hold) now.ship.state.velocity += gain;
+        else fly(now, in, dt);
     }
     if (now.over && now.game != falling) now.time = 0;
 }
@@ -168,10 +180,7 @@ State next(State now, const Input &in) {
                                                    : Vec2{1, 0};
     if (in.key.substr(0, 5) == "Arrow" && !now.over) {
         if (now.game == landing) now.lander.velocity += direction.y(); // a burn of 1 m/s
-        const Vec2 thrust = burn_force * direction;
-        now.burning = (thrust == now.ship.thrust ? now.burning : 0) + burn_time;
-        now.ship.thrust = thrust;
-        now.time = std::max(now.time, hold);
+        now.due += burst * direction;
     }
     for (int due = demo::steps_due(now.spare, in, step_length(now, in)); due > 0; --due) one_step_of(now, in);
     return now;
@@ -179,26 +188,29 @@ State next(State now, const Input &in) {
 
 // ------------------------------------------------------------------------------------------------------ the picture
 
-void add(demo::Picture &seen, Shape::Kind kind, Colour colour, double size, std::vector<Vec2> points) {
-    seen.shapes.push_back({kind, colour, size, 1, std::move(points)});
+void add(demo::Picture &seen, Shape::Kind kind, Colour colour, double size, std::vector<Vec2> points,
+         double strength = 1) {
+    seen.shapes.push_back({kind, colour, size, strength, std::move(points)});
 }
 void add_words(demo::Picture &seen, const Vec2 &at, const char *words) {
     seen.shapes.push_back({Shape::words, Colour::dim, 0, 1, {at}, words});
 }
 
+void add_readout(demo::Picture &seen, const char *name, const char *unit, double value, int decimals = 2) {
+    seen.readouts.push_back({name, unit, value, decimals});
+}
+
 void draw_hole(demo::Picture &seen, double size) {
-    seen.shapes.push_back({Shape::discs, Colour::violet, size + 0.35, 0.35, {{0, 0}}});
+    add(seen, Shape::discs, Colour::violet, size + 0.35, {{0, 0}}, 0.35);
     add(seen, Shape::discs, Colour::violet, size, {{0, 0}});
     add_words(seen, {-1.1, -2.1}, "hole");
 }
-
-double energy_of(const motion::State &ship) { return ship.velocity.squaredNorm() / 2 - mu / ship.position.norm(); }
 
 demo::Picture ship_near_hole(const State &now, const Input &in) {
     demo::Picture seen;
     const auto &[position, velocity] = now.ship.state;
     const double epsilon = in["softened by"];
-    if (now.game == softened) seen.shapes.push_back({Shape::discs, Colour::violet, epsilon, 0.2, {{0, 0}}});
+    if (now.game == softened) add(seen, Shape::discs, Colour::violet, epsilon, {{0, 0}}, 0.2);
     else draw_hole(seen, hole_radius);
     if (now.trail.size() > 1) add(seen, Shape::line, Colour::blue, 1.5, now.trail);
     const Vec2 pull = now.over               ? Vec2{0, 0}
@@ -206,30 +218,31 @@ demo::Picture ship_near_hole(const State &now, const Input &in) {
                                              : gravity({position, 1}, hole, G);
     if (!now.over) {
         add(seen, Shape::discs, Colour::orange, 0.35, {position});
-        add(seen, Shape::arrow, Colour::blue, 2, {position, position + 0.3 * velocity});
+        if (velocity.norm() > 0) add(seen, Shape::arrow, Colour::blue, 2, {position, position + 0.3 * velocity});
         if (pull.norm() > 0)
             add(seen, Shape::arrow, Colour::green, 2,
                 {position, position + 0.15 * pull / std::max(1.0, pull.norm() / 40)});
-        if (now.burning > 0) add(seen, Shape::line, Colour::amber, 6, {position, position - 0.15 * now.ship.thrust});
-    } else {
-        add_words(seen, {-3, 2}, position.norm() < 9 ? "swallowed" : "escaped");
+        if (now.due.norm() > 0) add(seen, Shape::line, Colour::amber, 6, {position, position - now.due});
+        if (now.game == ship_and_hole && now.time <= hold) add_words(seen, {7, -2}, "held");
     }
+    if (now.over || !is_seen(position))
+        add_words(seen, {-3, 2}, is_seen(position) ? "swallowed" : now.over ? "escaped" : "out of the picture");
     const double r = position.norm();
-    seen.readouts = {{"distance", "m", r, 2}, {"speed", "m/s", velocity.norm(), 2}};
+    add_readout(seen, "distance", "m", r);
+    add_readout(seen, "speed", "m/s", velocity.norm());
     switch (now.game) {
-    case circles:
+    case circles: add_readout(seen, "once around", "s", now.around); break;
     case you_guess:
     case ship_and_hole:
-        seen.readouts.push_back({"nearest", "m", now.nearest, 2});
-        seen.readouts.push_back({"farthest", "m", now.farthest, 2});
-        seen.readouts.push_back({"acceleration", "m/s²", pull.norm(), 1});
+        add_readout(seen, "nearest", "m", now.nearest);
+        add_readout(seen, "farthest", "m", now.farthest);
+        add_readout(seen, "acceleration", "m/s²", pull.norm(), 1);
         break;
-    case softened: seen.readouts.push_back({"acceleration", "m/s²", pull.norm(), 1}); break;
+    case softened: add_readout(seen, "acceleration", "m/s²", pull.norm(), 1); break;
     default:
-        seen.readouts.push_back({"circular speed here", "m/s", circular_orbit_speed(hole.mass, r, G), 2});
-        seen.readouts.push_back({"energy of each kg", "J", energy_of(now.ship.state), 2});
-        seen.readouts.push_back(
-            {"angular momentum", "m²/s", position.x() * velocity.y() - position.y() * velocity.x(), 6});
+        add_readout(seen, "circular speed here", "m/s", circular_orbit_speed(hole.mass, r, G));
+        add_readout(seen, "energy of each kg", "J", energy_of(now.ship.state));
+        add_readout(seen, "angular momentum", "m²/s", position.x() * velocity.y() - position.y() * velocity.x(), 6);
     }
     return seen;
 }
@@ -237,29 +250,27 @@ demo::Picture ship_near_hole(const State &now, const Input &in) {
 demo::Picture above_the_moon(const State &now, const Input &in) {
     demo::Picture seen;
     const double height = now.lander.height;
-    seen.shapes.push_back({Shape::area, Colour::dim, 0, 0.4, {{-16, -11}, {16, -11}, {16, ground}, {-16, ground}}});
+    add(seen, Shape::area, Colour::dim, 0, {{-16, -11}, {16, -11}, {16, ground}, {-16, ground}}, 0.4);
     add_words(seen, {-15, ground - 1.4}, "the Moon");
     const Vec2 feet{0, ground + height};
     if (now.game == falling) {
         add(seen, Shape::discs, Colour::orange, 0.5, {feet + Vec2{0, 0.5}});
-        seen.readouts = {{"clock", "s", now.time, 2},
-                         {"predicted", "s", time_to_fall(in["height"], in["throw"], moon_g), 2},
-                         {"height", "m", height, 2}};
+        add_readout(seen, "clock", "s", now.time);
+        add_readout(seen, "predicted", "s", time_to_fall(in["height"], in["throw"], moon_g));
+        add_readout(seen, "height", "m", height);
         return seen;
     }
     for (const Vec2 &before : now.trail) // one for each frame
-        seen.shapes.push_back({Shape::discs, Colour::dim, 0.12, 1, {{4 + 1.2 * before.x(), ground + before.y()}}});
+        add(seen, Shape::discs, Colour::dim, 0.12, {{4 + 1.2 * before.x(), ground + before.y()}});
     add(seen, Shape::line, Colour::ink, 3,
         {feet + Vec2{-1, 0}, feet + Vec2{-0.5, 0.8}, feet + Vec2{0.5, 0.8}, feet + Vec2{1, 0}});
-    seen.shapes.push_back({Shape::area,
-                           Colour::blue,
-                           0,
-                           0.9,
-                           {feet + Vec2{-0.7, 0.8}, feet + Vec2{0.7, 0.8}, feet + Vec2{0.4, 2}, feet + Vec2{-0.4, 2}}});
-    if (now.burning > 0) add(seen, Shape::line, Colour::amber, 6, {feet + Vec2{0, 0.7}, feet + Vec2{0, -0.6}});
+    add(seen, Shape::area, Colour::blue, 0,
+        {feet + Vec2{-0.7, 0.8}, feet + Vec2{0.7, 0.8}, feet + Vec2{0.4, 2}, feet + Vec2{-0.4, 2}}, 0.9);
+    if (now.due.norm() > 0) add(seen, Shape::line, Colour::amber, 6, {feet + Vec2{0, 0.7}, feet + Vec2{0, -0.6}});
     if (now.over) add_words(seen, {-6, ground + 3}, now.lander.velocity > -2 ? "landed" : "too fast");
-    seen.readouts = {
-        {"height", "m", height, 3}, {"velocity", "m/s", now.lander.velocity, 3}, {"time", "s", now.lander.time, 3}};
+    add_readout(seen, "height", "m", height, 3);
+    add_readout(seen, "velocity", "m/s", now.lander.velocity, 3);
+    add_readout(seen, "time", "s", now.lander.time, 3);
     return seen;
 }
 
@@ -274,14 +285,15 @@ demo::Picture comet_and_sun(const State &now, const Input &in) {
     for (const int k : {0, 6}) { // the same time, and the same area
         std::vector<Vec2> swept{{2, 0}};
         for (int i = 0; i <= 8; ++i) swept.push_back(at((k + i / 8.0) / 12));
-        seen.shapes.push_back({Shape::area, Colour::green, 0, 0.3, swept});
+        add(seen, Shape::area, Colour::green, 0, swept, 0.3);
     }
     add(seen, Shape::line, Colour::blue, 1.5, orbit);
     add(seen, Shape::discs, Colour::dim, 0.18, marks);
-    seen.shapes.push_back({Shape::discs, Colour::amber, 0.6, 1, {{2, 0}}});
+    add(seen, Shape::discs, Colour::amber, 0.6, {{2, 0}});
     const Vec2 comet_at = at(now.time / turn);
     add(seen, Shape::discs, Colour::orange, 0.35, {comet_at});
-    seen.readouts = {{"time", "turns", now.time / turn, 2}, {"distance", "m", (comet_at - Vec2{2, 0}).norm(), 2}};
+    add_readout(seen, "time", "turns", now.time / turn);
+    add_readout(seen, "distance", "m", (comet_at - Vec2{2, 0}).norm());
     return seen;
 }
 

@@ -4,6 +4,7 @@
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import { gunzipSync } from 'node:zlib';
+import { aboutOf, line, pictureOf, printedRow, reader } from './rows.mjs';
 
 const [native, published] = process.argv.slice(2);
 const [, name, packed] = /\['(\w+)'\] = '(.*)';/.exec(fs.readFileSync(published, 'utf8'));
@@ -21,24 +22,12 @@ for (const { module: from, name: called } of WebAssembly.Module.imports(module))
 const world = new WebAssembly.Instance(module, imports).exports;
 world._initialize();
 
-function reader(address) {
-  const memory = new Float64Array(world.memory.buffer);
-  let at = address / 8;
-  const number = () => memory[at++], list = (each) => Array.from({ length: number() }, each);
-  const words = () => String.fromCharCode(...list(number)), point = () => [number(), number()];
-  return { number, words, list, point, all: () => memory.slice(address / 8, at) };
-}
+const seen = (address) => reader(new Float64Array(world.memory.buffer, address));
 function frame(...input) {
-  const { number, words, list, point, all } = reader(world.frame(...input, 1e9));
-  const shapes = list(() => ({ kind: number(), colour: number(), size: number(), strength: number(), points: list(point), text: words() }));
-  list(() => [words(), words(), number(), number()]);
-  return { row: all(), handles: shapes.filter(({ kind }) => kind === 5).flatMap(({ points }) => points).length };
+  const rest = seen(world.frame(...input, 1e9)), { shapes } = pictureOf(rest);
+  return { row: rest.all(), handles: shapes.filter(({ kind }) => kind === 5).flatMap(({ points }) => points).length };
 }
-
-const { number, words, list, point } = reader(world.begin(1e9));
-const about = { title: words(), low: point(), high: point(),
-  controls: list(() => ({ name: words(), unit: words(), low: number(), high: number(), step: number(), value: number(), options: list(words), onlyWith: list(words) })),
-  keys: list(() => [words(), words(), list(words)]) };
+const about = aboutOf(seen(world.begin(1e9)));
 
 let state = 7;
 const chance = () => (state = (state * 48271) % 2147483647) / 2147483647;
@@ -54,20 +43,16 @@ for (let i = 0; i < 2000; i++) {
   const dt = i % 100 < 85 ? 1 / 64 + (i % 7) / 512 : 0, one = i % 100 > 95 ? 1 : 0; // it rests now and then, and is stepped
   const input = [dt, one, ...pointer, inside, inside && chance() < 0.05 ? 1 : 0, held, about.keys.length > 0 && chance() < 0.02 ? Math.floor(chance() * about.keys.length) : -1];
   values.forEach((value, at) => world.control(at, value));
-  const seen = frame(...input);
-  lines.push([...input, ...values].map((x) => x.toPrecision(17)).join(' ').replace(/\.0+(?= |$)/g, ''));
-  rows.push(seen.row);
-  handles = seen.handles;
+  const { row, handles: count } = frame(...input);
+  lines.push(line(input, values));
+  rows.push(row);
+  handles = count;
 }
 
-const hex = (word) => {
-  const [, sign, whole, fraction, power] = /^(-?)0x([01])\.?([0-9a-f]*)p([+-]\d+)$/.exec(word);
-  return (sign ? -1 : 1) * parseInt(whole + fraction, 16) * 2 ** (Number(power) - 4 * fraction.length);
-};
 const printed = execFileSync(native, { input: lines.join('\n') + '\n', maxBuffer: 1 << 30 }).toString().trim().split('\n');
 let most = 0;
 rows.forEach((row, i) => {
-  const there = (printed[i] ?? '').trim().split(' ').map(hex);
+  const there = printedRow(printed[i]);
   const different = there.length === row.length ? row.findIndex((x, k) => !(Math.abs(x - there[k]) <= tolerance)) : 0;
   row.forEach((x, k) => (most = Math.max(most, Math.abs(x - there[k]))));
   if (there.length === row.length && different < 0) return;

@@ -110,7 +110,8 @@ struct Reader {
     void add_next(std::string &out) {
         const bool is_command = rest.front() == '\\';
         const std::string next = one();
-        const bool is_name = is_command && next.size() > 1 && std::isalpha(static_cast<unsigned char>(next.front())) != 0;
+        const bool is_name =
+            is_command && next.size() > 1 && std::isalpha(static_cast<unsigned char>(next.front())) != 0;
         const unsigned char before = out.empty() ? ' ' : static_cast<unsigned char>(out.back());
         if (is_name && (std::isalnum(before) != 0 || before >= 0x80)) out += ' ';
         out += next;
