@@ -7,7 +7,7 @@ namespace gravity_wells {
 //> A ship and a hole
 constexpr double G = 1;                 ///< this game's own gravitational constant [N m²/kg²]
 const PointMass hole{{0, 0}, 800};      ///< a black hole of 800 kg
-const double mu = G * hole.mass;        ///< what counts of the hole [m³/s²]
+const double mu = G * hole.mass;        ///< how strong the hole is [m³/s²]
 const State at_rest{{8, 0}, {0, 0}};    ///< 8 m to the right of the hole
 constexpr double frame_time = 1.0 / 60; ///< [s]
 

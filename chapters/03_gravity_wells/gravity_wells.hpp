@@ -19,8 +19,8 @@ using motion::PointMass, motion::State;
 Vec2 gravity(const PointMass &body, const PointMass &other, double G);
 
 //> Time to fall
-/// How long something falls until it reaches the floor [s]: if it is on the floor 0, unless it is thrown upwards.
-/// Right to twelve digits of how long it would take if it were thrown upwards at that speed.
+/// How long something falls until it reaches the floor [s]: 0 if it is there already, unless it is thrown upwards.
+/// Right to twelve digits; if it is thrown downwards, to as many decimal places as if it were thrown upwards.
 /// @param height    above the floor at the start [m], not negative
 /// @param velocity  at the start [m/s]: positive upwards
 /// @param g         how much faster it falls each second [m/s²], more than 0
