@@ -156,6 +156,11 @@ Vec2 unknown_names(const Spark &spark, const std::vector<Spark> &pool) {
     Vec2 sum = position + spark.position;      // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
     for (const Spark &body : pool) sum += body.position;
     sum += body.position;                      // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
+    sum *= m1;                                 // If m1 is a letter of a formula, say what it is in the code: a parameter, or a field of one, as in a.mass; else declare it above.
+    sum *= 2 * pi;                             // Write std::numbers::pi, and #include <numbers> at the top of your file.
+    for (int i = 0; i < 3; ++i) {
+        Vec2 sum = Vec2{1, 2};                 // A type before the name makes a second variable: to change the first one, leave it out.
+    }
     cout << sum;                               // Write std::cout, and #include <iostream> at the top of your file.
     return sum;
 }
@@ -174,7 +179,7 @@ bool warnings(double t, const std::vector<Spark> &pool) {
 struct Two { double a{}, b{}; };
 Two two_of(const Spark &first, const Spark &second) {
     if (first.age < 0) return {first, second}; // The braces hold the fields of the result, in the order of the header; a number is a.mass, say, not the whole a.
-    two_of(first.age, 2);                      // A whole Spark is wanted here, not one of its fields: a, not a.mass.
+    two_of(first.age, 2);                      // A whole Spark is wanted here, not a number: pass one that you have, a and not a.mass, or make one of its fields in braces, in the order of the header.
     Two two = two_of(first, second);
     two.a = two.b.age;                         // That is a number already: it has no fields.
     return two;

@@ -465,6 +465,21 @@ TEST_CASE("a verdict survives its way through JSON") {
     CHECK(explain(named, 2).find("gave  {g, h}\n  speed:\n  got   {g, h}\n") != std::string::npos);
 }
 
+TEST_CASE("a struct of structs that is wider than a screen has a line for each part, and nothing else is broken") {
+    const auto part = [](const std::string &name) { return name + " {position (8, 0) m, velocity (0, 10) m/s}"; };
+    const std::string wide = '{' + part("first") + ", " + part("second") + ", " + part("third") + '}';
+    const std::string list = "walls = [" + wide + ", " + wide + ']', numbers = "{" + std::string(120, '1') + ", 2}";
+    Verdict verdict;
+    verdict.call = Call{"step_all", {"before = " + wide, list, "all = " + numbers, "dt = 2 s"}, 0, wide};
+    CHECK(explain(verdict, 2)
+          == "  call  step_all() with\n          before = {" + part("first") + ",\n                    "
+                 + part("second") + ",\n                    " + part("third") + "}\n          " + list
+                 + "\n          all = " + numbers + "\n          dt = 2 s\n  gave  {" + part("first") + ",\n         "
+                 + part("second") + ",\n         " + part("third") + "}\n");
+    verdict.call->arguments = {"now = {" + part("a") + ", b {1}}"}; // short enough
+    CHECK(explain(verdict, 2).find("now = {" + part("a") + ", b {1}}\n") != std::string::npos);
+}
+
 TEST_CASE("JUnit files are XML whatever a student prints, and count what failed") {
     Verdict wrong{
         "7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, {}, "", "1", "2", "", "t.cpp", 3, {"\u00e4"}, 0};

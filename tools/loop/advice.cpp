@@ -32,6 +32,8 @@ constexpr const char *other_list = "The lists hold different things: begin an em
 constexpr const char *fields_in_braces =
     "The braces hold the fields of the result, in the order of the header; a number is "
     "a.mass, say, not the whole a.";
+constexpr const char *one_more =
+    "A type before the name makes a second variable: to change the first one, leave it out.";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
 /// A slip that the compiler's words alone give away, or together with a word of its notes.
@@ -76,6 +78,8 @@ constexpr std::array slips{
     Slip{"functions that differ only in their return type", "", same_result},
     Slip{"to 'const char*'", "", double_quotes},
     Slip{"of type 'const char *' with an rvalue", "", double_quotes},
+    Slip{"shadows a previous local", "", one_more},
+    Slip{"declaration shadows a local variable", "", one_more},
     Slip{"of different signedness", "", count_in_size},
     Slip{"of different signs", "", count_in_size},
     Slip{"conversion from 'double' to 'int'", "", whole_number},
@@ -273,7 +277,10 @@ std::string about_argument(const Said &said) {
     if ((!gcc && !said.words.starts_with("no matching function for call to '")) || types.size() < 2) return {};
     const std::string whole = struct_name(gcc ? types.front() : types.back()), &given = types[gcc ? 1 : 0];
     if (whole.empty()) return {};
-    if (is_number(given)) return "A whole " + whole + " is wanted here, not one of its fields: a, not a.mass.";
+    if (is_number(given))
+        return "A whole " + whole
+               + " is wanted here, not a number: pass one that you have, a and not a.mass, or make one of its fields "
+                 "in braces, in the order of the header.";
     return is_vector(given) || !struct_name(given).empty()
                ? "A " + whole + " is wanted here: put its fields in braces, in the order of the header."
                : "";
@@ -330,12 +337,19 @@ std::string about_unknown_name(const Said &said) {
     const bool unknown = contains(said.words, "was not declared in this scope")
                          || said.words.starts_with("use of undeclared identifier");
     const auto names = in_quotes(said.words);
+    if (unknown && !names.empty() && (names[0] == "pi" || names[0] == "PI"))
+        return "Write std::numbers::pi, and #include <numbers> at the top of your file.";
     if (!unknown || names.empty() || contains(said.words, "std::")) return {};
     for (const auto &[name, header] : standards)
         if (names[0] == name && names[0] != header) // a list of your own may be called `numbers`
             return "Write std::" + names[0] + ", and #include <" + header + "> at the top of your file.";
     if (contains(said.code, names[0] + '('))
         return "If " + names[0] + " is a function of yours, put it above the one that calls it.";
+    if (names[0].size() == 2 && std::isalpha(static_cast<unsigned char>(names[0][0])) != 0
+        && std::isdigit(static_cast<unsigned char>(names[0][1])) != 0)
+        return "If " + names[0]
+               + " is a letter of a formula, say what it is in the code: a parameter, or a field of one, as in a.mass; "
+                 "else declare it above.";
     if (contains(said.words, "did you mean")) return {};
     return "A field needs its struct, as in start.velocity; a variable is known below the line that declares it, "
            "inside the same braces.";

@@ -77,6 +77,30 @@ void from_json(const nlohmann::json &json, Verdict &v) {
         v.call = Call{call->at("function"), call->at("arguments"), call->at("before"), call->at("answer")};
 }
 
+namespace {
+
+/// A struct of structs that would be wider than a screen: each of its parts on a line of its own, below the first.
+std::string in_lines(const std::string &line, std::size_t before) {
+    constexpr std::size_t widest = 100; // bytes, which are nearly columns
+    const std::size_t opens = line.find('{');
+    if (before + line.size() <= widest || opens == line.npos || !line.ends_with('}')) return line;
+    if (opens != 0 && !line.substr(0, opens).ends_with(" = ")) return line; // a list of structs, for example
+    std::string text;
+    int depth = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '{') ++depth;
+        if (line[i] == '}') --depth;
+        const bool ends_part = line[i] == ',' && depth == 1 && line[i - 1] == '}';
+        text += line[i];
+        if (!ends_part) continue;
+        text += '\n' + std::string(before + opens + 1, ' ');
+        ++i; // the blank behind the comma
+    }
+    return text;
+}
+
+} // namespace
+
 std::string explain(const Verdict &v, int indent) {
     const std::string margin(static_cast<std::size_t>(indent), ' ');
     std::string text;
@@ -88,8 +112,9 @@ std::string explain(const Verdict &v, int indent) {
     if (v.call && !nothing_to_see) {
         say("call  " + v.call->function + "()" + (v.call->arguments.empty() ? "" : " with")
             + (v.call->before == 0 ? "" : "   (call " + std::to_string(v.call->before + 1) + " of this test)"));
-        for (const auto &argument : v.call->arguments) say("        " + argument);
-        if (!v.call->answer.empty() && (v.call->answer != v.got || !v.label.empty())) say("gave  " + v.call->answer);
+        for (const auto &argument : v.call->arguments) say("        " + in_lines(argument, margin.size() + 8));
+        if (!v.call->answer.empty() && (v.call->answer != v.got || !v.label.empty()))
+            say("gave  " + in_lines(v.call->answer, margin.size() + 6));
     }
     if (!v.label.empty()) say(v.label + ':');
     if (!v.got.empty()) say("got   " + v.got);
