@@ -96,7 +96,9 @@ std::string student_trouble(const Section &section, const Finished &finished, do
         return "your program " + meaning_of_signal(finished.code - 128) + "; " + check + " says in which function";
     if (finished.code == 0) return "";
     if (finished.code == 1 && contains(finished.err, "error: "))
-        return "some parts of the program failed, because one of your functions threw; " + check + " shows which";
+        return "some parts of the program failed, because one of your functions threw, perhaps at what another one had "
+               "answered; "
+               + check + " shows what is wrong";
     if (is_only_unfinished(finished))
         return "some parts of the program need functions that are not started; " + check + " shows which";
     const std::string said = last_line(finished.err);
