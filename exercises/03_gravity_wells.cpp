@@ -56,7 +56,7 @@ static void require_step(const State &ship, double mu, double dt) {
 // 3.5 stretch
 State orbit_step(const State &ship, double mu, double dt) {
     require_step(ship, mu, dt);
-    throw course::NotYet{"what pulls at the ship where it is now? At which velocity does it move, then?"};
+    throw course::NotYet{"what pulls on the ship where it is now? At which velocity does it move, then?"};
 }
 
 // 3.6 stretch

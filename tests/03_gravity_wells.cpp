@@ -52,7 +52,7 @@ TEST_CASE("at a distance of 1 m the pull is G times both masses, in every direct
 }
 
 //> Equal and opposite
-TEST_CASE("two bodies pull at each other equally hard, in opposite directions", "[3.1]") {
+TEST_CASE("two bodies pull on each other equally hard, in opposite directions", "[3.1]") {
     Dice dice;
     for (int i = 0; i < course::cases(5000); ++i) {
         const PointMass a = random_body(dice), b = random_body(dice);
@@ -112,8 +112,7 @@ TEST_CASE("erratum E3.2: a person of 70 kg weighs 154 pounds, not 155, at 4.45 N
 }
 
 //> Erratum E3.4
-TEST_CASE("erratum E3.4: a refrigerator and a baseball fall alike, exactly; only the Earth falls towards them",
-          "[3.1]") {
+TEST_CASE("erratum E3.4: a refrigerator and a baseball fall with exactly the same acceleration", "[3.1]") {
     const PointMass earth{{0, 0}, 5.98};
     for (const double mass : {100.0, 0.145}) {
         const Vec2 acceleration = gravity({{0, 6.38}, mass}, earth, 66.7) / mass;
@@ -149,7 +148,7 @@ TEST_CASE("positions and masses up to ±1e5 are allowed, bodies far apart, close
 }
 
 //> Nothing to divide by
-TEST_CASE("two bodies at the same point do not pull at each other, and the answer is (0, 0)", "[3.1]") {
+TEST_CASE("two bodies at the same point do not pull on each other, and the answer is (0, 0)", "[3.1]") {
     CHECK_THAT(gravity({{0, 0}, 2}, {{0, 0}, 800}, 1), IsNear(Vec2{0, 0}));
     CHECK_THAT(gravity({{3, -4}, 2}, {{3, -4}, 800}, 1), IsNear(Vec2{0, 0}));
 }
@@ -730,7 +729,7 @@ TEST_CASE("each of the four starts from its own state", "[3.7]") {
 }
 
 //> Orders
-TEST_CASE("in half as long steps, the error after a quarter of a turn is 2, 2, 4 and 16 times smaller", "[3.7]") {
+TEST_CASE("with steps half as long, the error after a quarter of a turn is 2, 2, 4 and 16 times smaller", "[3.7]") {
     const std::array<double, 4> long_steps = errors_after_a_quarter(200), short_steps = errors_after_a_quarter(400);
     constexpr double want[]{2, 2, 4, 16};
     constexpr const char *names[]{"explicit_euler: ratio of the errors [1]", "semi_implicit: ratio of the errors [1]",
@@ -800,7 +799,7 @@ TEST_CASE("step_all allows numbers up to 1e5 and small ones, and answers beyond 
         CHECK_THAT(slow.*which, IsNear(State{{6e-9, 0}, {2e-9, 0}}, rounding).of("one of the four"));
     }
     for (const auto &[r, mu, dt] : {std::array{4.0, 1e5, 1e3}, std::array{2e-9, 1e-9, 1e-3}}) {
-        // from rest; half a step later it is so far away that nothing pulls at it any more
+        // from rest; half a step later it is so far away that nothing pulls on it any more
         const double fast = mu / (r * r) * dt, far = fast * dt;
         const Integrators fallen = step_all(all_from({{0, r}, {0, 0}}), mu, dt);
         CHECK_THAT(fallen.explicit_euler, IsNear(State{{0, r}, {0, -fast}}, rounding).of("explicit_euler"));

@@ -3,7 +3,7 @@
 #include "../course.hpp"
 #include "../interface.hpp"
 
-/// Section 3: how hard masses pull at each other, and how things fall: down, and around.
+/// Section 3: how hard masses pull on each other, and how things fall: down, and around.
 /// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
 /// An answer is right to twelve digits of the largest term in its sum, unless its function says otherwise; with points
 /// closer to each other than 1e-9 m, but not the same, or with other numbers that small, it may be right to fewer.
@@ -13,7 +13,7 @@ using course::Vec2;
 using motion::PointMass, motion::State;
 
 //> Gravity
-/// The force with which `other` pulls at `body` [N]. At the same point it is (0, 0): there is no direction to pull in.
+/// The force with which `other` pulls on `body` [N]. At the same point it is (0, 0): there is no direction to pull in.
 /// @param G  the gravitational constant [N m²/kg²], not negative; a game may have its own
 /// @throws std::invalid_argument if `G` or a mass is negative, or a number is not within ±1e5.
 Vec2 gravity(const PointMass &body, const PointMass &other, double G);
@@ -55,7 +55,7 @@ double circular_orbit_speed(double mass, double radius, double G);
 
 //> One step of an orbit
 /// A ship `dt` seconds later, by one step of semi-implicit Euler: it is pulled where it is, and moves at its new velocity.
-/// In the middle of the well, nothing pulls at it.
+/// In the middle of the well, nothing pulls on it.
 /// @param mu  strength of the well, which is at (0, 0): its mass times G [m³/s²], not negative
 /// @param dt  [s], not negative
 /// @throws std::invalid_argument if `mu` or `dt` is negative, or a number is not within ±1e5.
