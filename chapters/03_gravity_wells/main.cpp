@@ -134,6 +134,15 @@ void print_comet(std::ostream &out) {
     }
 }
 
+//> A comet, traced
+void trace_anomaly(std::ostream &out) {
+    out << "# x[m]\ty[m]\n";
+    for (int part = 0; part < 24; ++part) { // of a turn
+        const Vec2 at = kepler_position(semi_major, eccentricity, mu, part / 24.0 * whole_turn);
+        out << at.x() << '\t' << at.y() << '\n';
+    }
+}
+
 //> A fall of 479 pixels, traced
 void trace_fall(std::ostream &out) {
     out << "# t[frames]\tas printed[px]\texact[px]\n";
@@ -220,5 +229,6 @@ int main(int argc, char **argv) {
                         {"03_gravity_wells_orbits.tsv", trace_orbits},
                         {"03_gravity_wells_energy.tsv", trace_energy},
                         {"03_gravity_wells_errors.tsv", trace_errors},
-                        {"03_gravity_wells_pull.tsv", trace_pull}});
+                        {"03_gravity_wells_pull.tsv", trace_pull},
+                        {"03_gravity_wells_anomaly.tsv", trace_anomaly}});
 }
