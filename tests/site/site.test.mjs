@@ -63,7 +63,7 @@ function leftRaw() {
   while (walker.nextNode()) {
     const node = walker.currentNode;
     if (node.parentElement.closest('code, pre, kbd, .katex, script, style')) continue;
-    if (/\$|\\[a-z]|\{\{|\uE000|\uE001|htmlonly|<\/?[a-z]+>|^#+ /.test(node.data)) found.push(node.data.trim());
+    if (/\$|\\[a-z]|\{\{\w+\}\}|\uE000|\uE001|htmlonly|<\/?[a-z]+>|^#+ /.test(node.data)) found.push(node.data.trim());
   }
   return found;
 }
