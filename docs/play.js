@@ -117,6 +117,9 @@
     };
   }
 
+  // Without a minus before a zero.
+  const digits = (value, decimals) => (Number(value.toFixed(decimals)) + 0).toFixed(decimals).replace('-', '−');
+
   let figures = 0;
   async function play(figure) {
     const name = figure.dataset.demo, id = ++figures;
@@ -248,7 +251,7 @@
       picture = seen.shapes;
       if (seen.readouts.map(({ name: title }) => title).join() !== [...readouts.querySelectorAll('dt')].map((each) => each.textContent).join())
         readouts.replaceChildren(...seen.readouts.map(({ name: title, unit }) => make('div', {}, make('dt', { textContent: title }), make('dd', {}, make('b'), ` ${unit}`))));
-      readouts.querySelectorAll('b').forEach((shown, i) => (shown.textContent = seen.readouts[i].value.toFixed(seen.readouts[i].decimals).replace('-', '−')));
+      readouts.querySelectorAll('b').forEach((shown, i) => (shown.textContent = digits(seen.readouts[i].value, seen.readouts[i].decimals)));
       if (whose === 'yours') tellWhose();
       draw();
     }

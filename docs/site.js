@@ -219,7 +219,8 @@
     return found.length > 0 || term.length < 5 ? found : index.query((query) => query.term(term, { editDistance: 1 }));
   }
 
-  // Parts that have the most of the words, the best first: the book's text before the names of interfaces.
+  // Parts that have the most of the words, the best first: the book's text before the names of interfaces, unless just
+  // such a name was asked for.
   function matches(terms) {
     const scores = new Map();
     for (const term of terms)
@@ -230,8 +231,9 @@
     const most = Math.max(0, ...[...scores.values()].map(({ words }) => words));
     const hits = [...scores].filter(([, { words }]) => words === most).sort((a, b) => b[1].score - a[1].score)
       .map(([ref]) => searchIndex.documents[ref]);
-    const isName = (hit) => hit.page.startsWith('Interface: ');
-    return { all: most === terms.length, hits: [...hits.filter((hit) => !isName(hit)), ...hits.filter(isName)] };
+    const asked = words.value.trim().replace('()', ''), isName = (hit) => hit.page.startsWith('Interface: ');
+    const rank = (hit) => (!isName(hit) ? 1 : asked.includes('_') && hit.part.replace('()', '') === asked ? 0 : 2);
+    return { all: most === terms.length, hits: hits.sort((a, b) => rank(a) - rank(b)) };
   }
 
   // The piece of the text with the most of the words, and the words marked.

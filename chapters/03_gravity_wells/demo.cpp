@@ -141,6 +141,7 @@ void fly(State &now, const Input &in, double dt) {
 }
 
 void one_step_of(State &now, const Input &in) {
+    if (now.over && now.game == falling) return; // with the clock
     const double dt = step_length(now, in);
     now.time += dt;
     const Vec2 gain = now.due * std::min(1.0, engine * dt / std::max(now.due.norm(), 1e-9));

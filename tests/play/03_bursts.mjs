@@ -1,20 +1,14 @@
 // 03_bursts.mjs NATIVE: the task of 3.1's demo. Five bursts keep the ship beyond 4 m; four do not, in whatever directions.
 import assert from 'node:assert';
-import { execFileSync } from 'node:child_process';
-import { aboutOf, line, pictureOf, printedRow, reader } from './rows.mjs';
+import { player } from './rows.mjs';
 
-const [native] = process.argv.slice(2), rate = 60;
-const run = (words, input) => execFileSync(native, words, { input, maxBuffer: 1 << 30 }).toString().trim().split('\n');
-const about = aboutOf(reader(printedRow(run(['--picture', ''], '')[0])));
-const values = about.controls.map(({ name, value, options }) => (name === 'The game' ? options.indexOf('ship and hole (3.1)') : value));
+const demo = player(process.argv[2]), values = demo.values({ 'The game': 'ship and hole (3.1)' });
 
 /// How near the ship comes to the hole within six seconds, with these presses: the time in seconds, and the key.
 function nearest(presses) {
-  const keys = Array(6 * rate).fill(-1);
-  for (const [time, key] of presses) keys[Math.round(time * rate)] = about.keys.findIndex((each) => each.key === `Arrow${key}`);
-  const rows = run([], keys.map((key) => `${line([1 / rate, 0, 0, 0, 0, 0, -1, key], values)}\n`).join(''));
-  const seen = rows.filter((_, at) => at % rate === 0).map((row) => pictureOf(reader(printedRow(row)))); // it lasts two seconds
-  return Math.min(...seen.map(({ readouts }) => readouts.find(({ name }) => name === 'nearest').value));
+  const keys = Array(6 * 60).fill('');
+  for (const [time, key] of presses) keys[Math.round(time * 60)] = `Arrow${key}`;
+  return Math.min(...demo.readouts(values, keys).map((seen) => seen.nearest));
 }
 const inTurn = (keys) => keys.map((key, at) => [0.1 + 0.3 * at, key]); // as fast as one can press without hurry
 const up = (count) => Array(count).fill('Up');

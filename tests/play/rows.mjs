@@ -1,4 +1,5 @@
 // The rows of numbers that a demo writes, as tools/play/host/frame.hpp puts them together.
+import { execFileSync } from 'node:child_process';
 
 /// Takes one thing after the other from a row.
 export function reader(numbers) {
@@ -25,3 +26,19 @@ export const printedRow = (text) => text.trim().split(' ').map((word) => {
   const [, sign, whole, fraction, power] = /^(-?)0x([01])\.?([0-9a-f]*)p([+-]\d+)$/.exec(word);
   return (sign ? -1 : 1) * parseInt(whole + fraction, 16) * 2 ** (Number(power) - 4 * fraction.length);
 });
+
+/// A demo that was built without a page.
+export function player(native) {
+  const run = (words, input) => execFileSync(native, words, { input, maxBuffer: 1 << 30 }).toString().trim().split('\n');
+  const about = aboutOf(reader(printedRow(run(['--picture', ''], '')[0])));
+  return {
+    /// Its controls as they are at first, but for these.
+    values: (chosen) => about.controls.map(({ name, value, options }) => (name in chosen ? (options.length > 0 ? options.indexOf(chosen[name]) : chosen[name]) : value)),
+    /// A frame for each of these keys, with '' for none, of 1/60 s; the readouts after the last one in each second.
+    readouts(values, keys) {
+      const at = (key) => about.keys.findIndex((each) => each.key === key);
+      const rows = run([], keys.map((key) => `${line([1 / 60, 0, 0, 0, 0, 0, -1, at(key)], values)}\n`).join(''));
+      return rows.filter((_, frame) => frame % 60 === 59).map((row) => Object.fromEntries(pictureOf(reader(printedRow(row))).readouts.map(({ name, value }) => [name, value])));
+    },
+  };
+}

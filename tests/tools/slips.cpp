@@ -200,6 +200,9 @@ std::vector<double> other_lists(const std::vector<Spark> &pool, const std::vecto
 }
 Vec2 powers_and_lengths(const Vec2 &a, const Vec2 &b, const Spark &spark, double t) {
     const double length = a.norm;              // A call needs parentheses: a.x(), not a.x.
+    const double size = norm(a);               // The length of a Vec2 is a.norm().
+    const double reach = a.length();           // The length of a Vec2 is a.norm().
+    const double turn = 2 * std::pi;           // Write std::numbers::pi, and #include <numbers> at the top of your file.
     const double twice = 2t;                   // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
     const double square = t²;                  // ² is not C++: write t * t.
     const double cube = t ** 3;                // ** is not a power: write t * t.

@@ -13,6 +13,8 @@ namespace course {
 namespace {
 
 constexpr const char *missing_star = "Is a * missing? A product needs it: 2 * t, 2 * (a + b).";
+constexpr const char *write_pi = "Write std::numbers::pi, and #include <numbers> at the top of your file.";
+constexpr const char *length_of_vector = "The length of a Vec2 is a.norm().";
 constexpr const char *call_it = "A call needs parentheses: a.x(), not a.x.";
 constexpr const char *whole_number =
     "An int has no digits after the decimal point: to keep them, write double; to drop them, int(…).";
@@ -46,6 +48,8 @@ struct Slip {
 constexpr std::array slips{
     Slip{"non-void function", "", no_way_back},
     Slip{"no return statement", "", no_way_back},
+    Slip{"'pi' is not a member of 'std'", "", write_pi},
+    Slip{"no member named 'pi' in namespace 'std'", "", write_pi},
     Slip{"unable to find numeric literal operator", "", missing_star},
     Slip{"invalid suffix '", "", missing_star},
     Slip{"unresolved overloaded function type", "", call_it},
@@ -258,6 +262,7 @@ std::string about_member(const Said &said) {
     const std::string &asked = gcc ? names[0] : names[1];
     if (const std::string name = struct_name(asked); !name.empty() && !contains(said.words, "did you mean"))
         return "Look up the fields of " + name + " in the header.";
+    if (is_vector(asked) && (gcc ? names[1] : names[0]) == "length") return length_of_vector;
     if (!is_optional(asked)) return {};
     return "It may be nothing: ask first, if (found), and then write found->" + (gcc ? names[1] : names[0]) + '.';
 }
@@ -337,8 +342,8 @@ std::string about_unknown_name(const Said &said) {
     const bool unknown = contains(said.words, "was not declared in this scope")
                          || said.words.starts_with("use of undeclared identifier");
     const auto names = in_quotes(said.words);
-    if (unknown && !names.empty() && (names[0] == "pi" || names[0] == "PI"))
-        return "Write std::numbers::pi, and #include <numbers> at the top of your file.";
+    if (unknown && !names.empty() && (names[0] == "pi" || names[0] == "PI")) return write_pi;
+    if (unknown && !names.empty() && (names[0] == "norm" || names[0] == "length")) return length_of_vector;
     if (!unknown || names.empty() || contains(said.words, "std::")) return {};
     for (const auto &[name, header] : standards)
         if (names[0] == name && names[0] != header) // a list of your own may be called `numbers`
@@ -432,9 +437,9 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
 } // namespace
 
 std::string advice(const Said &said) {
-    for (const auto about : {about_else, about_return, about_condition, about_semicolon, about_missing_star, about_power,
-                             about_if, about_braces, about_member, about_argument, about_operands, about_conversion,
-                             about_two_types, about_header, about_unknown_name})
+    for (const auto about : {about_else, about_return, about_condition, about_semicolon, about_missing_star,
+                             about_power, about_if, about_braces, about_member, about_argument, about_operands,
+                             about_conversion, about_two_types, about_header, about_unknown_name})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;
