@@ -72,7 +72,8 @@ void need_compiler(const Tree &tree, bool yes) {
         throw Complaint{why
                         + "; it is Clang 14 with the packages wasi-libc and libc++-14-dev-wasm32 of Debian 12, "
                           "which are not to be had here. Without --mine the demo runs on ours"};
-    std::cout << "To play with your code: " << why << ".\nDebian has one" << sizes(printed) << ":\n  " << typed << '\n';
+    std::cout << "To play with your code: " << why << ".\nDebian has one" << sizes(printed) << ":\n  " << typed << '\n'
+              << std::flush;
     if (!yes && !(can_ask() && ask("Install it now? [y/N] ")))
         throw Complaint{"nothing was installed; type the line above, then ./course play again. Without --mine the demo "
                         "runs on ours"};
