@@ -265,7 +265,8 @@ TEST_CASE("an entry of the contents comes where its number belongs, and one to c
 }
 
 // The whole way, in a copy of this course: half a minute, most of it compiling.
-TEST_CASE("a new section configures, builds, is drawn, woven and judged, and nothing else has changed", "[new][configure]") {
+TEST_CASE("a new section configures, builds, is drawn, woven and judged, and nothing else has changed",
+          "[new][configure]") {
     const SmallCourse place; // for its folder
     const Tree copy{.root = place.tree.root / "copy", .build = place.tree.root / "copy's build"};
     fs::create_directories(copy.root);
