@@ -2,6 +2,8 @@
 
 #include "game.hpp"
 
+#include <numbers>
+
 //> The demo
 namespace play {
 using namespace gravity_wells;
@@ -99,8 +101,6 @@ double step_length(const State &now, const Input &in) {
     }
 }
 
-double energy_of(const motion::State &ship) { return ship.velocity.squaredNorm() / 2 - mu / ship.position.norm(); }
-
 bool is_seen(const Vec2 &at) { return std::abs(at.x()) < about.high.x() && std::abs(at.y()) < about.high.y(); }
 
 void fly(State &now, const Input &in, double dt) {
@@ -148,17 +148,17 @@ void one_step_of(State &now, const Input &in) {
     now.due -= gain;
     now.ship.thrust = now.ship.mass / dt * gain;
     if (now.over) {
-        if (now.game != landing && now.game != falling && now.time > 2) start(now, in);
+        if (now.game != landing && now.time > 2) start(now, in);
         return;
     }
     switch (now.game) {
-    case falling:
-        if (now.time >= time_to_fall(in["height"], in["throw"], moon_g)) {
-            now.time = time_to_fall(in["height"], in["throw"], moon_g);
-            now.over = true;
-        }
+    case falling: {
+        const double predicted = time_to_fall(in["height"], in["throw"], moon_g);
+        now.over = now.time >= predicted;
+        now.time = std::min(now.time, predicted);
         now.lander.height = in["height"] + in["throw"] * now.time - moon_g * now.time * now.time / 2;
         break;
+    }
     case landing:
         next_frame(now.lander, 0, dt);
         now.lander.height = std::max(now.lander.height, 0.0); // less is rounding
@@ -278,7 +278,7 @@ demo::Picture above_the_moon(const State &now, const Input &in) {
 demo::Picture comet_and_sun(const State &now, const Input &in) {
     demo::Picture seen;
     const double e = in["eccentricity"],
-                 turn = 2 * 3.141592653589793 * std::sqrt(semi_major * semi_major * semi_major / mu);
+                 turn = 2 * std::numbers::pi * std::sqrt(semi_major * semi_major * semi_major / mu);
     const auto at = [&](double part) -> Vec2 { return kepler_position(semi_major, e, mu, part * turn) + Vec2{2, 0}; };
     std::vector<Vec2> orbit, marks;
     for (int k = 0; k <= 96; ++k) orbit.push_back(at(k / 96.0));

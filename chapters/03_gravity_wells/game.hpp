@@ -38,5 +38,9 @@ inline void next_frame(Fall &lander, double burn, double dt) {
 //> The frame loop: an orbit
 /// One frame of the game without an engine: by the integrator of 3.5.
 inline void next_frame(State &ship, double dt) { ship = orbit_step(ship, mu, dt); }
+
+//> Energy in a well
+/// Kinetic and potential energy of each kilogram of a ship [J].
+inline double energy_of(const State &ship) { return ship.velocity.squaredNorm() / 2 - mu / ship.position.norm(); }
 //>
 } // namespace gravity_wells

@@ -56,10 +56,6 @@ void print_circles(std::ostream &out) {
     }
 }
 
-//> Energy in a well
-/// Kinetic and potential energy of each kilogram of a ship [J].
-double energy_of(const State &ship) { return ship.velocity.squaredNorm() / 2 - mu / ship.position.norm(); }
-
 //> How far from a circle
 void print_turns(std::ostream &out) {
     out << row({{"turns", 7}, {"distance [m]", 14}, {"energy of each kg [J]", 0}});
