@@ -2,6 +2,7 @@
 
 #include "ground/files.hpp"
 #include "ground/process.hpp"
+#include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -17,15 +18,10 @@ namespace {
 /// A copy of this course's files, in a folder with blanks, configured but never built.
 struct Copy {
     Copy() {
-        std::string name = (fs::temp_directory_path() / "a copy XXXXXX").string();
-        root = ::mkdtemp(name.data());
         for (const char *part : {"CMakeLists.txt", "cmake", "chapters", "exercises", "solutions", "plots", "tests",
                                  "tools", "book.md", "README.md"})
             fs::copy(fs::path{COURSE_ROOT} / part, root / part, fs::copy_options::recursive);
     }
-    ~Copy() { fs::remove_all(root); }
-    Copy(const Copy &) = delete;
-    Copy &operator=(const Copy &) = delete;
 
     course::Finished configure(const std::vector<std::string> &options = {}) const {
         std::vector<std::string> command{
@@ -34,7 +30,8 @@ struct Copy {
         return course::run(command);
     }
 
-    fs::path root;
+    const course::OwnFolder folder;
+    const fs::path &root = folder.path;
 };
 
 /// CMake breaks its lines anywhere.

@@ -7,6 +7,7 @@
 #include "figures/trace.hpp"
 #include "ground/files.hpp"
 #include "loop/programs.hpp"
+#include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -30,15 +31,12 @@ namespace {
 /// A small course in a folder of its own, gone in the end: one section, one figure.
 struct Place {
     Place() {
-        std::string name = (fs::temp_directory_path() / "figures test.XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw std::runtime_error{"no folder for a test"};
-        tree = {name, fs::path{name} / "build"};
+        tree = {folder.path, folder.path / "build"};
         write("CMakeLists.txt", "section(07_lines)\n");
         write("plots/style.gp", read_file(fs::path{COURSE_ROOT} / "plots/style.gp"));
         write("plots/07_lines_rise.gp", script("using 1:2 with lines title 'rise'"));
         write("build/traces/07_lines/07_lines_rise.tsv", good_trace);
     }
-    ~Place() { fs::remove_all(tree.root); }
 
     void write(const fs::path &name, const std::string &text) const { write_file(tree.root / name, text); }
     std::string read(const fs::path &name) const { return read_file(tree.root / name); }
@@ -51,6 +49,7 @@ struct Place {
     static constexpr const char *good_trace = "# t[s]\tx[m]\n0\t1\n1\t2\n\n2\t2.5\n3\t4\n";
 
     Figure figure() const { return figures_of(tree, section).at(0); }
+    OwnFolder folder;
     Tree tree;
     Section section{"07_lines"};
 };

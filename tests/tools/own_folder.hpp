@@ -9,8 +9,9 @@
 namespace course {
 
 struct OwnFolder {
-    OwnFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "a test XXXXXX").string();
+    /// @param like  its name, where the six X are replaced by letters of its own
+    explicit OwnFolder(const std::string &like = "a test XXXXXX") {
+        std::string name = (std::filesystem::temp_directory_path() / like).string();
         if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error{"no folder for a test"};
         path = name;
     }

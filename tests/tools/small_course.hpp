@@ -5,6 +5,7 @@
 #include "ground/files.hpp"
 #include "ground/process.hpp"
 #include "ground/tree.hpp"
+#include "own_folder.hpp"
 
 #include <cstdlib>
 #include <fstream>
@@ -16,9 +17,8 @@
 namespace course {
 
 struct SmallCourse {
-    explicit SmallCourse(const std::string &folder = "a course XXXXXX") {
-        std::string name = (std::filesystem::temp_directory_path() / folder).string();
-        tree.root = ::mkdtemp(name.data());
+    explicit SmallCourse(const std::string &like = "a course XXXXXX") : folder{like} {
+        tree.root = folder.path;
         tree.build = tree.root / "build" / "default";
         write("CMakeLists.txt", "project(x)\nsection(06_reflection)\nsection(07_wall_meeting)\n");
         for (const Section &section : tree.sections()) {
@@ -35,9 +35,6 @@ struct SmallCourse {
               "//> Solution: a helper\nint two() { return 2; }\n\n//> Solution 7.1: one\nint first() { return 1; }\n\n"
               "//> Solution 7.2: two\nint second() { return two(); }\n//>\n");
     }
-    ~SmallCourse() { std::filesystem::remove_all(tree.root); }
-    SmallCourse(const SmallCourse &) = delete;
-    SmallCourse &operator=(const SmallCourse &) = delete;
 
     /// `./course words`, without a terminal. `environment` is more of it, as {"NO_COLOR=1"}.
     Finished operator()(const std::vector<std::string> &words, const std::vector<std::string> &environment = {}) const {
@@ -80,6 +77,7 @@ struct SmallCourse {
 
     Section seven() const { return tree.section("7"); }
 
+    OwnFolder folder;
     Tree tree;
 
   private:

@@ -8,6 +8,7 @@
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "loop/renamed.hpp"
+#include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -154,8 +155,7 @@ struct Told {
 class Book {
   public:
     Book() {
-        std::string folder = (fs::temp_directory_path() / "a book XXXXXX").string(); // blanks in paths are all right
-        tree.root = fs::canonical(::mkdtemp(folder.data()));
+        tree.root = fs::canonical(folder.path);
         tree.build = tree.root / "build";
         put("CMakeLists.txt", "section(07_wall)\n");
         put("chapters/07_wall/README.md", chapter);
@@ -167,9 +167,6 @@ class Book {
         put("plots/07_wall_path.svg", "<svg/>");
         program("echo length 5");
     }
-    ~Book() { fs::remove_all(tree.root); }
-    Book(const Book &) = delete;
-    Book &operator=(const Book &) = delete;
 
     void put(const fs::path &file, std::string_view text) const {
         fs::create_directories((tree.root / file).parent_path());
@@ -222,6 +219,7 @@ class Book {
     }
     Told check() const { return weave("--check"); }
 
+    OwnFolder folder{"a book XXXXXX"}; // blanks in paths are all right
     Tree tree;
     Section section{"07_wall"};
 
