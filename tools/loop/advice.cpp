@@ -342,9 +342,10 @@ std::string about_unknown_name(const Said &said) {
     const bool unknown = contains(said.words, "was not declared in this scope")
                          || said.words.starts_with("use of undeclared identifier");
     const auto names = in_quotes(said.words);
-    if (unknown && !names.empty() && (names[0] == "pi" || names[0] == "PI")) return write_pi;
-    if (unknown && !names.empty() && (names[0] == "norm" || names[0] == "length")) return length_of_vector;
-    if (!unknown || names.empty() || contains(said.words, "std::")) return {};
+    if (!unknown || names.empty()) return {};
+    if (names[0] == "pi" || names[0] == "PI") return write_pi;
+    if (names[0] == "norm" || names[0] == "length") return length_of_vector;
+    if (contains(said.words, "std::")) return {};
     for (const auto &[name, header] : standards)
         if (names[0] == name && names[0] != header) // a list of your own may be called `numbers`
             return "Write std::" + names[0] + ", and #include <" + header + "> at the top of your file.";

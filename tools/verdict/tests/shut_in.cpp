@@ -257,7 +257,9 @@ bool refuse_calls() {
 
 /// Whether filters are known and allowed here: the kernel then looks for the one that we have not given it.
 bool knows_filters() {
-    return architecture != 0 && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) != 0 && errno == EFAULT;
+    static const bool once =
+        architecture != 0 && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) != 0 && errno == EFAULT;
+    return once;
 }
 
 } // namespace
