@@ -18,7 +18,9 @@ using Vec2 = Eigen::Vector2d; ///< x to the right, y up; metres unless said othe
 /// Thrown by an exercise that has not been started; what() says where to begin.
 /// The tests report it as "not started". It is no std::invalid_argument, so no refusal is taken for it.
 struct NotYet : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit NotYet(const char *hint, const char *in = __builtin_FUNCTION()) : std::runtime_error{hint}, function{in} {}
+
+    const char *function; ///< the one that throws: others may have called it
 };
 
 /// Throws for `require`: apart from it, since what is done in each function would take long to compile there.

@@ -51,7 +51,7 @@ inline bool run_part(const Part &part, const std::filesystem::path &folder, std:
     try {
         part.write(out);
     } catch (const NotYet &hint) {
-        std::cerr << "not started: " << part.name << ": " << hint.what() << std::endl;
+        std::cerr << "not started: " << part.name << ": needs " << hint.function << ": " << hint.what() << std::endl;
         return false;
     } catch (const std::exception &error) {
         std::cerr << "error: " << part.name << ": " << error.what() << std::endl;

@@ -324,7 +324,7 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
 
     const Finished mine = course({"run", "13", "--mine"});
     CHECK(mine.code == 1);
-    CHECK_THAT(mine.err, ContainsSubstring("not started"));
+    CHECK_THAT(mine.err, ContainsSubstring(": needs pull: "));
     const Finished debug = course({"debug", "13.1", "--print"});
     succeeds(debug);
     CHECK_THAT(debug.out, StartsWith("gdb -q -ex 'break springs::pull' --args "));

@@ -452,10 +452,12 @@ TEST_CASE("a verdict survives its way through JSON") {
                     "t.cpp",
                     12,
                     {"printed"},
-                    4};
+                    4,
+                    "7.1 crossing"};
     const auto back = nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>();
     CHECK(explain(back, 2) == explain(verdict, 2));
     CHECK(back.kind == verdict.kind);
+    CHECK(back.needs == verdict.needs);
     CHECK(explain(verdict, 2).find("meet() with   (call 4 of this test)") != std::string::npos);
     CHECK(explain(verdict, 2).find("gave  {g, h}\n") != std::string::npos);
     verdict.got = verdict.call->answer; // then it need not be said twice
@@ -482,10 +484,11 @@ TEST_CASE("a struct of structs that is wider than a screen has a line for each p
 
 TEST_CASE("JUnit files are XML whatever a student prints, and count what failed") {
     Verdict wrong{
-        "7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, {}, "", "1", "2", "", "t.cpp", 3, {"\u00e4"}, 0};
+        "7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, {}, "", "1", "2", "", "t.cpp", 3, {"\u00e4"}, 0,
+        ""};
     Verdict ours = wrong;
     ours.kind = Kind::no_verdict;
-    Verdict passed{"7.1", "fine", Kind::passed, "", {}, {}, "", "", "", "", "", 0, {}, 0};
+    Verdict passed{"7.1", "fine", Kind::passed, "", {}, {}, "", "", "", "", "", 0, {}, 0, ""};
     ours.test = "ours";
     Verdict later = wrong;
     later.test = "later";

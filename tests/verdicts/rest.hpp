@@ -6,12 +6,11 @@
 
 namespace segment_intersection {
 
-inline course::NotYet untouched() { return course::NotYet{"untouched"}; }
-bool segments_intersect(const Segment &, const Segment &) { throw untouched(); }
-std::vector<Vec2> common_points(const Segment &, const Segment &) { throw untouched(); }
-Ball move_and_bounce(const Ball &, const std::vector<Vec2> &, double) { throw untouched(); }
-std::optional<Impact> time_of_impact(const Segment &, double, const Segment &) { throw untouched(); }
-int orientation(const Segment &, const Segment &) { throw untouched(); }
+bool segments_intersect(const Segment &, const Segment &) { throw course::NotYet{"untouched"}; }
+std::vector<Vec2> common_points(const Segment &, const Segment &) { throw course::NotYet{"untouched"}; }
+Ball move_and_bounce(const Ball &, const std::vector<Vec2> &, double) { throw course::NotYet{"untouched"}; }
+std::optional<Impact> time_of_impact(const Segment &, double, const Segment &) { throw course::NotYet{"untouched"}; }
+int orientation(const Segment &, const Segment &) { throw course::NotYet{"untouched"}; }
 
 /// What the first exercise asks for.
 std::optional<LineIntersection> right_answer(const Segment &motion, const Segment &wall) {

@@ -39,13 +39,20 @@ struct Outcome {
         const auto found = std::find_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return !v.passed(); });
         return found == verdicts.end() ? nullptr : &*found;
     }
-    bool has(Kind kind) const {
-        return std::any_of(verdicts.begin(), verdicts.end(), [kind](const Verdict &v) { return v.kind == kind; });
+    const Verdict *first(Kind kind) const {
+        const auto found =
+            std::find_if(verdicts.begin(), verdicts.end(), [kind](const Verdict &v) { return v.kind == kind; });
+        return found == verdicts.end() ? nullptr : &*found;
     }
     /// Not started as long as any call says so: a stub that refuses bad input passes some tests as it is.
     Kind state() const {
         const Verdict *failure = first_failure();
-        return failure == nullptr ? Kind::passed : has(Kind::not_started) ? Kind::not_started : failure->kind;
+        return failure == nullptr ? Kind::passed : first(Kind::not_started) ? Kind::not_started : failure->kind;
+    }
+    /// How far it is from done: "wrong", "not started", "needs 4.2 time_of_flight". This is remembered, too.
+    std::string standing() const {
+        const Verdict *open = first(Kind::not_started);
+        return open != nullptr && !open->needs.empty() ? "needs " + open->needs : std::string{name_of(state())};
     }
 };
 
@@ -78,9 +85,9 @@ void print(const Outcome &outcome, bool verbose) {
     if (failure == nullptr)
         std::cout << painted(Colour::green, "✓ " + head) << ": " << tests(verdicts.size()) << " passed\n";
     else if (outcome.state() == Kind::not_started) {
-        const auto open = std::find_if(verdicts.begin(), verdicts.end(),
-                                       [](const Verdict &v) { return v.kind == Kind::not_started; });
-        std::cout << painted(Colour::dim, "· " + head) << ": " << (verbose ? open->sentence : "not started") << '\n';
+        const Verdict *open = outcome.first(Kind::not_started);
+        std::cout << painted(Colour::dim, "· " + head) << ": " << (verbose ? open->sentence : outcome.standing())
+                  << '\n';
         return;
     } else
         std::cout << painted(Colour::red, "✗ " + head) << ": " << passed << " of " << tests(verdicts.size())
@@ -135,14 +142,13 @@ void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
                   << " See your figures in the book: ./course open " << section.short_number() << " --mine\n";
         return;
     }
-    const auto &exercise = open->exercise;
-    const bool untouched = open->state() == Kind::not_started;
-    std::cout << "Next: " << exercise.number << ' ' << exercise.function << ". "
-              << (untouched ? "Where to begin: ./course hint " : "Stuck? ./course hint ") << exercise.number << '\n';
+    const Verdict *unwritten = open->first(Kind::not_started);
+    const std::string next = unwritten != nullptr && !unwritten->needs.empty()
+                                 ? unwritten->needs
+                                 : open->exercise.number + ' ' + open->exercise.function;
+    std::cout << "Next: " << next << ". " << (unwritten != nullptr ? "Where to begin: " : "Stuck? ") << "./course hint "
+              << next.substr(0, next.find(' ')) << '\n';
 }
-
-/// What is remembered of an exercise: how far it is from done.
-std::string state_of(const Outcome &outcome) { return std::string{name_of(outcome.state())}; }
 
 /// The same, said of no test in particular.
 Verdict nameless(Verdict verdict, const std::string &heading) {
@@ -255,7 +261,7 @@ class Check {
 
     void keep_in_mind(const Section &section, const std::vector<Outcome> &outcomes, Kind of_all) const {
         std::vector<ExerciseState> states;
-        for (const auto &outcome : outcomes) states.push_back({outcome.exercise.number, state_of(outcome)});
+        for (const auto &outcome : outcomes) states.push_back({outcome.exercise.number, outcome.standing()});
         if (outcomes.empty())
             for (const auto &exercise : catalogue(tree, section))
                 states.push_back({exercise.number, std::string{name_of(of_all)}});

@@ -24,7 +24,7 @@ std::string title(const Tree &tree, const Section &section) {
 
 Colour colour(const std::string &state) {
     if (state == "passed") return Colour::green;
-    return state == "not started" || state == "not checked" ? Colour::dim : Colour::red;
+    return state == "not started" || state == "not checked" || state.starts_with("needs ") ? Colour::dim : Colour::red;
 }
 
 void print(const Tree &tree, const Section &section, const Progress &progress) {

@@ -11,7 +11,7 @@
 
 namespace course {
 
-/// How an exercise stands: "passed", "not started", or whatever the verdict called it.
+/// How an exercise stands: "passed", "not started", "needs 4.2 time_of_flight", or whatever the verdict called it.
 struct ExerciseState {
     std::string number; ///< "7.2"
     std::string state;

@@ -50,6 +50,7 @@ void to_json(nlohmann::json &json, const Verdict &v) {
             {"line", v.line},
             {"printed", v.printed},
             {"printed_more", v.printed_more}};
+    if (!v.needs.empty()) json["needs"] = v.needs;
     if (v.call)
         json["call"] = {{"function", v.call->function},
                         {"arguments", v.call->arguments},
@@ -73,6 +74,7 @@ void from_json(const nlohmann::json &json, Verdict &v) {
     json.at("line").get_to(v.line);
     json.at("printed").get_to(v.printed);
     json.at("printed_more").get_to(v.printed_more);
+    v.needs = json.value("needs", "");
     if (const auto call = json.find("call"); call != json.end())
         v.call = Call{call->at("function"), call->at("arguments"), call->at("before"), call->at("answer")};
 }

@@ -53,6 +53,7 @@ struct Verdict {
     int line = 0;
     std::vector<std::string> printed; ///< the first lines of what the case printed
     std::size_t printed_more = 0;     ///< lines that are not shown
+    std::string needs;                ///< the exercise that it calls, and that is not started: "4.2 time_of_flight"
 
     bool passed() const { return kind == Kind::passed; }
 };

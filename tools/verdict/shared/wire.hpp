@@ -135,7 +135,7 @@ enum class Frame : std::uint32_t {
     hello = 0x46624630, ///< the server is up; carries the number of exercises it serves
     call,               ///< to it: exercise, arguments
     result,             ///< the value
-    not_yet,            ///< NotYet: where to begin
+    not_yet,            ///< NotYet: where to begin, and in which function
     missing,            ///< the function is not in the student's file
     refused,            ///< std::invalid_argument: what()
     threw,              ///< anything else: its type, what()

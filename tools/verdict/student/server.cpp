@@ -97,7 +97,7 @@ void make_call(const std::string &request) {
     } catch (const course::Missing &) {
         answer(Frame::missing, "");
     } catch (const course::NotYet &hint) {
-        answer(Frame::not_yet, hint.what());
+        answer(Frame::not_yet, hint.what(), hint.function);
     } catch (const std::invalid_argument &refusal) {
         answer(Frame::refused, refusal.what());
     } catch (const std::bad_alloc &) {

@@ -175,6 +175,16 @@ void Session::start() {
     greeted = true;
 }
 
+/// The function that was called has said where to begin, or another one that it calls.
+void Session::over_not_started(const std::string &hint, std::string_view function) {
+    if (function != last_exercise->function)
+        for (const ExerciseLine *other : exercise_lines())
+            if (other->function == function) verdict.needs = std::string{other->number} + ' ' + std::string{function};
+    over(Kind::not_started,
+         (verdict.needs.empty() ? "Not started." : "It calls " + verdict.needs + ", which is not started.")
+             + " Where to begin: " + as_sentence(hint));
+}
+
 std::string_view Session::call(const ExerciseLine &exercise, std::string arguments) {
     if (!verdict.passed()) throw CaseOver{};
     if (never_starts) {
@@ -221,7 +231,7 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
     };
     switch (reply->header.frame) {
     case wire::Frame::refused: throw std::invalid_argument{tidied(first)};
-    case wire::Frame::not_yet: over(Kind::not_started, "Not started. Where to begin: " + as_sentence(tidied(first)));
+    case wire::Frame::not_yet: over_not_started(tidied(first), second);
     case wire::Frame::missing:
         over(Kind::missing, "Your file has no function `" + std::string{exercise.function}
                                 + "` with the parameters that the header asks for.");

@@ -47,6 +47,7 @@ class Session {
   private:
     [[noreturn]] void over(Kind kind, std::string sentence);
     [[noreturn]] void over_in_silence();
+    [[noreturn]] void over_not_started(const std::string &hint, std::string_view function);
     void start();
     void judge_end(int status, bool before_main);
     void note_verdict(Kind kind, std::string sentence);
