@@ -211,4 +211,16 @@ Vec2 powers_and_lengths(const Vec2 &a, const Vec2 &b, const Spark &spark, double
     two_of(two_of(spark, spark), spark);       // A Spark is wanted here: put its fields in braces, in the order of the header.
     return a;
 }
+double time_of(const Spark &spark, double g);
+double by(const Vec2 &a, double t);
+double calls_of_functions(const Spark &spark, double angle, double g) {
+    angle = angle * numbers::pi / 180;         // Write std::numbers::pi, and #include <numbers> at the top of your file.
+    const double twice = 2 * time_of;          // That is a function: call it, with what it needs in parentheses.
+    const double once = time_of;               // That is a function: call it, with what it needs in parentheses.
+    while (angle < time_of) angle += 1;        // That is a function: call it, with what it needs in parentheses.
+    angle = time_of();                         // Look up in the header how many arguments this function has.
+    angle = time_of(spark, g, 3);              // Look up in the header how many arguments this function has.
+    angle = by(-g, 1);                         // A Vec2 has two components: write Vec2{x, y}.
+    return angle;
+}
 bool nothing(bool none, Vec2 a);               // The header gives this function another result: copy its line from there.

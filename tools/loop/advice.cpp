@@ -36,6 +36,8 @@ constexpr const char *fields_in_braces =
     "a.mass, say, not the whole a.";
 constexpr const char *one_more =
     "A type before the name makes a second variable: to change the first one, leave it out.";
+constexpr const char *call_function = "That is a function: call it, with what it needs in parentheses.";
+constexpr const char *count_arguments = "Look up in the header how many arguments this function has.";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
 /// A slip that the compiler's words alone give away, or together with a word of its notes.
@@ -90,6 +92,9 @@ constexpr std::array slips{
     Slip{"number into integer: 'double' to 'int'", "", whole_number},
     Slip{"push_back", "expects 1 argument", "push_back takes one value: put braces round it, push_back({a, b})."},
     Slip{"push_back", "requires single argument", "push_back takes one value: put braces round it, push_back({a, b})."},
+    Slip{"too few arguments to function", "", count_arguments},
+    Slip{"too many arguments to function", "", count_arguments},
+    Slip{"no matching function for call to", "candidate function not viable: requires", count_arguments},
     Slip{"assignment of read-only", "", copy_it},
     Slip{"crement of read-only", "", copy_it},
     Slip{"in read-only object", "", copy_it},
@@ -280,7 +285,10 @@ std::string about_argument(const Said &said) {
         return about_fields(struct_name(pushed));
     const bool gcc = said.words.starts_with("invalid initialization of reference of type '");
     if ((!gcc && !said.words.starts_with("no matching function for call to '")) || types.size() < 2) return {};
-    const std::string whole = struct_name(gcc ? types.front() : types.back()), &given = types[gcc ? 1 : 0];
+    const std::string &given = types[gcc ? 1 : 0];
+    const bool wants_vector = gcc ? types[0].ends_with("Vec2&") : is_vector(types[1]);
+    if (wants_vector && is_number(given)) return two_components;
+    const std::string whole = struct_name(gcc ? types.front() : types.back());
     if (whole.empty()) return {};
     if (is_number(given))
         return "A whole " + whole
@@ -289,6 +297,16 @@ std::string about_argument(const Said &said) {
     return is_vector(given) || !struct_name(given).empty()
                ? "A " + whole + " is wanted here: put its fields in braces, in the order of the header."
                : "";
+}
+
+/// 2 * time_of_flight: the name of a function, which is not called.
+std::string about_function(const Said &said) {
+    bool takes_a_value = false;
+    for (const char *words : {"invalid operands", "cannot convert", "cannot initialize", "incompatible"})
+        if (contains(said.words, words)) takes_a_value = true;
+    for (const std::string &type : in_quotes(said.words))
+        if (takes_a_value && type.ends_with(')') && contains(type, "(") && !contains(type, "::)")) return call_function;
+    return {};
 }
 
 /// Two operands that do not go together.
@@ -342,6 +360,9 @@ std::string about_unknown_name(const Said &said) {
     const bool unknown = contains(said.words, "was not declared in this scope")
                          || said.words.starts_with("use of undeclared identifier");
     const auto names = in_quotes(said.words);
+    if (contains(said.words, "declared") && !names.empty() && names[0] == "numbers"
+        && contains(said.code, "numbers::pi"))
+        return write_pi;
     if (!unknown || names.empty()) return {};
     if (names[0] == "pi" || names[0] == "PI") return write_pi;
     if (names[0] == "norm" || names[0] == "length") return length_of_vector;
@@ -439,8 +460,8 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
 
 std::string advice(const Said &said) {
     for (const auto about : {about_else, about_return, about_condition, about_semicolon, about_missing_star,
-                             about_power, about_if, about_braces, about_member, about_argument, about_operands,
-                             about_conversion, about_two_types, about_header, about_unknown_name})
+                             about_power, about_if, about_braces, about_member, about_argument, about_function,
+                             about_operands, about_conversion, about_two_types, about_header, about_unknown_name})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;
