@@ -1,0 +1,45 @@
+#pragma once
+// The game of this chapter, as it grows: a cannon, on level ground and on a cliff.
+#include "trajectories.hpp"
+
+#include <algorithm>
+
+namespace trajectories {
+
+//> The world
+constexpr double g = 10;                ///< how much faster a shell falls each second [m/s²]
+constexpr double speed = 25;            ///< of a shell at the muzzle [m/s]
+constexpr double cliff = 25;            ///< height of the cliff [m]
+constexpr double frame_time = 1.0 / 60; ///< [s]
+
+/// Where the shell leaves the cannon, and its velocity there. The muzzle is right above x = 0.
+inline State fired(double height, double angle_deg) { return {{0, height}, launch_velocity(speed, angle_deg)}; }
+
+//> The frame loop: a shell
+/// One frame of the game: the shell flies on for `dt` seconds.
+inline void next_frame(State &shell, double dt) { shell = motion::accelerated_motion(shell, {0, -g}, dt); }
+
+//> A shell that knows when it lands
+/// A shell that knows how long it will be in the air.
+struct Flight {
+    State shell;
+    double left = time_of_flight(shell, g); ///< until it lands [s]
+};
+
+//> The frame loop: a shell that lands
+/// One frame of the game: the shell flies on, and if it lands within this frame, it does so where the ground is.
+inline void next_frame(Flight &flight, double dt) {
+    dt = std::min(dt, flight.left);
+    next_frame(flight.shell, dt);
+    flight.left -= dt;
+}
+
+//> The frame loop: wind
+/// One frame of the game with a steady wind: the shell is accelerated sideways, too.
+inline void next_frame(Flight &flight, double wind, double dt) {
+    dt = std::min(dt, flight.left);
+    flight.shell = motion::accelerated_motion(flight.shell, {wind, -g}, dt);
+    flight.left -= dt;
+}
+//>
+} // namespace trajectories

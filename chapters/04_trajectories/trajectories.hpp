@@ -1,0 +1,110 @@
+#pragma once
+#include "../01_motion/motion.hpp"
+#include "../03_gravity_wells/gravity_wells.hpp"
+#include "../course.hpp"
+#include "../interface.hpp"
+
+#include <optional>
+#include <vector>
+
+/// Section 4: how a shell flies, and where it lands. The ground is level, at y = 0, unless a function says otherwise.
+/// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
+/// An answer is right to twelve digits of the largest term in its sum, unless its function says otherwise; with numbers
+/// closer to 0 than 1e-9, other than 0 itself, it may be right to fewer.
+namespace trajectories {
+
+using course::Vec2;
+using motion::State;
+
+//> Launch velocity
+/// The velocity with which a shell leaves the muzzle [m/s], right to twelve digits of `speed`.
+/// @param speed      [m/s], not negative
+/// @param angle_deg  what the cannon's dial shows [°]: 0 is to the right, 90 straight up, negative downwards
+/// @throws std::invalid_argument if `speed` is negative, or a number is not within ±1e5.
+Vec2 launch_velocity(double speed, double angle_deg);
+
+//> Time of flight
+/// How long a shell is in the air until it lands [s]: if the muzzle is on the ground 0, unless it fires upwards.
+/// Right to twelve digits of how long it would take if it were fired upwards at that vertical speed.
+/// @param muzzle  where the shell leaves it, and its velocity there; not below the ground
+/// @param g       how much faster it falls each second [m/s²], more than 0
+/// @throws std::invalid_argument if the muzzle is below the ground, `g` is not positive, or a number is not within ±1e5.
+double time_of_flight(const State &muzzle, double g);
+
+//> Range
+/// How far from the muzzle a shell lands, measured along the ground [m]: positive to the right.
+/// As exact as `time_of_flight`; `muzzle` and `g` are the same, and so is what is refused.
+double range(const State &muzzle, double g);
+
+//> Apex
+/// The highest point of a shell's flight [m]. If it is not fired upwards, that is the muzzle.
+/// @param muzzle  where the shell leaves it, and its velocity there; it may be below the ground
+/// @throws std::invalid_argument if `g` is not positive, or a number is not within ±1e5.
+Vec2 apex(const State &muzzle, double g);
+
+//> Dotted arc
+/// Where a shell is after 0, dt, 2 dt, ... seconds, as long as it is in the air, and then where it lands [m].
+/// If the muzzle is on the ground and does not fire upwards, the muzzle is the only point.
+/// Each point is right to nine digits of the largest number in the arc. One that would come less than 1e-9 s before the
+/// landing may be left out, and a shell that leaves ±1e5 on its way may be refused, as section 1 refuses it.
+/// @param dt  [s], more than 0, and not less than a 10 000th of the time of flight
+/// @throws std::invalid_argument if `dt` is not as above, or for what `time_of_flight` refuses.
+std::vector<Vec2> dotted_arc(const State &muzzle, double g, double dt);
+
+//> Range in wind
+/// How far from the muzzle a shell lands, measured along the ground [m], if a steady wind pushes it all the time.
+/// As exact as `time_of_flight`, which says what else is refused.
+/// @param wind  the shell's acceleration by the wind [m/s²]: positive to the right, whichever way the shell flies
+double range_in_wind(const State &muzzle, double g, double wind);
+
+//> Range at a height
+/// How far from the muzzle, measured horizontally, a shell is when it comes down to this height [m].
+/// Nothing if it does not reach that height after it was fired; if its apex is there up to rounding, either is right.
+/// It is 0 if the muzzle is at that height and does not fire upwards.
+/// Right to nine digits of what it would be if fired upwards, but to fewer where the target is nearly as high as the apex.
+/// @param height  of the target [m], above the muzzle or below it, which may be anywhere
+/// @throws std::invalid_argument if `g` is not positive, or a number is not within ±1e5.
+std::optional<double> range_at_height(const State &muzzle, double g, double height);
+
+//> Launch angles
+/// What to set the cannon's dial to so that a shell goes through the target [°]: two angles between -90 and 90, the
+/// smaller one first; or one, if both are the same; or none, if the target is out of reach.
+/// Right to nine digits, but to fewer if the target is nearer than a thousandth of speed² / g, or nearly out of reach;
+/// if it is there up to rounding, then 0, 1 and 2 angles are right.
+/// @param target  from the muzzle [m], to the right of it: target.x() is more than 0
+/// @throws std::invalid_argument if `speed` is negative, `target.x()` or `g` is not positive, or a number is not within
+///         ±1e5.
+std::vector<double> launch_angles(double speed, const Vec2 &target, double g);
+
+//> Three ranges
+/// How far from the muzzle a shell lands in a game that moves it frame by frame [m], for each of section 1's integrators.
+struct LoopRanges {
+    double explicit_euler{}; ///< it moves at its old velocity
+    double semi_implicit{};  ///< it moves at its new velocity
+    double exact{};          ///< it moves as constant acceleration moves it
+    COURSE_FIELDS("m, m, m", explicit_euler, semi_implicit, exact)
+};
+
+//> Frame loop ranges
+/// All three ranges, right to nine digits of the largest number in them.
+/// A shell moves until a frame ends at or below the ground. It lands where the straight line from where it was one frame
+/// earlier to where it is then crosses the ground. One that leaves ±1e5 on its way may be refused, as in section 1.
+/// @param dt  of a frame [s], more than 0, and not less than a 10 000th of the time of flight; and so short that the
+///            shell, which is fired upwards, still rises at the end of its first frame
+/// @throws std::invalid_argument if `dt` is not as above, or for what `time_of_flight` refuses.
+LoopRanges frame_loop_ranges(const State &muzzle, double g, double dt);
+
+//> The exercises
+namespace subject {
+COURSE_EXERCISE("4.1", core, trajectories, launch_velocity, "speed [m/s], angle_deg [°]", "m/s")
+COURSE_EXERCISE("4.2", core, trajectories, time_of_flight, "muzzle, g [m/s²]", "s")
+COURSE_EXERCISE("4.3", core, trajectories, range, "muzzle, g [m/s²]", "m")
+COURSE_EXERCISE("4.4", core, trajectories, apex, "muzzle, g [m/s²]", "m")
+COURSE_EXERCISE("4.5", core, trajectories, dotted_arc, "muzzle, g [m/s²], dt [s]", "m")
+COURSE_EXERCISE("4.6", stretch, trajectories, range_in_wind, "muzzle, g [m/s²], wind [m/s²]", "m")
+COURSE_EXERCISE("4.7", stretch, trajectories, range_at_height, "muzzle, g [m/s²], height [m]", "m")
+COURSE_EXERCISE("4.8", challenge, trajectories, launch_angles, "speed [m/s], target [m], g [m/s²]", "°")
+COURSE_EXERCISE("4.9", challenge, trajectories, frame_loop_ranges, "muzzle, g [m/s²], dt [s]", "")
+} // namespace subject
+//>
+} // namespace trajectories
