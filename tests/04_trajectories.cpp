@@ -505,7 +505,7 @@ TEST_CASE("erratum E4.5: a loop that begins at the bottom, and runs while above 
 }
 
 //> Erratum E4.6
-TEST_CASE("erratum E4.6: with y downwards, a velocity of +V sin θ fires into the ground; -V sin θ takes 35 frames",
+TEST_CASE("erratum E4.6: with y downwards, a velocity of +V sin θ fires into the ground; -V sin θ flies for 36 frames",
           "[4.5]") {
     const double up = std::sqrt(300);
     const auto frames = [](double velocity) { // y downwards, with g = 1; the bottom of the screen is at 479
