@@ -73,7 +73,7 @@ TEST_CASE("at 25 m/s, 53.13° are 15 m/s to the right and 20 m/s up, and 36.87°
 //> As long as the speed
 TEST_CASE("the velocity is as long as the speed, at every angle", "[4.1]") {
     Dice dice;
-    for (int i = 0; i < course::cases(2000); ++i) {
+    for (int i = 0; i < course::cases(1000); ++i) {
         const double speed = dice.real(0, 100);
 
         const Vec2 velocity = launch_velocity(speed, dice.real(-360, 360));
@@ -85,7 +85,7 @@ TEST_CASE("the velocity is as long as the speed, at every angle", "[4.1]") {
 //> The dial, read back
 TEST_CASE("the direction of the velocity, measured in degrees, is what the dial showed", "[4.1]") {
     Dice dice;
-    for (int i = 0; i < course::cases(2000); ++i) {
+    for (int i = 0; i < course::cases(1000); ++i) {
         const double angle = dice.real(-179, 179);
 
         const Vec2 velocity = launch_velocity(dice.real(1, 100), angle);
@@ -97,7 +97,7 @@ TEST_CASE("the direction of the velocity, measured in degrees, is what the dial 
 //>
 TEST_CASE("at 90° minus an angle the two components change places", "[4.1]") {
     Dice dice;
-    for (int i = 0; i < course::cases(2000); ++i) {
+    for (int i = 0; i < course::cases(1000); ++i) {
         const double angle = dice.real(-90, 180);
 
         const Vec2 steep = launch_velocity(25, 90 - angle), flat = launch_velocity(25, angle);
@@ -177,7 +177,7 @@ TEST_CASE("on level ground, twice the speed or half the g makes it fly twice as 
 //> The height at that time
 TEST_CASE("at that time it is on the ground, and before that above it", "[4.2]") {
     Dice dice;
-    for (int i = 0; i < course::cases(5000); ++i) {
+    for (int i = 0; i < course::cases(2000); ++i) {
         const State muzzle = anywhere(dice);
         const double g = dice.real(1, 20);
 
@@ -243,7 +243,7 @@ TEST_CASE("fired to the left, the range is negative; straight up it is 0", "[4.3
 //> Two angles
 TEST_CASE("on level ground an angle and 90° minus that angle have the same range", "[4.3]") {
     Dice dice;
-    for (int i = 0; i < course::cases(2000); ++i) {
+    for (int i = 0; i < course::cases(1000); ++i) {
         const double angle = dice.real(0, 90), speed = dice.real(1, 50), g = dice.real(1, 20);
 
         const double flat = range(at_degrees(speed, angle), g), steep = range(at_degrees(speed, 90 - angle), g);
@@ -279,7 +279,7 @@ TEST_CASE("on level ground twice the speed reaches four times as far", "[4.3]") 
 //> Where it comes down
 TEST_CASE("a shell that has flown that far along the ground is on the ground", "[4.3]") {
     Dice dice;
-    for (int i = 0; i < course::cases(5000); ++i) {
+    for (int i = 0; i < course::cases(2000); ++i) {
         State muzzle = anywhere(dice);
         muzzle.velocity.x() = dice.sign() * dice.real(1, 30);
         const double g = dice.real(1, 20);
@@ -357,7 +357,7 @@ TEST_CASE("aimed down from (10, 25) m, it is highest at the muzzle, not behind i
 //> In the middle
 TEST_CASE("the apex is in the middle: just as far beyond it, the shell is as high as the muzzle again", "[4.4]") {
     Dice dice;
-    for (int i = 0; i < course::cases(5000); ++i) {
+    for (int i = 0; i < course::cases(2000); ++i) {
         const State muzzle = upwards(dice);
         const double g = dice.real(1, 20);
 
@@ -371,7 +371,7 @@ TEST_CASE("the apex is in the middle: just as far beyond it, the shell is as hig
 //> Nothing is higher
 TEST_CASE("no other point of the flight is as high as the apex", "[4.4]") {
     Dice dice;
-    for (int i = 0; i < course::cases(5000); ++i) {
+    for (int i = 0; i < course::cases(2000); ++i) {
         const State muzzle = upwards(dice);
         const double g = dice.real(1, 20), rise = muzzle.velocity.y() / g;
 
@@ -386,7 +386,7 @@ TEST_CASE("no other point of the flight is as high as the apex", "[4.4]") {
 //> Energy
 TEST_CASE("what it rises, times 2 g, is the square of its vertical velocity", "[4.4]") {
     Dice dice;
-    for (int i = 0; i < course::cases(5000); ++i) {
+    for (int i = 0; i < course::cases(2000); ++i) {
         const State muzzle = upwards(dice);
         const double g = dice.real(1, 20);
 
@@ -576,7 +576,7 @@ TEST_CASE("a strong wind brings it back: against 10 m/s² it lands 20 m behind t
 TEST_CASE("fired to the left, the same wind pushes the other way: everything is mirrored", "[4.6]") {
     CHECK_THAT(range_in_wind({{0, 0}, {-15, 20}}, 10, -2), IsNear(-76.0, rounding));
     Dice dice;
-    for (int i = 0; i < course::cases(2000); ++i) {
+    for (int i = 0; i < course::cases(1000); ++i) {
         const State muzzle = anywhere(dice), mirrored{muzzle.position, {-muzzle.velocity.x(), muzzle.velocity.y()}};
         const double g = dice.real(1, 20), wind = dice.real(-5, 5);
 
@@ -589,7 +589,7 @@ TEST_CASE("fired to the left, the same wind pushes the other way: everything is 
 //> In a thousand steps
 TEST_CASE("it lands where a thousand small steps with the wind take it, after the same time as without", "[4.6]") {
     Dice dice;
-    for (int i = 0; i < course::cases(200); ++i) {
+    for (int i = 0; i < course::cases(300); ++i) {
         const State muzzle = anywhere(dice);
         const double g = dice.real(1, 20), wind = dice.real(-5, 5), dt = landing_time(muzzle, g) / 1000;
         double x = 0, velocity = muzzle.velocity.x();
@@ -686,7 +686,7 @@ TEST_CASE("a terrace that begins 30 m away is reached at 60° if it is 20 m high
 //> On its way down
 TEST_CASE("where the answer says, the shell is at that height, and not on its way up", "[4.7]") {
     Dice dice;
-    for (int i = 0; i < course::cases(5000); ++i) {
+    for (int i = 0; i < course::cases(2000); ++i) {
         State muzzle = anywhere(dice);
         muzzle.velocity.x() = dice.sign() * dice.real(1, 30);
         const double g = dice.real(1, 20), up = muzzle.velocity.y();
@@ -747,7 +747,7 @@ TEST_CASE("exactly as far as it reaches, every angle in the answer is 45°", "[4
 //> Through the target
 TEST_CASE("at each angle the shell goes through the target, and the smaller angle comes first", "[4.8]") {
     Dice dice;
-    for (int i = 0; i < course::cases(3000); ++i) {
+    for (int i = 0; i < course::cases(1000); ++i) {
         const double speed = dice.real(5, 50), g = dice.real(1, 20), reach = speed * speed / g;
         const double x = dice.real(0.01, 1.5) * reach, highest = reach / 2 - x * x / (2 * reach);
         const Vec2 target{x, highest - dice.real(0.01, 2) * reach};
@@ -768,7 +768,7 @@ TEST_CASE("at each angle the shell goes through the target, and the smaller angl
 //> Their sum
 TEST_CASE("both angles add up to 90° plus the angle at which one sees the target", "[4.8]") {
     Dice dice;
-    for (int i = 0; i < course::cases(3000); ++i) {
+    for (int i = 0; i < course::cases(1000); ++i) {
         const Vec2 target{dice.real(5, 40), dice.real(-30, 5)};
 
         const std::vector<double> angles = launch_angles(30, target, 9.8);
@@ -782,7 +782,7 @@ TEST_CASE("both angles add up to 90° plus the angle at which one sees the targe
 //> The border of what it reaches
 TEST_CASE("there are two angles below the curve y = v²/2g - g x²/2v², and none above it", "[4.8]") {
     Dice dice;
-    for (int i = 0; i < course::cases(3000); ++i) {
+    for (int i = 0; i < course::cases(1000); ++i) {
         const double x = dice.real(1, 80), border = 31.25 - x * x / 125, away = dice.real(0.01, 20);
         CHECK_THAT(launch_angles(25, {x, border + away}, 10), HasSize(0).of("angles"));
         CHECK_THAT(launch_angles(25, {x, border - away}, 10), HasSize(2).of("angles"));
@@ -844,7 +844,7 @@ TEST_CASE("at 20 m/s and 60°, frames of 0.1, 0.01 and 0.001 s come nearer and n
 //> Half of the step
 TEST_CASE("with half of dt, both Eulers are half as wrong; the exact loop misses by less than a chord does", "[4.9]") {
     Dice dice;
-    for (int i = 0; i < course::cases(100); ++i) {
+    for (int i = 0; i < course::cases(300); ++i) {
         const State muzzle = upwards(dice);
         const double g = dice.real(1, 20), t = landing_time(muzzle, g), dt = muzzle.velocity.y() / g / 40;
         const double x = muzzle.velocity.x(), there = x * t, impact = g * t - muzzle.velocity.y();
