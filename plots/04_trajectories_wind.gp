@@ -3,7 +3,7 @@
 load 'style.gp'
 eval canvas(240)
 set output ARG2
-set key top left
+set key top right
 set size ratio -1
 set xrange [-24:82]; set yrange [0:26]
 set xtics 20; set ytics 10

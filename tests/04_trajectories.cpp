@@ -30,8 +30,8 @@ State anywhere(Dice &dice) {
     return {at, dice.point(-30, 30)};
 }
 
-State at_degrees(double speed, double angle) {
-    return {{0, 0}, {speed * std::cos(angle * degree), speed * std::sin(angle * degree)}};
+State at_degrees(double speed, double angle_deg) {
+    return {{0, 0}, {speed * std::cos(angle_deg * degree), speed * std::sin(angle_deg * degree)}};
 }
 
 /// Where a shell is if there is no ground [m].
@@ -86,11 +86,11 @@ TEST_CASE("the velocity is as long as the speed, at every angle", "[4.1]") {
 TEST_CASE("the direction of the velocity, measured in degrees, is what the dial showed", "[4.1]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
-        const double angle = dice.real(-179, 179);
+        const double angle_deg = dice.real(-179, 179);
 
-        const Vec2 velocity = launch_velocity(dice.real(1, 100), angle);
+        const Vec2 velocity = launch_velocity(dice.real(1, 100), angle_deg);
 
-        CHECK_THAT(std::atan2(velocity.y(), velocity.x()) / degree, IsNear(angle, rounding).of("direction [°]"));
+        CHECK_THAT(std::atan2(velocity.y(), velocity.x()) / degree, IsNear(angle_deg, rounding).of("direction [°]"));
     }
 }
 
@@ -98,9 +98,9 @@ TEST_CASE("the direction of the velocity, measured in degrees, is what the dial 
 TEST_CASE("at 90° minus an angle the two components change places", "[4.1]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
-        const double angle = dice.real(-90, 180);
+        const double angle_deg = dice.real(-90, 180);
 
-        const Vec2 steep = launch_velocity(25, 90 - angle), flat = launch_velocity(25, angle);
+        const Vec2 steep = launch_velocity(25, 90 - angle_deg), flat = launch_velocity(25, angle_deg);
 
         CHECK_THAT(Vec2(steep.y(), steep.x()), IsNear(flat, 1e-11).of("components, swapped [m/s]"));
     }
@@ -244,9 +244,9 @@ TEST_CASE("fired to the left, the range is negative; straight up it is 0", "[4.3
 TEST_CASE("on level ground an angle and 90° minus that angle have the same range", "[4.3]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
-        const double angle = dice.real(0, 90), speed = dice.real(1, 50), g = dice.real(1, 20);
+        const double angle_deg = dice.real(0, 90), speed = dice.real(1, 50), g = dice.real(1, 20);
 
-        const double flat = range(at_degrees(speed, angle), g), steep = range(at_degrees(speed, 90 - angle), g);
+        const double flat = range(at_degrees(speed, angle_deg), g), steep = range(at_degrees(speed, 90 - angle_deg), g);
 
         CHECK_THAT(steep, IsNear(flat, 1e-11).of("range at 90° minus the angle [m]"));
     }
@@ -430,10 +430,10 @@ TEST_CASE("from the ground at (15, 20) m/s, 1.5 s apart: four points, the last w
 }
 
 //> Worked example: five points
-TEST_CASE("from a cliff of 25 m at (15, 20) m/s, 1.5 s apart: five points, the last where it lands", "[4.5]") {
-    const std::vector<Vec2> arc = dotted_arc({{0, 25}, {15, 20}}, 10, 1.5);
+TEST_CASE("from (10, 25) m at (15, 20) m/s, 1.5 s apart: five points, the last where it lands", "[4.5]") {
+    const std::vector<Vec2> arc = dotted_arc({{10, 25}, {15, 20}}, 10, 1.5);
     CHECK_THAT(arc, HasSize(5).of("points"));
-    CHECK_THAT(arc, IsNear(std::vector<Vec2>{{0, 25}, {22.5, 43.75}, {45, 40}, {67.5, 13.75}, {75, 0}}, rounding));
+    CHECK_THAT(arc, IsNear(std::vector<Vec2>{{10, 25}, {32.5, 43.75}, {55, 40}, {77.5, 13.75}, {85, 0}}, rounding));
 }
 
 //> In the air
@@ -740,8 +740,8 @@ TEST_CASE("out of reach there is no angle: 62.6 m away, 25 m/s reach 62.5 m", "[
 
 //> As far as it reaches
 TEST_CASE("exactly as far as it reaches, every angle in the answer is 45°", "[4.8]") {
-    for (const double angle : launch_angles(25, {62.5, 0}, 10))
-        CHECK_THAT(angle, IsNear(45.0, 1e-5).of("an angle [°]"));
+    for (const double angle_deg : launch_angles(25, {62.5, 0}, 10))
+        CHECK_THAT(angle_deg, IsNear(45.0, 1e-5).of("an angle [°]"));
 }
 
 //> Through the target
@@ -756,9 +756,9 @@ TEST_CASE("at each angle the shell goes through the target, and the smaller angl
 
         CHECK_THAT(angles, HasSize(2).of("angles"));
         CHECK_THAT(angles[0], IsBelow(angles[1]).of("the first angle [°]"));
-        for (const double angle : angles) {
-            CHECK_THAT(std::abs(angle), IsBelow(90).of("size of an angle [°]"));
-            const State muzzle = at_degrees(speed, angle);
+        for (const double angle_deg : angles) {
+            CHECK_THAT(std::abs(angle_deg), IsBelow(90).of("size of an angle [°]"));
+            const State muzzle = at_degrees(speed, angle_deg);
             const double y = flown(muzzle, g, x / muzzle.velocity.x()).y();
             CHECK_THAT((y - target.y()) / reach, IsNear(0.0, 1e-8).of("how far it misses, of speed²/g [1]"));
         }
@@ -821,9 +821,9 @@ TEST_CASE("from the ground at (15, 20) m/s, in frames of 1 s: 75 m, 45 m and 60 
 }
 
 //> Worked example: between two frames
-TEST_CASE("from a cliff of 25 m the last frame is cut: 87.5 m, 62.5 m and 75 m", "[4.9]") {
+TEST_CASE("from (10, 25) m the last frame is cut, and the ranges are 87.5 m, 62.5 m and 75 m", "[4.9]") {
     // explicit Euler: from 25 m to -5 m in frame 6, so 5/6 of it; semi-implicit: from 5 m to -25 m in frame 5, so 1/6
-    CHECK_THAT(frame_loop_ranges({{0, 25}, {15, 20}}, 10, 1), IsNear(LoopRanges{87.5, 62.5, 75}, rounding));
+    CHECK_THAT(frame_loop_ranges({{10, 25}, {15, 20}}, 10, 1), IsNear(LoopRanges{87.5, 62.5, 75}, rounding));
 }
 
 //> A straight line

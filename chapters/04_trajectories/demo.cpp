@@ -59,16 +59,22 @@ double choice_of(const Input &in) {
     return sum;
 }
 
-/// The muzzle of the cannon as it is set now; a cannon that aims itself needs a target within its reach.
-std::optional<motion::State> muzzle_of(const State &now, const Input &in, bool other = false) {
+/// A shell at the muzzle, and what the dial shows.
+struct Shot {
+    motion::State muzzle;
+    double angle_deg;
+};
+
+/// The shot as it is set now; a cannon that aims itself needs a target within its reach.
+std::optional<Shot> shot_of(const State &now, const Input &in, bool other = false) {
     const Vec2 at{0, in["muzzle above the ground"]};
-    double angle = in["angle"];
+    double angle_deg = in["angle"];
     if (now.game == aims) {
         const std::vector<double> angles = launch_angles(in["speed"], now.target - at, in["gravity"]);
         if (angles.empty()) return {};
-        angle = (in["shot"] == 1) != other ? angles.back() : angles.front();
+        angle_deg = (in["shot"] == 1) != other ? angles.back() : angles.front();
     }
-    return motion::State{at, launch_velocity(in["speed"], angle)};
+    return Shot{{at, launch_velocity(in["speed"], angle_deg)}, angle_deg};
 }
 
 /// Whether the shell still rises at the end of its first frame, as 4.9 needs it.
@@ -79,14 +85,14 @@ bool loops_can_fly(const motion::State &muzzle, const Input &in) {
 Vec2 acceleration(const State &now, const Input &in) { return {now.game == in_wind ? in["wind"] : 0, -in["gravity"]}; }
 
 void fire(State &now, const Input &in) {
-    const std::optional<motion::State> muzzle = muzzle_of(now, in);
-    if (!muzzle || (now.game == loops && !loops_can_fly(*muzzle, in))) return;
-    now.shell = *muzzle;
-    now.all = {*muzzle, *muzzle, *muzzle};
-    now.left = now.game == flies ? 100 : time_of_flight(*muzzle, in["gravity"]);
+    const std::optional<Shot> shot = shot_of(now, in);
+    if (!shot || (now.game == loops && !loops_can_fly(shot->muzzle, in))) return;
+    now.shell = shot->muzzle;
+    now.all = {now.shell, now.shell, now.shell};
+    now.left = now.game == flies ? 100 : time_of_flight(now.shell, in["gravity"]);
     now.flying = now.fired = true;
     now.time = now.spare = 0;
-    now.trail = {muzzle->position};
+    now.trail = {now.shell.position};
 }
 
 void step_loops(State &now, const Input &in, double dt) {
@@ -108,7 +114,9 @@ void step_loops(State &now, const Input &in, double dt) {
 void stop_at_terrace(State &now, const Vec2 &before, double height) {
     Vec2 &at = now.shell.position;
     if (at.x() < terrace_begins || at.y() > height) return;
-    at = before.x() < terrace_begins ? Vec2{terrace_begins, at.y()} : Vec2{at.x(), height};
+    const double part = (before.y() - height) / (before.y() - at.y()); // of the frame, until it is at that height
+    const double there = before.x() + part * (at.x() - before.x());
+    at = before.y() > height && there >= terrace_begins ? Vec2{there, height} : Vec2{terrace_begins, at.y()};
     now.left = 0;
 }
 
@@ -165,7 +173,8 @@ std::vector<Vec2> arc_of(const motion::State &muzzle, const Vec2 &pull, double t
     return arc;
 }
 
-void draw_prediction(demo::Picture &seen, const State &now, const Input &in, const motion::State &muzzle) {
+void draw_prediction(demo::Picture &seen, const State &now, const Input &in, const Shot &shot) {
+    const motion::State &muzzle = shot.muzzle;
     const double pull = in["gravity"];
     switch (now.game) {
     case dots: add(seen, Shape::discs, Colour::blue, 0.5, dotted_arc(muzzle, pull, dot_time)); [[fallthrough]];
@@ -203,21 +212,23 @@ void draw_prediction(demo::Picture &seen, const State &now, const Input &in, con
         break;
     }
     case aims:
+        say(seen, "angle", "°", shot.angle_deg);
         for (const bool other : {true, false})
-            if (const auto aimed = muzzle_of(now, in, other); aimed && aimed->velocity.x() > 0)
+            if (const auto aimed = shot_of(now, in, other); aimed && aimed->muzzle.velocity.x() > 0)
                 add(seen, Shape::line, other ? Colour::dim : Colour::blue, -2,
-                    arc_of(*aimed, acceleration(now, in), now.target.x() / aimed->velocity.x()));
+                    arc_of(aimed->muzzle, acceleration(now, in), now.target.x() / aimed->muzzle.velocity.x()));
         break;
     case loops:
         if (!loops_can_fly(muzzle, in)) {
             add_words(seen, {10, 50}, "Aim higher, or take more frames.");
         } else {
+            const double right = range(muzzle, pull);
             const LoopRanges there = frame_loop_ranges(muzzle, pull, 1 / in["frames per second"]);
-            add_flag(seen, {range(muzzle, pull), 0}, "right", Colour::ink);
+            add_flag(seen, {right, 0}, "range", Colour::ink);
             say(seen, "explicit Euler", "m", there.explicit_euler);
             say(seen, "semi-implicit Euler", "m", there.semi_implicit);
             say(seen, "exact steps", "m", there.exact);
-            say(seen, "right", "m", range(muzzle, pull));
+            say(seen, "range", "m", right);
         }
         break;
     default: break;
@@ -226,15 +237,17 @@ void draw_prediction(demo::Picture &seen, const State &now, const Input &in, con
 
 void draw_cannon(demo::Picture &seen, const State &now, const Input &in) {
     const Vec2 at{0, in["muzzle above the ground"]};
-    const std::optional<motion::State> muzzle = muzzle_of(now, in);
-    if (!muzzle) {
+    const std::optional<Shot> shot = shot_of(now, in);
+    if (!shot) {
         add_words(seen, now.target + Vec2{-8, 4}, "out of reach");
     } else {
-        add(seen, Shape::line, Colour::ink, 7, {at - 5 / in["speed"] * muzzle->velocity, at});
-        draw_prediction(seen, now, in, *muzzle);
+        add(seen, Shape::line, Colour::ink, 7, {at - 5 / in["speed"] * shot->muzzle.velocity, at});
+        draw_prediction(seen, now, in, *shot);
     }
     if (now.game == aims) {
         add_words(seen, now.target + Vec2{2, 1}, "target");
+        say(seen, "target x", "m", now.target.x());
+        say(seen, "target y", "m", now.target.y());
         seen.shapes.push_back({Shape::handle, Colour::orange, 0, 1, {now.target}});
     }
 }
@@ -253,7 +266,12 @@ void draw_shell(demo::Picture &seen, const State &now) {
         say(seen, "clock", "s", now.time);
         say(seen, "left", "s", now.left);
     }
-    say(seen, now.flying ? "shell is at" : "shell landed at", "m", at.x());
+    if (now.game != aims) say(seen, now.flying ? "shell is at" : "shell landed at", "m", at.x());
+}
+
+void add_loop(demo::Picture &seen, const Vec2 &shell, const char *words, Colour colour, double height) {
+    add(seen, Shape::discs, colour, 1, {shell});
+    add_words(seen, {-13, height}, words, colour);
 }
 
 demo::Picture draw(const State &now, const Input &in) {
@@ -271,9 +289,9 @@ demo::Picture draw(const State &now, const Input &in) {
     if (now.game == loops) {
         add(seen, Shape::discs, Colour::dim, 0.4, now.trail);
         const auto &[euler, semi, exact] = now.all;
-        add(seen, Shape::discs, Colour::orange, 1, {euler.position, semi.position, exact.position});
-        add_words(seen, euler.position + Vec2{1, 3}, "explicit Euler");
-        add_words(seen, semi.position - Vec2{38, -4}, "semi-implicit Euler");
+        add_loop(seen, euler.position, "explicit Euler", Colour::orange, 57);
+        add_loop(seen, semi.position, "semi-implicit Euler", Colour::violet, 53);
+        add_loop(seen, exact.position, "exact steps", Colour::blue, 49);
     } else {
         draw_shell(seen, now);
     }

@@ -30,9 +30,10 @@ void print_landing(std::ostream &out) {
 //> Range against angle
 void print_ranges(std::ostream &out) {
     out << row({{"angle [°]", 12}, {"from the ground [m]", 21}, {"from the cliff [m]", 0}});
-    for (const double angle : {15.0, 30.0, 45.0, 60.0, 75.0})
-        out << row(
-            {{text(angle), 11}, {text(range(fired(0, angle), g)), 21}, {text(range(fired(cliff, angle), g)), 0}});
+    for (const double angle_deg : {15.0, 30.0, 45.0, 60.0, 75.0})
+        out << row({{text(angle_deg), 11},
+                    {text(range(fired(0, angle_deg), g)), 21},
+                    {text(range(fired(cliff, angle_deg), g)), 0}});
 }
 
 //> The farthest
@@ -47,25 +48,25 @@ double best_angle(double height) {
 void print_best(std::ostream &out) {
     out << row({{"muzzle [m]", 12}, {"best angle [°]", 17}, {"range [m]", 0}});
     for (const double height : {0.0, 5.0, cliff, 100.0}) {
-        const double angle = best_angle(height);
-        out << row({{text(height), 12}, {text(angle), 15}, {text(range(fired(height, angle), g)), 0}});
+        const double angle_deg = best_angle(height);
+        out << row({{text(height), 12}, {text(angle_deg), 15}, {text(range(fired(height, angle_deg), g)), 0}});
     }
 }
 
 //> Highest points
 void print_apexes(std::ostream &out) {
     out << row({{"angle [°]", 12}, {"apex [m]", 0}});
-    for (const double angle : {-30.0, 0.0, 30.0, 60.0, 90.0})
-        out << row({{text(angle), 11}, {text(apex(fired(cliff, angle), g)), 0}});
+    for (const double angle_deg : {-30.0, 0.0, 30.0, 60.0, 90.0})
+        out << row({{text(angle_deg), 11}, {text(apex(fired(cliff, angle_deg), g)), 0}});
 }
 
 //> An arc in letters
 void print_arc(std::ostream &out) {
     std::vector<std::string> lines(7, std::string(64, ' ')); // each letter is 1 m wide and 4 m high
     lines.back() = std::string(64, '_');
-    for (const double angle : {30.0, 60.0})
-        for (const Vec2 &point : dotted_arc(fired(0, angle), g, 0.2))
-            lines[std::size_t(6 - point.y() / 4)][std::size_t(point.x())] = angle > 45 ? '*' : 'o';
+    for (const double angle_deg : {30.0, 60.0})
+        for (const Vec2 &point : dotted_arc(fired(0, angle_deg), g, 0.2))
+            lines[std::size_t(6 - point.y() / 4)][std::size_t(point.x())] = angle_deg > 45 ? '*' : 'o';
     for (const std::string &line : lines) out << line.substr(0, line.find_last_not_of(' ') + 1) << '\n';
 }
 
@@ -92,7 +93,7 @@ void print_angles(std::ostream &out) {
     out << row({{"target [m]", 12}, {"angles [°]", 0}});
     for (const Vec2 &target : {Vec2{60, 0}, Vec2{40, 15}, Vec2{75, -25}, Vec2{62.5, 0}, Vec2{70, 0}}) {
         std::string angles;
-        for (const double angle : launch_angles(speed, target, g)) angles += text(angle) + "  ";
+        for (const double angle_deg : launch_angles(speed, target, g)) angles += text(angle_deg) + "  ";
         out << row({{text(target), 12}, {angles.empty() ? "out of reach" : angles, 0}});
     }
 }
@@ -118,18 +119,18 @@ void print_loops(std::ostream &out) {
 void trace_arcs(std::ostream &out) {
     out << "# 15 x[m]\t15 y[m]\t30 x[m]\t30 y[m]\t45 x[m]\t45 y[m]\t60 x[m]\t60 y[m]\t75 x[m]\t75 y[m]\n";
     for (int i = 0; i <= 40; ++i)
-        for (const double angle : {15.0, 30.0, 45.0, 60.0, 75.0}) {
-            State shell = fired(0, angle);
+        for (const double angle_deg : {15.0, 30.0, 45.0, 60.0, 75.0}) {
+            State shell = fired(0, angle_deg);
             next_frame(shell, i / 40.0 * time_of_flight(shell, g));
-            out << shell.position.x() << '\t' << shell.position.y() << (angle == 75 ? '\n' : '\t');
+            out << shell.position.x() << '\t' << shell.position.y() << (angle_deg == 75 ? '\n' : '\t');
         }
 }
 
 //> Ranges, traced
 void trace_ranges(std::ostream &out) {
     out << "# angle[°]\tfrom the ground[m]\tfrom the cliff[m]\n";
-    for (int angle = 0; angle <= 90; ++angle)
-        out << angle << '\t' << range(fired(0, angle), g) << '\t' << range(fired(cliff, angle), g) << '\n';
+    for (int angle_deg = 0; angle_deg <= 90; ++angle_deg)
+        out << angle_deg << '\t' << range(fired(0, angle_deg), g) << '\t' << range(fired(cliff, angle_deg), g) << '\n';
 }
 
 //> Arcs in wind, traced
@@ -137,9 +138,11 @@ void trace_wind(std::ostream &out) {
     out << "# -10 x[m]\t-10 y[m]\t-2 x[m]\t-2 y[m]\t0 x[m]\t0 y[m]\t2 x[m]\t2 y[m]\n";
     for (int i = 0; i <= 40; ++i)
         for (const double wind : {-10.0, -2.0, 0.0, 2.0}) {
-            Flight flight{{{0, 0}, {15, 20}}};
+            const State muzzle{{0, 0}, {15, 20}};
+            Flight flight{muzzle};
             next_frame(flight, wind, i / 40.0 * flight.left);
-            const Vec2 &at = flight.shell.position;
+            const Vec2 at =
+                i < 40 ? flight.shell.position : Vec2{range_in_wind(muzzle, g, wind), 0}; // the last is yours
             out << at.x() << '\t' << at.y() << (wind == 2 ? '\n' : '\t');
         }
 }
@@ -149,10 +152,10 @@ void trace_aimed(std::ostream &out) {
     out << "# low x[m]\tlow y[m]\thigh x[m]\thigh y[m]\n";
     const std::vector<double> angles = launch_angles(speed, {40, 15}, g);
     for (int i = 0; i <= 40; ++i)
-        for (const double angle : angles) {
-            State shell = fired(0, angle);
+        for (const double angle_deg : angles) {
+            State shell = fired(0, angle_deg);
             next_frame(shell, i / 40.0 * 40 / shell.velocity.x());
-            out << shell.position.x() << '\t' << shell.position.y() << (angle == angles.back() ? '\n' : '\t');
+            out << shell.position.x() << '\t' << shell.position.y() << (angle_deg == angles.back() ? '\n' : '\t');
         }
 }
 

@@ -24,8 +24,8 @@ using motion::State;
 Vec2 launch_velocity(double speed, double angle_deg);
 
 //> Time of flight
-/// How long a shell is in the air until it lands [s]: if the muzzle is on the ground 0, unless it fires upwards.
-/// Right to twelve digits of how long it would take if it were fired upwards at that vertical speed.
+/// How long a shell is in the air until it lands [s]; 0 if the muzzle is on the ground and does not fire upwards.
+/// Right to twelve digits; if fired downwards, of the longer time that it would take if fired upwards just as fast.
 /// @param muzzle  where the shell leaves it, and its velocity there; not below the ground
 /// @param g       how much faster it falls each second [m/s²], more than 0
 /// @throws std::invalid_argument if the muzzle is below the ground, `g` is not positive, or a number is not within ±1e5.
@@ -61,8 +61,9 @@ double range_in_wind(const State &muzzle, double g, double wind);
 /// How far from the muzzle, measured horizontally, a shell is when it comes down to this height [m].
 /// Nothing if it does not reach that height after it was fired; if its apex is there up to rounding, either is right.
 /// It is 0 if the muzzle is at that height and does not fire upwards.
-/// Right to nine digits of what it would be if fired upwards, but to fewer where the target is nearly as high as the apex.
-/// @param height  of the target [m], above the muzzle or below it, which may be anywhere
+/// Right to nine digits; if fired downwards, of what it would be if fired upwards just as fast. Right to fewer where the
+/// target is nearly as high as the apex.
+/// @param height  of the target above the ground, like that of the muzzle [m]; either may be higher, or below the ground
 /// @throws std::invalid_argument if `g` is not positive, or a number is not within ±1e5.
 std::optional<double> range_at_height(const State &muzzle, double g, double height);
 
