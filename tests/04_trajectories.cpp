@@ -121,7 +121,7 @@ TEST_CASE("speeds and angles up to 1e5 are allowed, and tiny ones", "[4.1]") {
     CHECK_THAT(launch_velocity(1e5, 60), IsNear(Vec2{5e4, 5e4 * std::sqrt(3)}, rounding));
     CHECK_THAT(launch_velocity(1, 1e5 - 260), IsNear(Vec2{std::cos(20 * degree), std::sin(20 * degree)}, rounding));
     CHECK_THAT(launch_velocity(1, -1e5), IsNear(Vec2{std::cos(80 * degree), std::sin(80 * degree)}, rounding));
-    CHECK_THAT(launch_velocity(1e-8, 60).x() * 1e8, IsNear(0.5, rounding).of("velocity to the right [1e-8 m/s]"));
+    CHECK_THAT(launch_velocity(2e-9, 60).x() * 1e9, IsNear(1.0, rounding).of("velocity to the right [1e-9 m/s]"));
     CHECK_THAT(launch_velocity(1, 1e-8).y() * 1e8, IsNear(degree, rounding).of("velocity upwards [1e-8 m/s]"));
 }
 
@@ -201,7 +201,8 @@ TEST_CASE("heights and velocities up to 1e5 are allowed, small ones, and a weak 
     CHECK_THAT(time_of_flight({{1e5, 1e5}, {1e5, 0}}, 1e5), IsNear(std::sqrt(2.0), rounding));
     CHECK_THAT(time_of_flight({{-1e5, 1e5}, {0, -1e5}}, 1), IsNear(0.9999950000499994, 1e-6)); // of 200001
     CHECK_THAT(time_of_flight({{0, 0}, {0, 1e5}}, 1e-3), IsNear(2e8, rounding));
-    CHECK_THAT(time_of_flight({{0, 2e-8}, {5, 0}}, 1) * 1e4, IsNear(2.0, rounding).of("time of flight [1e-4 s]"));
+    CHECK_THAT(time_of_flight({{0, 2e-9}, {5, 0}}, 4e-9), IsNear(1.0, rounding));
+    CHECK_THAT(time_of_flight({{0, 1e-3}, {5, 1e3}}, 10), IsNear(200.000001, rounding)); // 1000.00001 m/s down
     CHECK_THAT(time_of_flight({{0, 0}, {5, 1e-8}}, 5) * 1e8, IsNear(0.4, rounding).of("time of flight [1e-8 s]"));
 }
 
@@ -237,7 +238,7 @@ TEST_CASE("the range counts from the muzzle, wherever along the ground that is",
 //> To the left
 TEST_CASE("fired to the left, the range is negative; straight up it is 0", "[4.3]") {
     CHECK_THAT(range({{0, 0}, {-15, 20}}, 10), IsNear(-60.0, rounding));
-    CHECK_THAT(range({{0, 0}, {0, 20}}, 10), IsNear(0.0));
+    CHECK_THAT(range({{0, 0}, {0, 20}}, 10), IsNear(0.0, rounding));
 }
 
 //> Two angles
@@ -310,6 +311,9 @@ TEST_CASE("positions and velocities up to 1e5 are allowed, and small ones; range
     CHECK_THAT(range({{0, 0}, {1e5, 1e5}}, 10), IsNear(2e9, rounding));
     CHECK_THAT(range({{-1e5, 1e5}, {1e5, 0}}, 1e5), IsNear(1e5 * std::sqrt(2.0), rounding));
     CHECK_THAT(range({{0, 0}, {1e-4, 1e-4}}, 2) * 1e8, IsNear(1.0, rounding).of("range [1e-8 m]"));
+    CHECK_THAT(range({{0, 2e-9}, {5, 0}}, 4e-9), IsNear(5.0, rounding)); // after 1 s
+    CHECK_THAT(range({{0, 0}, {2e-9, 2e-9}}, 4e-9) * 1e9, IsNear(2.0, rounding).of("range [1e-9 m]"));
+    CHECK_THAT(range({{0, 1e-3}, {1, 1e3}}, 10), IsNear(200.000001, rounding));
 }
 
 TEST_CASE("a muzzle below the ground, a g of 0 or less, or a number out of range, is refused by range", "[4.3]") {
@@ -352,6 +356,7 @@ TEST_CASE("aimed down from (10, 25) m, it is highest at the muzzle, not behind i
     CHECK_THAT(apex({{10, 25}, {15, -20}}, 10), IsNear(Vec2{10, 25}));
     CHECK_THAT(apex({{10, 25}, {-15, -0.01}}, 10), IsNear(Vec2{10, 25}));
     CHECK_THAT(apex({{10, 25}, {0, -20}}, 10), IsNear(Vec2{10, 25}));
+    CHECK_THAT(apex({{10, -25}, {15, -20}}, 10), IsNear(Vec2{10, -25})); // in a valley
 }
 
 //> In the middle
@@ -410,6 +415,7 @@ TEST_CASE("positions and velocities up to 1e5 are allowed, and small ones; the a
     CHECK_THAT(apex({{1e5, 1e5}, {1e5, 1e5}}, 10), IsNear(Vec2{1e9 + 1e5, 5e8 + 1e5}, rounding));
     CHECK_THAT(apex({{-1e5, -1e5}, {0, 1e5}}, 1e5), IsNear(Vec2{-1e5, -5e4}, rounding));
     CHECK_THAT(apex({{0, 0}, {1e-4, 1e-4}}, 1).y() * 1e8, IsNear(0.5, rounding).of("height of the apex [1e-8 m]"));
+    CHECK_THAT(apex({{0, 0}, {5, 2e-9}}, 2e-9), IsNear(Vec2{5, 1e-9}, rounding)); // after 1 s
 }
 
 TEST_CASE("a g of 0 or less, or a number out of range, is refused by apex", "[4.4]") {
@@ -536,7 +542,16 @@ TEST_CASE("points may be up to ±1e5 away, and there may be 10 000 of them", "[4
     const std::vector<Vec2> arc = dotted_arc(far_out, 1e3, 0.0201);
     CHECK_THAT(arc, HasSize(1166).of("points"));
     CHECK_THAT(arc[1000], IsNear(flown(far_out, 1e3, 20.1), 1e-9).of("point number 1000 [m]"));
-    CHECK_THAT(dotted_arc({{0, 0}, {15, 20}}, 10, 0.000401), HasSize(9977).of("points"));
+    const State slow{{0, 0}, {1, 39.0625}}; // in the air for 156.25 s
+    const std::vector<Vec2> longest = dotted_arc(slow, 0.5, 0.015626);
+    CHECK_THAT(longest, HasSize(10001).of("points"));
+    CHECK_THAT(longest[9999], IsNear(flown(slow, 0.5, 9999 * 0.015626), 1e-9).of("point number 9999 [m]"));
+    CHECK_THAT(dotted_arc(slow, 0.5, 0.015625).back(), IsNear(Vec2{156.25, 0}, 1e-9).of("the last point [m]"));
+    const std::vector<Vec2> ends{{1e5, 1e5}, {1e5 * (2 - std::sqrt(3)), 0}};
+    CHECK_THAT(dotted_arc({{1e5, 1e5}, {-1e5, -1e5}}, 1e5, 1e5), IsNear(ends, 1e-9));
+    CHECK_THAT(dotted_arc({{0, 0}, {1, 2e-5}}, 1e-5, 1.5), HasSize(4).of("points, with a weak g"));
+    CHECK_THAT(dotted_arc({{0, 0}, {1, 2e-4}}, 10, 1.5e-5), HasSize(4).of("points, with a small dt"));
+    CHECK_THAT(dotted_arc(from_the_ground, 10, 2 - 2.5e-9), HasSize(4).of("points, one 5e-9 s before it lands"));
 }
 
 TEST_CASE("a muzzle below the ground, a g or dt of 0 or less or too short, or out of range, is refused by dotted_arc",
@@ -546,8 +561,8 @@ TEST_CASE("a muzzle below the ground, a g or dt of 0 or less or too short, or ou
     CHECK_REFUSED(dotted_arc(from_a_cliff, -10, 0.5));
     CHECK_REFUSED(dotted_arc(from_a_cliff, 10, 0));
     CHECK_REFUSED(dotted_arc(from_a_cliff, 10, -0.5));
-    CHECK_REFUSED(dotted_arc({{0, 0}, {15, 0}}, 10, 0)); // even if it does not fly
-    CHECK_REFUSED(dotted_arc(from_a_cliff, 10, 1e-4));
+    CHECK_REFUSED(dotted_arc({{0, 0}, {15, 0}}, 10, 0));        // even if it does not fly
+    CHECK_REFUSED(dotted_arc(from_the_ground, 10, 0.00039999)); // in the air for 4 s
     CHECK_OUT_OF_RANGE_REFUSED(dotted_arc, {from_a_cliff, 10.0, 0.5});
     dotted_arc(from_a_cliff, 10, 0.5); // good input is still answered
 }
@@ -616,14 +631,19 @@ TEST_CASE("where the muzzle is along the ground does not matter, and on the grou
     CHECK_THAT(range_in_wind({{3, 0}, {15, -20}}, 10, 5), IsNear(0.0, 1e-11));
 }
 
-TEST_CASE("winds and velocities up to 1e5 are allowed; ranges may be larger", "[4.6]") {
+TEST_CASE("winds and velocities up to 1e5 are allowed, and small ones; ranges may be larger", "[4.6]") {
     CHECK_THAT(range_in_wind({{0, 0}, {1e5, 1e5}}, 10, 1e5), IsNear(2e13 + 2e9, rounding));
     CHECK_THAT(range_in_wind({{0, 1e5}, {0, 0}}, 1e5, -1e5), IsNear(-1e5, rounding));
+    CHECK_THAT(range_in_wind({{1e5, 0}, {15, 20}}, 10, -2), IsNear(44.0, rounding));
+    CHECK_THAT(range_in_wind({{0, 2e-9}, {5, 0}}, 4e-9, 2), IsNear(6.0, rounding)); // after 1 s
+    CHECK_THAT(range_in_wind({{0, 0}, {0, 2e-9}}, 4e-9, 4e-9) * 1e9, IsNear(2.0, rounding).of("range [1e-9 m]"));
+    CHECK_THAT(range_in_wind({{0, 1e-3}, {1, 1e3}}, 10, 0), IsNear(200.000001, rounding));
 }
 
 TEST_CASE("a muzzle below the ground, a g of 0 or less, or a number out of range, is refused by range_in_wind",
           "[4.6]") {
     CHECK_REFUSED(range_in_wind({{0, -1}, {15, 20}}, 10, 2));
+    CHECK_REFUSED(range_in_wind({{0, -1e-300}, {15, 20}}, 10, 2));
     CHECK_REFUSED(range_in_wind(from_a_cliff, 0, 2));
     CHECK_REFUSED(range_in_wind(from_a_cliff, -10, 2));
     CHECK_OUT_OF_RANGE_REFUSED(range_in_wind, {from_a_cliff, 10.0, 2.0});
@@ -702,10 +722,18 @@ TEST_CASE("where the answer says, the shell is at that height, and not on its wa
 }
 
 //>
-TEST_CASE("heights up to ±1e5 are allowed, above and below", "[4.7]") {
+TEST_CASE(
+    "heights and velocities up to ±1e5 are allowed, small ones, a shot straight up, and a height close to the apex",
+    "[4.7]") {
     CHECK_THAT(range_at_height({{0, 1e5}, {1, 0}}, 4, -1e5), IsNear(std::sqrt(1e5), 1e-11));
     CHECK_THAT(range_at_height({{0, -1e5}, {1, 3000}}, 20, 1e5), IsNear(200.0, 1e-11)); // it passes at 1000 m/s
     CHECK_THAT(range_at_height({{0, -1e5}, {1, 1e3}}, 20, 1e5), IsNear(std::optional<double>{}));
+    CHECK_THAT(range_at_height({{1e5, 1e5}, {1e5, 1e5}}, 1e5, 1e5), IsNear(2e5, 1e-9));
+    CHECK_THAT(range_at_height({{0, 0}, {2e-9, 0}}, 4e-9, -2e-9).value() * 1e9,
+               IsNear(2.0, 1e-9).of("answer [1e-9 m]"));
+    CHECK_THAT(range_at_height({{3, 0}, {0, 20}}, 10, 15), IsNear(0.0, rounding));            // straight up
+    CHECK_THAT(range_at_height({{0, 0}, {15, 20}}, 10, 20 - 1e-8), IsNear(30.0006708, 1e-6)); // just below the apex
+    CHECK_THAT(range_at_height({{0, 0}, {15, 20}}, 10, 20 + 1e-8), IsNear(std::optional<double>{}));
 }
 
 TEST_CASE("a g of 0 or less, or a number out of range, is refused by range_at_height", "[4.7]") {
@@ -733,13 +761,16 @@ TEST_CASE("at 25 m/s, a target at (45, 15) m is hit at 53.13° and 55.30°, one 
 //> Out of reach
 TEST_CASE("out of reach there is no angle: 62.6 m away, 25 m/s reach 62.5 m", "[4.8]") {
     CHECK_THAT(launch_angles(25, {62.6, 0}, 10), HasSize(0).of("angles"));
+    CHECK_THAT(launch_angles(25, {62.5 + 1e-8, 0}, 10), HasSize(0).of("angles"));
     CHECK_THAT(launch_angles(25, {1, 31.3}, 10), HasSize(0).of("angles"));
     CHECK_THAT(launch_angles(0, {10, 10}, 10), HasSize(0).of("angles"));
+    CHECK_THAT(launch_angles(0, {10, -10}, 10), HasSize(0).of("angles"));
     CHECK_THAT(launch_angles(25, {62.4, 0}, 10), HasSize(2).of("angles"));
 }
 
 //> As far as it reaches
-TEST_CASE("exactly as far as it reaches, every angle in the answer is 45°", "[4.8]") {
+TEST_CASE("exactly as far as it reaches, every angle in the answer is 45°; a little nearer there are two", "[4.8]") {
+    CHECK_THAT(launch_angles(25, {62.5 - 1e-8, 0}, 10), HasSize(2).of("angles"));
     for (const double angle_deg : launch_angles(25, {62.5, 0}, 10))
         CHECK_THAT(angle_deg, IsNear(45.0, 1e-5).of("an angle [°]"));
 }
@@ -790,7 +821,8 @@ TEST_CASE("there are two angles below the curve y = v²/2g - g x²/2v², and non
 }
 
 //>
-TEST_CASE("far below and nearly straight down, one angle is close to -90°", "[4.8]") {
+TEST_CASE("where a shell that is fired level comes down, one angle is 0°; far below, one is close to -90°", "[4.8]") {
+    CHECK_THAT(launch_angles(25, {25, -5}, 10), IsNear(std::vector{0.0, 78.69006752597979}, 1e-9));
     CHECK_THAT(launch_angles(25, {10, -90}, 10), IsNear(std::vector{-80.56915018534404, 86.90934193125395}, 1e-9));
 }
 
@@ -798,7 +830,15 @@ TEST_CASE("speeds and targets up to 1e5 are allowed, and near ones", "[4.8]") {
     CHECK_THAT(launch_angles(1e3, {1e5, 0}, 5), IsNear(std::vector{15.0, 75.0}, 1e-9));
     CHECK_THAT(launch_angles(1e5, {1e5, 1e5}, 1e5), IsNear(std::vector<double>{}));
     CHECK_THAT(launch_angles(1e5, {1e5, -1e5}, 1e5), IsNear(std::vector{-22.5, 67.5}, 1e-9));
-    CHECK_THAT(launch_angles(25, {0.1, 0}, 10), IsNear(std::vector{0.045836643, 89.954163357}, 1e-8));
+    CHECK_THAT(launch_angles(1e-4, {5e-9, 0}, 1), IsNear(std::vector{15.0, 75.0}, 1e-9));
+    CHECK_THAT(launch_angles(2e-4, {5, 0}, 4e-9), IsNear(std::vector{15.0, 75.0}, 1e-9));
+    const double flat = std::asin(0.0016) / 2 / degree; // 0.1 m away, of 62.5
+    const std::vector<double> near = launch_angles(25, {0.1, 0}, 10);
+    CHECK_THAT(near, IsNear(std::vector{flat, 90 - flat}, 1e-8));
+    CHECK_THAT(near[0] / flat, IsNear(1.0, 1e-9).of("the flat angle, of the right one [1]"));
+    CHECK_THAT(launch_angles(25, {1e-3, 0}, 10), IsNear(std::vector{0.000458366, 89.999541634}, 1e-6));
+    CHECK_THAT(launch_angles(25, {1e-5, 0}, 10), HasSize(2).of("angles, very near"));
+    CHECK_THAT(launch_angles(25, {1, 0.1}, 10), HasSize(2).of("angles, near and upwards"));
 }
 
 TEST_CASE("a negative speed, a target that is not to the right, g <= 0, or out of range, is refused by launch_angles",
@@ -894,12 +934,18 @@ TEST_CASE("fired to the left the ranges are negative, and where the muzzle is do
     CHECK_THAT(frame_loop_ranges({{-9, 25}, {0, 20}}, 10, 1), IsNear(LoopRanges{0, 0, 0}, rounding));
 }
 
-TEST_CASE("flights up to ±1e5 are allowed, of up to 10 000 frames, and dt just short enough", "[4.9]") {
+TEST_CASE("flights up to ±1e5 are allowed, of up to 10 000 frames, small ones, and dt just short enough", "[4.9]") {
     const LoopRanges ranges = frame_loop_ranges({{-9e4, 0}, {1e4, 1e4}}, 1250, 0.0016002);
     CHECK_THAT(ranges.exact, IsNear(1.6e5, 1e-6).of("exact [m]"));
     CHECK_THAT(ranges.explicit_euler, IsNear(1.6e5 + 16.002, 1e-6).of("explicit_euler [m]"));
     CHECK_THAT(frame_loop_ranges({{0, 0}, {15, 20}}, 10, 1.999).semi_implicit,
                IsNear(30.0000075, 1e-8).of("semi_implicit [m]"));
+    const LoopRanges longest{156.265625, 156.234375, 156.25}; // explicit Euler's takes 10 001 frames
+    CHECK_THAT(frame_loop_ranges({{0, 0}, {1, 39.0625}}, 0.5, 0.015625), IsNear(longest, 1e-9));
+    CHECK_THAT(frame_loop_ranges({{1e5, 0}, {-1e5, 5e4}}, 1e5, 0.25), IsNear(LoopRanges{-1.25e5, -7.5e4, -1e5}, 1e-9));
+    CHECK_THAT(frame_loop_ranges({{0, 0}, {0.1, 0.4}}, 2e-6, 1e5), IsNear(LoopRanges{5e4, 3e4, 4e4}, 1e-9));
+    CHECK_THAT(frame_loop_ranges({{0, 0}, {0.15, 0.2}}, 1e5, 1.5e-6).exact * 1e8, // as in frames of 1.5 s
+               IsNear(45 + 22.5 * 15 / 26.25, 1e-9).of("exact [1e-8 m]"));
 }
 
 TEST_CASE("a muzzle below the ground or not aimed up, g <= 0, a bad dt, or out of range: frame_loop_ranges refuses",
@@ -911,8 +957,11 @@ TEST_CASE("a muzzle below the ground or not aimed up, g <= 0, a bad dt, or out o
     CHECK_REFUSED(frame_loop_ranges(from_a_cliff, -10, 0.1));
     CHECK_REFUSED(frame_loop_ranges(from_a_cliff, 10, 0));
     CHECK_REFUSED(frame_loop_ranges(from_a_cliff, 10, -0.1));
-    CHECK_REFUSED(frame_loop_ranges(from_a_cliff, 10, 2)); // just too long
-    CHECK_REFUSED(frame_loop_ranges(from_a_cliff, 10, 1e-4));
+    CHECK_REFUSED(frame_loop_ranges(from_a_cliff, 10, 2));             // just too long
+    CHECK_REFUSED(frame_loop_ranges(from_the_ground, 10, 0.00039999)); // in the air for 4 s
+    CHECK_REFUSED(frame_loop_ranges({{0, 0}, {0.1, 0.4}}, 2e-6, too_large), "the first number beyond 1e5, as dt");
+    CHECK_REFUSED(frame_loop_ranges({{0, 0}, {1, too_large}}, 1e5, 0.25), "the first number beyond 1e5, as a velocity");
+    CHECK_REFUSED(frame_loop_ranges({{0, 0}, {1, 1e5}}, too_large, 0.25), "the first number beyond 1e5, as g");
     CHECK_OUT_OF_RANGE_REFUSED(frame_loop_ranges, {from_a_cliff, 10.0, 0.1});
     frame_loop_ranges(from_a_cliff, 10, 0.1); // good input is still answered
 }
