@@ -281,7 +281,8 @@ demo::Picture draw(const State &now, const Input &in) {
     add_ground(seen, -16, 0, std::max(0.0, height - 1));
     add_ground(seen, 0, terrace_begins, 0);
     add_ground(seen, terrace_begins, 92, far);
-    add_words(seen, {60, far - 5}, now.game == terrace ? "terrace" : "ground");
+    if (now.game == terrace) add_words(seen, {60, far - 5}, "terrace");
+    else add_words(seen, {8, -5}, "ground");
     if (height > 0) add_words(seen, {-13, height - 5}, "cliff");
     if (!now.marks.empty()) add(seen, Shape::discs, Colour::dim, 0.8, now.marks);
     draw_cannon(seen, now, in);
