@@ -55,6 +55,13 @@ bool compared_optional(const std::optional<Spark> &found, const std::optional<do
     double x = t;                              // It may be nothing: ask first, if (found), and then write *found.
     return x > 0;
 }
+std::optional<double> bare_return(double t) {
+    if (t < 0) return;                         // Put the answer behind return: return a; or, for nothing, return {};
+    return t;
+}
+double section_with_a_dot(double t) {
+    return std.abs(t);                         // If a section's name is before the dot, write two colons: name::function(…).
+}
 int whole_number(double fraction, int shades) {
     int shade = fraction * shades;             // An int has no digits after the decimal point: to keep them, write double; to drop them, int(…).
     return shade;

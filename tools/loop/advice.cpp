@@ -20,6 +20,8 @@ constexpr const char *whole_number =
     "An int has no digits after the decimal point: to keep them, write double; to drop them, int(…).";
 constexpr const char *two_at_a_time = "Compare two at a time: a < b && b < c.";
 constexpr const char *no_way_back = "Some path through this function has no `return`.";
+constexpr const char *return_what = "Put the answer behind return: return a; or, for nothing, return {};";
+constexpr const char *two_colons = "If a section's name is before the dot, write two colons: name::function(…).";
 constexpr const char *copy_it = "It is const, so it cannot be changed: copy it, and change the copy.";
 constexpr const char *two_components = "A Vec2 has two components: write Vec2{x, y}.";
 constexpr const char *same_result = "The header gives this function another result: copy its line from there.";
@@ -48,10 +50,14 @@ struct Slip {
 };
 
 constexpr std::array slips{
+    Slip{"return-statement with no value", "", return_what},
+    Slip{"should return a value", "", return_what}, // Clang: non-void function 'f' should return a value
     Slip{"non-void function", "", no_way_back},
     Slip{"no return statement", "", no_way_back},
     Slip{"'pi' is not a member of 'std'", "", write_pi},
     Slip{"no member named 'pi' in namespace 'std'", "", write_pi},
+    Slip{"expected primary-expression before '.' token", "", two_colons},
+    Slip{"unexpected namespace name", "", two_colons},
     Slip{"unable to find numeric literal operator", "", missing_star},
     Slip{"invalid suffix '", "", missing_star},
     Slip{"unresolved overloaded function type", "", call_it},
