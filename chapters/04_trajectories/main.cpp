@@ -73,7 +73,7 @@ void print_arc(std::ostream &out) {
 //> Wind
 void print_winds(std::ostream &out) {
     out << row({{"wind [m/s²]", 14}, {"from the ground [m]", 21}, {"from the cliff [m]", 0}});
-    for (const double wind : {-10.0, -2.0, 0.0, 2.0})
+    for (const double wind : {-10.0, -2.0, 0.0, 1.0})
         out << row({{text(wind), 13},
                     {text(range_in_wind({{0, 0}, {15, 20}}, g, wind)), 21},
                     {text(range_in_wind({{0, cliff}, {15, 20}}, g, wind)), 0}});
@@ -135,15 +135,15 @@ void trace_ranges(std::ostream &out) {
 
 //> Arcs in wind, traced
 void trace_wind(std::ostream &out) {
-    out << "# -10 x[m]\t-10 y[m]\t-2 x[m]\t-2 y[m]\t0 x[m]\t0 y[m]\t2 x[m]\t2 y[m]\n";
+    out << "# -10 x[m]\t-10 y[m]\t-2 x[m]\t-2 y[m]\t0 x[m]\t0 y[m]\t1 x[m]\t1 y[m]\n";
     for (int i = 0; i <= 40; ++i)
-        for (const double wind : {-10.0, -2.0, 0.0, 2.0}) {
+        for (const double wind : {-10.0, -2.0, 0.0, 1.0}) {
             const State muzzle{{0, 0}, {15, 20}};
             Flight flight{muzzle};
             next_frame(flight, wind, i / 40.0 * flight.left);
             const Vec2 at =
                 i < 40 ? flight.shell.position : Vec2{range_in_wind(muzzle, g, wind), 0}; // the last is yours
-            out << at.x() << '\t' << at.y() << (wind == 2 ? '\n' : '\t');
+            out << at.x() << '\t' << at.y() << (wind == 1 ? '\n' : '\t');
         }
 }
 

@@ -186,6 +186,8 @@ bool warnings(double t, const std::vector<Spark> &pool) {
 struct Two { double a{}, b{}; };
 Two two_of(const Spark &first, const Spark &second) {
     if (first.age < 0) return {first, second}; // The braces hold the fields of the result, in the order of the header; a number is a.mass, say, not the whole a.
+    if (first.age < 1) return first.age;       // A Two is wanted here: put its fields in braces, in the order of the header.
+    Two of_one = second.age;                   // A Two is wanted here: put its fields in braces, in the order of the header.
     two_of(first.age, 2);                      // A whole Spark is wanted here, not a number: pass one that you have, a and not a.mass, or make one of its fields in braces, in the order of the header.
     Two two = two_of(first, second);
     two.a = two.b.age;                         // That is a number already: it has no fields.

@@ -423,6 +423,8 @@ std::string about_conversion(const Said &said) {
     if (is_vector(from) && is_number(to))
         return "A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().";
     if (is_number(from) && is_vector(to)) return two_components;
+    if (is_number(from) && !struct_name(to).empty())
+        return "A " + struct_name(to) + " is wanted here: put its fields in braces, in the order of the header.";
     if (!struct_name(from).empty() && (is_vector(to) || is_number(to))) return about_fields(struct_name(from));
     return {};
 }
