@@ -74,7 +74,9 @@ double two_types(double t, const std::vector<Spark> &pool, int capacity) {
     return t + std::min(t);                    // nothing
 }
 std::vector<Vec2> two_values(double x, double y, std::vector<Vec2> list, Spark spark) {
-    list.push_back(x, y);                      // push_back takes one value: put braces round it, push_back({a, b}).
+    list.push_back(x, y);                      // push_back takes one value: a Vec2 or a struct in braces, push_back({a, b}), or one number at a time.
+    std::vector<double> numbers;
+    numbers.push_back({x, y});                 // push_back takes one value: call it once for each number.
     list.push_back(spark);                     // A Spark is a struct: use its fields, one at a time.
     return list;
 }

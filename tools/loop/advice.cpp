@@ -40,6 +40,9 @@ constexpr const char *one_more =
     "A type before the name makes a second variable: to change the first one, leave it out.";
 constexpr const char *call_function = "That is a function: call it, with what it needs in parentheses.";
 constexpr const char *count_arguments = "Look up in the header how many arguments this function has.";
+constexpr const char *one_value =
+    "push_back takes one value: a Vec2 or a struct in braces, push_back({a, b}), or one number at a time.";
+constexpr const char *once_each = "push_back takes one value: call it once for each number.";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
 /// A slip that the compiler's words alone give away, or together with a word of its notes.
@@ -96,8 +99,10 @@ constexpr std::array slips{
     Slip{"of different signs", "", count_in_size},
     Slip{"conversion from 'double' to 'int'", "", whole_number},
     Slip{"number into integer: 'double' to 'int'", "", whole_number},
-    Slip{"push_back", "expects 1 argument", "push_back takes one value: put braces round it, push_back({a, b})."},
-    Slip{"push_back", "requires single argument", "push_back takes one value: put braces round it, push_back({a, b})."},
+    Slip{"vector<double>::push_back(<brace", "", once_each},
+    Slip{"push_back", "initializer list argument to 'const std::vector<double>", once_each}, // Clang
+    Slip{"push_back", "expects 1 argument", one_value},
+    Slip{"push_back", "requires single argument", one_value},
     Slip{"too few arguments to function", "", count_arguments},
     Slip{"too many arguments to function", "", count_arguments},
     Slip{"no matching function for call to", "candidate function not viable: requires", count_arguments},

@@ -156,6 +156,17 @@ std::string unknown_name(const std::string &words) {
     return "";
 }
 
+/// Where GCC does not know `t`, it takes `t < end()` for a template, and finds fault with end() before it names `t`.
+void drop_imagined_templates(std::vector<Remark> &remarks) {
+    std::vector<int> lines; // with an unknown name
+    for (const Remark &remark : remarks)
+        if (!unknown_name(remark.said.words).empty()) lines.push_back(remark.line);
+    std::erase_if(remarks, [&](const Remark &remark) {
+        return remark.said.words.starts_with("call to non-'constexpr' function")
+               && std::find(lines.begin(), lines.end(), remark.line) != lines.end();
+    });
+}
+
 } // namespace
 
 Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name,
@@ -163,6 +174,7 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
     Verdict verdict = broken(Kind::does_not_compile, "");
     auto remarks = remarks_in(printed, file);
     std::erase_if(remarks, [](const Remark &remark) { return !remark.is_error; });
+    drop_imagined_templates(remarks);
     if (remarks.empty()) {
         const std::string_view first = printed.substr(0, printed.find('\n'));
         verdict.sentence =
