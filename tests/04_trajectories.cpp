@@ -891,7 +891,7 @@ TEST_CASE("with half of dt, both Eulers are half as wrong; the exact loop misses
         if (t > 500 * dt) continue;
         const LoopRanges coarse = frame_loop_ranges(muzzle, g, dt), fine = frame_loop_ranges(muzzle, g, dt / 16);
 
-        const auto in_frames = [&](double range, double length) { return (range - there) / (x * length); };
+        const auto in_frames = [&](double landed, double length) { return (landed - there) / (x * length); };
         const double chord = g * dt * dt / 8;              // how far a straight line is below the arc [m]
         const double ratio = muzzle.velocity.y() / impact; // how much of half a frame an Euler gains each way
         CHECK_THAT(in_frames(coarse.explicit_euler, dt),
