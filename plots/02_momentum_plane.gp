@@ -7,7 +7,7 @@ set size ratio -1
 set key bottom left
 set xrange [-5.9:5.9]; set yrange [-4.9:4.9]
 set xtics 2; set ytics 2
-set xlabel 'velocity of A [m/s]'; set ylabel 'velocity of B [m/s]'
+set xlabel 'velocity of A [m/s]'; set ylabel 'velocity of B [m/s]' offset 0.4,0
 set label 'momentum 2 N s' at -5.6,4.5 left textcolor lt 1
 set label "energy\n22 J" at 2.6,4.3 left textcolor lt 3
 set label 'before' at 3.15,-2.3 right

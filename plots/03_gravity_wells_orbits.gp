@@ -7,7 +7,7 @@ set key off
 set size ratio -1
 set xrange [-17:9]; set yrange [-11:11]
 set xtics 10; set ytics 10
-set lmargin 3; set rmargin 0.6; set bmargin 1.6; set tmargin 1.6
+set lmargin 4.4; set rmargin 0.6; set bmargin 1.6; set tmargin 1.6
 name(k) = word('explicit semi-implicit leapfrog Runge–Kutta', k) . (k < 3 ? ' Euler' : '')
 colour(k) = int(word('6 1 3 5', k))
 yours = with_yours("ARG3 using (column(2 * k - 1)):(column(2 * k)) every 3 with points lt 2 pt 6 ps 0.5 lw 1.5 notitle")

@@ -19,6 +19,7 @@ set linetype cycle 6
 # A phone shows a figure 350 px wide, a desk 540 px: with letters of 17 px on 480, they are 12 px there and 19 px here.
 # A figure with another height than 340 px says `eval canvas(240)` below `load`.
 set encoding utf8
+set minussign # −10, not -10, at the axes, as in the text
 canvas(height) = sprintf('set terminal svg size 480,%d enhanced font "Inter,Segoe UI,Helvetica,Arial,sans-serif,17" linewidth 1.3 rounded', height)
 eval canvas(340)
 set border 3 lc rgb DIM lw 0.8
