@@ -332,23 +332,25 @@ describe('reading', () => {
     await context.close();
   });
 
-  test('a number and its unit are on one line', async () => {
-    const { page, context } = await open(chapters[1], { width: 390 });
-    const [all, torn] = await page.evaluate(() => {
-      document.querySelectorAll('details').forEach((fold) => (fold.open = true));
-      const words = document.createTreeWalker(document.querySelector('#site-text'), NodeFilter.SHOW_TEXT), found = [];
-      while (words.nextNode())
-        if (!words.currentNode.parentElement.closest('pre, code, .katex, .demo, .play'))
-          for (const { index, 0: quantity } of words.currentNode.data.matchAll(/\d\s(N\ss|kg|m\/s|N|J|m|s)(?![a-z])/gi)) {
-            const range = document.createRange();
-            range.setStart(words.currentNode, index), range.setEnd(words.currentNode, index + quantity.length);
-            found.push([quantity, new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size]);
-          }
-      return [found.length, found.filter(([, lines]) => lines > 1).map(([quantity]) => quantity)];
-    });
-    assert.ok(all > 50, `${all}`);
-    assert.deepEqual(torn, []);
-    await context.close();
+  test('numbers and their unit are on one line', async () => {
+    for (const chapter of chapters) {
+      const { page, context } = await open(chapter, { width: 390 });
+      const [all, torn] = await page.evaluate(() => {
+        document.querySelectorAll('details').forEach((fold) => (fold.open = true));
+        const words = document.createTreeWalker(document.querySelector('#site-text'), NodeFilter.SHOW_TEXT), found = [];
+        while (words.nextNode())
+          if (!words.currentNode.parentElement.closest('pre, code, .katex, .demo, .play'))
+            for (const { index, 0: quantity } of words.currentNode.data.matchAll(/\d\)?\s(N\ss|kg|m\/s|N|J|m|s)(?![a-z])/gi)) {
+              const range = document.createRange();
+              range.setStart(words.currentNode, index), range.setEnd(words.currentNode, index + quantity.length);
+              found.push([quantity, new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size]);
+            }
+        return [found.length, found.filter(([, lines]) => lines > 1).map(([quantity]) => quantity)];
+      });
+      assert.ok(all > 10, `${all} in ${chapter}`);
+      assert.deepEqual(torn, [], chapter);
+      await context.close();
+    }
   });
 
   test('a name that is a link many times is one stop of the key Tab', async () => {

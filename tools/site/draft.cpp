@@ -41,9 +41,9 @@ std::string without_repetitions(const std::string &contents) {
     return std::regex_replace(contents, said, "");
 }
 
-/// The spaces in "7.2 N s": a number and its unit stay on one line.
+/// The spaces in "7.2 N s" and "(3, 4) m": numbers and their unit stay on one line.
 std::vector<std::string_view> spaces_before_units(std::string_view text) {
-    static const std::regex quantity{"\\d(\\s)(?:N(\\s)s|px|[mk]?m|k?g|m?s|N|J|Hz|rad|%|kB|MB|GB)(?![A-Za-z0-9])"};
+    static const std::regex quantity{"\\d\\)?(\\s)(?:N(\\s)s|px|[mk]?m|k?g|m?s|N|J|Hz|rad|%|kB|MB|GB)(?![A-Za-z0-9])"};
     std::vector<std::string_view> result;
     using Found = std::regex_iterator<std::string_view::iterator>;
     for (Found found{text.begin(), text.end(), quantity}, end; found != end; ++found)
