@@ -3,7 +3,7 @@
 load 'style.gp'
 set output ARG2
 set key bottom right
-set lmargin 6
+set lmargin 7.5
 set xrange [0:60]; set yrange [0:1.5]
 set xtics 15; set ytics 0.5
 set xlabel 'angle [°]'; set ylabel 'mu_s' noenhanced

@@ -14,4 +14,6 @@ set label 'per axis' at 0.2,7.4 right textcolor lt 6
 yours = with_yours("ARG3 using 1:2 every 2 with points lt 2 pt 6 ps 0.9 lw 1.5 title 'yours'")
 plot ARG1 using 3:4 with lines lt 6 notitle, \
      ARG1 using 1:2 with lines lt 1 notitle, \
+     ARG1 using 3:4 every ::40 with points lt 6 ps 1.2 notitle, \
+     ARG1 using 1:2 every ::40 with points lt 1 ps 1.2 notitle, \
      @yours

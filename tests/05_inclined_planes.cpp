@@ -121,7 +121,7 @@ TEST_CASE("at 0.75 m/s it stops within half a second: it has 0 m/s then, exactly
     CHECK_THAT(apply_friction(-0.75, 2, 0.5), IsNear(0.0));
 }
 
-//> At rest
+//> A puck that rests
 TEST_CASE("a puck that rests stays at rest", "[5.2]") {
     CHECK_THAT(apply_friction(0, 2, 0.5), IsNear(0.0));
     CHECK_THAT(apply_friction(0, 1e5, 1e5), IsNear(0.0));
@@ -292,8 +292,10 @@ TEST_CASE("on a board of 5 m, raised by 3 m, it slides: 60 N pull, mu_k 0.3 take
     CHECK_THAT(incline_acceleration({10, 0.5, 0.3}, std::asin(3.0 / 5), 10), IsNear(3.6, rounding));
 }
 
-//> Between the two
-TEST_CASE("between the angles of mu_k and mu_s, 16.7° and 26.6°, a box that was put down stays", "[5.4]") {
+//> Worked example: between the two
+TEST_CASE("put down on a board of 13 m, raised by 5 m, 13 kg stay: 50 N pull, and mu_s 0.5 can hold 60 N", "[5.4]") {
+    // mu_k 0.3 would be only 36 N, but it does not slide
+    CHECK_THAT(incline_acceleration({13, 0.5, 0.3}, std::asin(5.0 / 13), 10), IsNear(0.0));
     for (const double angle_deg : {17.0, 20.0, 26.0, 26.56})
         CHECK_THAT(incline_acceleration(crate, angle_deg * degree, 10), IsNear(0.0));
 }
@@ -445,7 +447,7 @@ TEST_CASE("at this angle the pull down the board is mu_s times the normal force"
 //> Rough
 TEST_CASE("a mu_s above 1 holds at more than 45°: with 2 at 63.43°", "[5.5]") {
     CHECK_THAT(critical_angle(2) / degree, IsNear(63.43494882292201, 1e-11).of("critical angle [°]"));
-    CHECK_THAT(critical_angle(1e5), IsNear(quarter_turn - 1e-5, 1e-12)); // tan(π/2 - x) is 1/x
+    CHECK_THAT(critical_angle(1e5), IsNear(quarter_turn - 1e-5, 1e-9)); // tan(π/2 - x) is 1/x
     CHECK_THAT(critical_angle(1e-8) * 1e8, IsNear(1.0, rounding).of("critical angle [1e-8 rad]"));
 }
 
@@ -550,7 +552,7 @@ TEST_CASE("erratum E5.5: taken from each component, friction turns (3, 4) to (2,
 //>
 TEST_CASE("velocities up to 1e5 are allowed on the table, and tiny ones", "[5.6]") {
     CHECK_THAT(table_friction({-6e4, 8e4}, 1e5, 0.5), IsNear(Vec2{-3e4, 4e4}, rounding));
-    CHECK_THAT(table_friction({1e5, 1e5}, 1e5, 1e5), IsNear(Vec2{0, 0}));
+    CHECK_THAT(table_friction({6e4, 8e4}, 1e5, 1e5), IsNear(Vec2{0, 0}));
     CHECK_THAT(Vec2{table_friction({6e-9, -8e-9}, 1e-8, 0.5) * 1e9},
                IsNear(Vec2{3, -4}, rounding).of("velocity [1e-9 m/s]"));
 }

@@ -52,14 +52,14 @@ struct Box {
 double incline_acceleration(const Box &box, double angle, double g);
 
 //> Critical angle
-/// The steepest angle at which a board holds a box that rests on it [rad].
+/// The steepest angle at which a board holds a box that rests on it [rad]. For a mu_s above 100 it is right to nine digits.
 /// @param mu_s  coefficient of static friction [1], not negative
 /// @throws std::invalid_argument if `mu_s` is negative or not within ±1e5.
 double critical_angle(double mu_s);
 
 //> Friction on a table
 /// The velocity of a puck on a table one frame later [m/s]. Friction takes `deceleration` times `dt` from its speed, but
-/// never more than there is, and does not turn it.
+/// never more than there is, and does not turn it. A speed beyond 1e5 may be refused, as `apply_friction` refuses it.
 /// @param velocity  seen from above: positive to the right, and away from us
 /// @throws std::invalid_argument for what `apply_friction` refuses.
 Vec2 table_friction(const Vec2 &velocity, double deceleration, double dt);
@@ -101,8 +101,7 @@ struct Pulled {
 /// at rest it stays at rest, as long as the spring's force is not larger than mu_s times the normal force;
 /// otherwise the spring accelerates it for `dt`, and then kinetic friction takes from its speed, as in `apply_friction`.
 /// Then the box moves at this velocity for `dt`, and the spring is stretched by what its right end has moved further.
-/// Where the box is just held, or just stopped, up to rounding, either is right. If mu_k times `g`, or a velocity on the
-/// way, is beyond ±1e5, it may be refused, as `apply_friction` refuses it.
+/// Where the box is just held, up to rounding, either is right. A velocity or mu_k · g beyond ±1e5 may be refused.
 /// @param dt  length of the frame [s], not negative
 /// @throws std::invalid_argument if the box is not as above, `stiffness` or `g` is not positive, `dt` is negative, or a
 ///         number is not within ±1e5.

@@ -50,7 +50,7 @@ void print_presses(std::ostream &out) {
 //> Two boxes slide
 void print_boards(std::ostream &out) {
     out << row({{"angle [°]", 12}, {"10 kg [m/s²]", 15}, {"20 kg [m/s²]", 0}});
-    for (const double angle_deg : {10.0, 20.0, 26.0, 27.0, 30.0, 45.0, 90.0})
+    for (const double angle_deg : {10.0, 20.0, 26.0, 27.0, 45.0})
         out << row({{text(angle_deg), 11},
                     {text(incline_acceleration(crate, angle_deg * degree, g)), 14},
                     {text(incline_acceleration({20, 0.5, 0.3}, angle_deg * degree, g)), 0}});
@@ -59,7 +59,7 @@ void print_boards(std::ostream &out) {
 //> Critical angles
 void print_angles(std::ostream &out) {
     out << row({{"mu_s", 6}, {"critical angle [°]", 0}});
-    for (const double mu_s : {0.1, 0.3, 0.5, 0.75, 1.0, 2.0})
+    for (const double mu_s : {0.1, 0.3, 0.5, 1.0})
         out << row({{text(mu_s), 6}, {text(critical_angle(mu_s) / degree), 0}});
 }
 
@@ -93,6 +93,16 @@ void print_slips(std::ostream &out) {
             out << row(
                 {{text(frame / 1000.0), 8}, {text(before.position), 14}, {now.velocity == 0 ? "sticks" : "slips", 0}});
     }
+}
+
+//> Two parts of a weight, traced
+void trace_parts(std::ostream &out) {
+    out << "# x[m]\ty[m]\tarrow: x[100 N]\ty[100 N]\n";
+    const double angle = std::asin(0.6), normal = normal_force(crate.mass, angle, g), weight = crate.mass * g;
+    const Vec2 along{std::cos(angle), std::sin(angle)}, across{-along.y(), along.x()}, at = 2.5 * along;
+    const double pull = weight * std::sin(angle);
+    for (const Vec2 &arrow : {Vec2{0, -weight}, Vec2{-pull * along}, Vec2{-normal * across}, Vec2{normal * across}})
+        out << at.x() << '\t' << at.y() << '\t' << arrow.x() / 100 << '\t' << arrow.y() / 100 << '\n';
 }
 
 //> Velocity against time, traced
@@ -165,6 +175,7 @@ int main(int argc, char **argv) {
                         {"table", print_table},
                         {"climbs", print_climbs},
                         {"slips", print_slips},
+                        {"05_inclined_planes_parts.tsv", trace_parts},
                         {"05_inclined_planes_stops.tsv", trace_stops},
                         {"05_inclined_planes_slides.tsv", trace_slides},
                         {"05_inclined_planes_held.tsv", trace_held},
