@@ -149,12 +149,15 @@ void struct_as_a_vector(const Spark &spark, Vec2 v, double t) {
     Vec2 w = spark;                            // A Spark is a struct: use its fields, one at a time.
     if (spark == v) return;                    // nothing
     v = w + spark.position();                  // A field has no parentheses: write a.position, not a.position().
+    v = spark.age() * w;                       // A field has no parentheses: write a.position, not a.position().
     v = spark.position;
 }
 Vec2 missing_stars(Vec2 start, Vec2 velocity, double t) {
     start = 0.5(start + velocity);             // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
     t = (t + 1)(t - 1);                        // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
     start = (start + velocity)0.5;             // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
+    if (t > 1) return velocity.norm() - t;     // A Vec2 has two components: write Vec2{x, y}.
+    t = 2(velocity.norm());                    // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
     return start + velocity t;                 // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
 }
 Spark two_in_parentheses(Vec2 a, double b) {

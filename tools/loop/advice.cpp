@@ -133,7 +133,8 @@ bool is_optional(std::string_view type) { return contains(type, "std::optional<"
 bool is_vector(std::string_view type) { return type.ends_with("Vec2") || type.ends_with("expression of Vec2s"); }
 bool is_number(std::string_view type) {
     if (type.starts_with("const ")) type.remove_prefix(6);
-    return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int";
+    return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int"
+           || type.ends_with("NumTraits<double>::Real"); // what norm() returns
 }
 
 /// A struct of the course or the student's own: State, as the compiler writes it; or else nothing.
@@ -144,7 +145,7 @@ std::string struct_name(std::string_view type) {
     if (const std::size_t colon = type.rfind(':'); colon != type.npos) type.remove_prefix(colon + 1);
     const bool is_name =
         type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789") == type.npos;
-    if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2") return {};
+    if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2" || type == "Real") return {};
     return std::string{type};
 }
 
@@ -195,11 +196,11 @@ std::string about_semicolon(const Said &said) {
 /// 0.5(a + b), 2 t
 std::string about_missing_star(const Said &said) {
     const auto names = in_quotes(said.words);
+    const std::size_t caret = said.caret.find('^');
     if (contains(said.words, "expression cannot be used as a function")
         || (said.words.starts_with("called object type '") && is_number(names[0])))
-        return missing_star;
+        return said.code.find("()", caret) == caret ? no_call : missing_star; // box.mass()
     if (!said.words.starts_with("expected") || !contains(said.words, "';'")) return {};
-    const std::size_t caret = said.caret.find('^');
     if (caret >= said.code.size()) return {};
     const std::string_view left = without_blanks_behind(std::string_view{said.code}.substr(0, caret)),
                            right = without_blanks(std::string_view{said.code}.substr(caret));
