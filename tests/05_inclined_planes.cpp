@@ -698,6 +698,11 @@ TEST_CASE("at rest, pulled with 12 N, it slips: less 6 N of friction, 2 kg get 3
 TEST_CASE("moving at 0.9 m/s, pulled with 8 N, it goes on: what would hold it at rest does not stop it", "[5.8]") {
     // (8 N - 6 N) / 2 kg = 1 m/s²: 1 m/s after a tenth of a second
     CHECK_THAT(stick_slip_step({1, 0.9, 0.4}, block, spring, 10, 0.1), IsNear(Pulled{1.1, 1, 0.32}, rounding));
+    // nor does it matter how slow it is, or which way it goes
+    CHECK_THAT(stick_slip_step({1, 5e-4, 0.4}, block, spring, 10, 0.1),
+               IsNear(Pulled{1.01005, 0.1005, 0.40995}, rounding));
+    CHECK_THAT(stick_slip_step({1, -5e-4, 0.4}, block, spring, 10, 0.1),
+               IsNear(Pulled{1.00995, 0.0995, 0.41005}, rounding));
 }
 
 //> Worked example: it stops
@@ -812,6 +817,10 @@ TEST_CASE("with mu_s and mu_k equal it creeps after the spring's end, and the sp
 TEST_CASE("in no time nothing moves, and on ice the spring has its way", "[5.8]") {
     CHECK_THAT(stick_slip_step({1, 0.9, 0.4}, block, spring, 10, 0), IsNear(Pulled{1, 0.9, 0.4}, rounding));
     CHECK_THAT(stick_slip_step({1, 0, 0.1}, {2, 0, 0}, spring, 10, 0.1), IsNear(Pulled{1.01, 0.1, 0.11}, rounding));
+    CHECK_THAT(stick_slip_step({-1e5, 0, 1e5}, {1e5, 1e5, 0}, {1, 1e5}, 10, 0.5),
+               IsNear(Pulled{-1e5, 0, 1.5e5}, rounding));
+    CHECK_THAT(stick_slip_step({0, 0, 1e-8}, {1e-8, 0.5, 0.3}, {20, 0.2}, 10, 0.1).velocity,
+               IsNear(1.7, rounding).of("velocity [m/s]"));
 }
 
 TEST_CASE("a box, a spring, a g or a dt that makes no sense, or a number out of range, is refused", "[5.8]") {
