@@ -3,7 +3,6 @@
 #include "game.hpp"
 
 #include <numbers>
-#include <utility>
 
 //> The demo
 namespace play {
@@ -29,8 +28,8 @@ const demo::About about{"A box on a board, a puck on a table, and a block on a s
                          {"mu_s", "", 0.1, 2, 0.1, 0.5, {}, {games[5]}},
                          {"mu_k", "", 0.05, 0.5, 0.05, 0.1, {}, {games[6], games[7]}},
                          {"pulled at", "m/s", 0.1, 1, 0.1, 0.2, {}, {games[8]}}},
-                        {{"ArrowUp", "Raise", on_a_board},
-                         {"ArrowDown", "Lower", on_a_board},
+                        {{"u", "Raise", on_a_board},
+                         {"d", "Lower", on_a_board},
                          {"b", "Put the box back", {games[0], games[4], games[5]}},
                          {"f", "Push", {games[1], games[2], games[6], games[7]}}}};
 const demo::Still still{1.6, "f"};
@@ -51,8 +50,9 @@ struct State {
     std::vector<Vec2> trail{}, other_trail{};
     Vec2 aim{4, 6};
     Pulled pulled{0, 0, 0.3};
-    double now_stuck{}, stuck_last{}; ///< for how long the block sticks now, and did the last time [s]
-    double back{};                    ///< the speed of the box when it came back [m/s]
+    double now_stuck{},
+        stuck_last = -1; ///< for how long the block sticks now, and did the last time [s]; -1: before it has slipped
+    double back{};       ///< the speed of the box when it came back [m/s]
     double spare{};
     double chosen = -1; ///< the sum of all controls: if it changes, we begin again
 };
@@ -144,7 +144,7 @@ void step_box(State &now, const Input &in, double dt) {
 void step_block(State &now, const Input &in, double dt) {
     now.pulled = stick_slip_step(now.pulled, block, {spring.stiffness, in["pulled at"]}, g, dt);
     if (now.pulled.velocity == 0) now.now_stuck += dt;
-    else if (now.now_stuck > 0) now.stuck_last = std::exchange(now.now_stuck, 0);
+    else if (now.now_stuck > 0) now.stuck_last = now.stuck_last < 0 ? 0 : now.now_stuck, now.now_stuck = 0;
 }
 
 void step(State &now, const Input &in) {
@@ -173,7 +173,7 @@ State next(State now, const Input &in) {
                .aim = now.aim,
                .chosen = choice_of(in)};
     }
-    int angle_deg = now.angle_deg + (in.key == "ArrowUp") - (in.key == "ArrowDown");
+    int angle_deg = now.angle_deg + (in.key == "u") - (in.key == "d");
     if (in.handle == 0 && on_board(now.game)) {
         const Vec2 there = in.pointer - foot;
         angle_deg = there.x() <= 0 ? 90 : int(std::atan(std::max(0.0, there.y() / there.x())) / degree + 0.5);

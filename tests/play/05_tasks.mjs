@@ -4,7 +4,7 @@ import { player } from './rows.mjs';
 
 const demo = player(process.argv[2]);
 const seconds = (count) => Array(60 * count).fill('');
-const raised = (count) => Array(count).fill('ArrowUp');
+const raised = (count) => Array(count).fill('u');
 const near = (got, want, by = 0.005) => assert.ok(Math.abs(got - want) < by, `${got}, not ${want}`);
 const last = (chosen, keys) => demo.readouts(demo.values(chosen), keys).at(-1);
 
