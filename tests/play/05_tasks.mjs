@@ -23,6 +23,10 @@ for (const mass of [10, 50]) { // from 10° to 26° it stays, at 27° it slips
   assert.equal(last(values, [...raised(16), ...seconds(3)]).speed, 0);
   assert.ok(last(values, [...raised(17), ...seconds(1)]).speed > 0.5);
 }
+{ // lowered to 16° while it slides, it gets slower again, and stops
+  const keys = [...raised(17), ...seconds(1), ...Array(11).fill('d')], values = { 'The game': 'it slides (5.4)' };
+  assert.ok(last(values, [...keys, ...Array(32).fill('')]).speed > last(values, [...keys, ...Array(32).fill(''), ...seconds(1)]).speed);
+}
 near(last({ 'The game': 'critical angle (5.5)', mu_s: 1 }, seconds(1))['critical angle (5.5)'], 45);
 { // normal force and pull are equal at 45°
   const seen = last({ 'The game': 'normal force (5.3)' }, [...raised(35), ...seconds(1)]);
