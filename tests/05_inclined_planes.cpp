@@ -90,6 +90,7 @@ TEST_CASE("at 16 px per frame, losing 1 in each, it stops after 128 px; the prin
 TEST_CASE("speeds up to 1e5 are allowed, weak and strong friction, and small numbers", "[5.1]") {
     CHECK_THAT(stopping_distance(1e5, 1e5), IsNear(5e4, rounding));
     CHECK_THAT(stopping_distance(-1e5, 0.5), IsNear(-1e10, rounding));
+    CHECK_THAT(stopping_distance(-1e5, 5e-9), IsNear(-1e18, rounding));
     CHECK_THAT(stopping_distance(2e-9, 2e-9) * 1e9, IsNear(1.0, rounding).of("distance [1e-9 m]"));
     CHECK_THAT(stopping_distance(-1e-4, 1e5) * 1e13, IsNear(-0.5, rounding).of("distance [1e-13 m]"));
 }
@@ -200,13 +201,20 @@ TEST_CASE("numbers up to 1e5 are allowed, and tiny ones", "[5.2]") {
     CHECK_THAT(apply_friction(1e5, 1e5, 1e5), IsNear(0.0));
     CHECK_THAT(apply_friction(-3e-9, 2e-9, 0.5) * 1e9, IsNear(-2.0, rounding).of("velocity [1e-9 m/s]"));
     CHECK_THAT(apply_friction(1e-8, 2, 0.5), IsNear(0.0));
+    CHECK_THAT(apply_friction(6, 2, 1e-8), IsNear(6 - 2e-8, rounding));
+    for (const double to : {1, -1}) {
+        CHECK_THAT(apply_friction(to * (1 - 1e-13), 2, 0.5), IsNear(0.0)); // not a bit backwards
+        CHECK_THAT(apply_friction(to * (1 + 5e-10), 2, 0.5), IsNear(to * 5e-10, rounding));
+    }
 }
 
 TEST_CASE("a negative deceleration or dt, or a number out of range, is refused by apply_friction", "[5.2]") {
     CHECK_REFUSED(apply_friction(6, -2, 0.5));
     CHECK_REFUSED(apply_friction(6, 2, -0.5));
     CHECK_REFUSED(apply_friction(0, -1e-300, 0.5));
+    CHECK_REFUSED(apply_friction(6, 2, -1e-9));
     CHECK_OUT_OF_RANGE_REFUSED(apply_friction, {6.0, 2.0, 0.5});
+    CHECK_OUT_OF_RANGE_REFUSED(apply_friction, {0.0, 2.0, 0.5});
     CHECK_REFUSED(apply_friction(-too_large, 2, 0.5), "the first number beyond -1e5, as a velocity");
     apply_friction(6, 2, 0.5); // good input is still answered
 }
@@ -230,6 +238,7 @@ TEST_CASE("with 10 kg: 86.6 N at 30°, 70.7 N at 45°, 50 N at 60°, nothing at 
     CHECK_THAT(normal_force(10, 45 * degree, 10), IsNear(std::sqrt(5000), 1e-11));
     CHECK_THAT(normal_force(10, 60 * degree, 10), IsNear(50.0, 1e-11));
     CHECK_THAT(normal_force(10, quarter_turn, 10), IsNear(0.0, 1e-11));
+    CHECK_THAT(normal_force(10, quarter_turn - 5e-5, 10), IsNear(100 * std::sin(5e-5), 1e-9));
 }
 
 //> As long as the weight
@@ -262,8 +271,9 @@ TEST_CASE("erratum E5.7: m g is right on level ground only; 10 kg at 30° press 
 //>
 TEST_CASE("masses and g up to 1e5 are allowed, and small ones", "[5.3]") {
     CHECK_THAT(normal_force(1e5, steep, 1e5), IsNear(8e9, rounding));
-    CHECK_THAT(normal_force(1e-4, steep, 1e-3) * 1e7, IsNear(0.8, rounding).of("normal force [1e-7 N]"));
+    CHECK_THAT(normal_force(1e-8, steep, 1e-8) * 1e16, IsNear(0.8, rounding).of("normal force [1e-16 N]"));
     CHECK_THAT(normal_force(1e5, 1e-9, 1e5), IsNear(1e10, rounding));
+    CHECK_THAT(normal_force(10, 9e-5, 10), IsNear(100 * (1 - 4.05e-9), rounding)); // cos x is nearly 1 - x²/2
 }
 
 TEST_CASE("a mass or g of 0 or less, an angle below 0° or above 90°, or a number out of range, is refused", "[5.3]") {
@@ -272,6 +282,7 @@ TEST_CASE("a mass or g of 0 or less, an angle below 0° or above 90°, or a numb
     CHECK_REFUSED(normal_force(10, steep, 0));
     CHECK_REFUSED(normal_force(10, steep, -10));
     CHECK_REFUSED(normal_force(10, -0.1, 10));
+    CHECK_REFUSED(normal_force(10, -1e-15, 10));
     CHECK_REFUSED(normal_force(10, 1.6, 10));
     CHECK_REFUSED(normal_force(10, std::nextafter(quarter_turn, 2), 10));
     CHECK_REFUSED(normal_force(10, 30, 10), "30, which are degrees");
@@ -325,17 +336,19 @@ TEST_CASE("just below the critical angle it stays, and just above it slides", "[
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
         Box box = random_box(dice);
+        box.mass = std::pow(10, dice.real(-3, 5));
         box.mu_s += 0.01;
         const double critical = std::atan(box.mu_s), g = dice.real(1, 20);
 
-        CHECK_THAT(incline_acceleration(box, critical - 1e-8, g), IsNear(0.0));
-        CHECK_THAT(incline_acceleration(box, critical + 1e-8, g), IsAbove(0));
+        CHECK_THAT(incline_acceleration(box, critical - 1.5e-9, g), IsNear(0.0));
+        CHECK_THAT(incline_acceleration(box, critical + 1.5e-9, g), IsAbove(0));
     }
 }
 
 //> At 45 degrees
 TEST_CASE("at 45° a mu_s of 1 just holds it", "[5.4]") {
-    CHECK_THAT(incline_acceleration({10, 1, 0.5}, 45 * degree, 10), IsNear(0.0));
+    CHECK_THAT(incline_acceleration({10, 1.00000001, 0.5}, 45 * degree, 10),
+               IsNear(0.0)); // at 1 itself, rounding may decide
 }
 
 //> By energy
@@ -392,18 +405,26 @@ TEST_CASE("at 30°, with mu 0.1, 0.2, 0.3 and g = 9.8 m/s², it slides at 4.05, 
 TEST_CASE("masses, coefficients and g up to 1e5 are allowed, and small ones", "[5.4]") {
     CHECK_THAT(incline_acceleration({1e5, 0.5, 0.3}, steep, 1e5), IsNear(3.6e4, rounding));
     CHECK_THAT(incline_acceleration({10, 1e5, 0}, 1.5, 10), IsNear(0.0));
-    CHECK_THAT(incline_acceleration({1e-6, 0.5, 0.3}, steep, 1e-3) * 1e4, IsNear(3.6, rounding).of("a [1e-4 m/s²]"));
-    CHECK_THAT(incline_acceleration({10, 0, 0}, 1e-6, 10) * 1e5, IsNear(1.0, rounding).of("a [1e-5 m/s²]"));
+    CHECK_THAT(incline_acceleration({1e-6, 0.5, 0.3}, steep, 1e-8) * 1e9, IsNear(3.6, rounding).of("a [1e-9 m/s²]"));
+    CHECK_THAT(incline_acceleration({10, 0, 0}, 1e-8, 10) * 1e7, IsNear(1.0, rounding).of("a [1e-7 m/s²]"));
+    CHECK_THAT(incline_acceleration({10, 1e-8, 1e-8}, steep, 10), IsNear(6 - 8e-8, rounding));
+    CHECK_THAT(incline_acceleration({10, 0.5, 0}, steep, 10), IsNear(6.0, rounding));
+    CHECK_THAT(incline_acceleration({10, 1e5, 1e5}, quarter_turn, 10), IsNear(10.0, 1e-9));
+    CHECK_THAT(incline_acceleration({10, 2000, 1500}, std::atan(2500), 10),
+               IsNear(1e4 / std::hypot(1, 2500), 1e-9)); // 2500 - 1500 = 1000, times the cosine, times g
 }
 
 TEST_CASE("a mu_s below mu_k, a negative mu_k, and what normal_force refuses, is refused", "[5.4]") {
     CHECK_REFUSED(incline_acceleration({10, 0.3, 0.5}, steep, 10));
-    CHECK_REFUSED(incline_acceleration({10, 0.3, 0.30000001}, 0, 10));
+    CHECK_REFUSED(incline_acceleration({10, 0.3, std::nextafter(0.3, 1)}, 0, 10));
     CHECK_REFUSED(incline_acceleration({10, 0.5, -0.1}, steep, 10));
+    CHECK_REFUSED(incline_acceleration({10, 0.5, -1e-9}, 0, 10));
     CHECK_REFUSED(incline_acceleration({0, 0.5, 0.3}, steep, 10));
     CHECK_REFUSED(incline_acceleration({-10, 0.5, 0.3}, steep, 10));
     CHECK_REFUSED(incline_acceleration(crate, -0.1, 10));
-    CHECK_REFUSED(incline_acceleration(crate, 1.6, 10));
+    CHECK_REFUSED(incline_acceleration(crate, -1e-15, 10));
+    CHECK_REFUSED(incline_acceleration(crate, 30, 10), "30, which are degrees");
+    CHECK_REFUSED(incline_acceleration(crate, std::nextafter(quarter_turn, 2), 10));
     CHECK_REFUSED(incline_acceleration(crate, steep, 0));
     CHECK_REFUSED(incline_acceleration(crate, gentle, -10));
     CHECK_OUT_OF_RANGE_REFUSED(incline_acceleration, {crate, 0.6, 10.0});
@@ -448,7 +469,7 @@ TEST_CASE("at this angle the pull down the board is mu_s times the normal force"
 TEST_CASE("a mu_s above 1 holds at more than 45°: with 2 at 63.43°", "[5.5]") {
     CHECK_THAT(critical_angle(2) / degree, IsNear(63.43494882292201, 1e-11).of("critical angle [°]"));
     CHECK_THAT(critical_angle(1e5), IsNear(quarter_turn - 1e-5, 1e-9)); // tan(π/2 - x) is 1/x
-    CHECK_THAT(critical_angle(1e-8) * 1e8, IsNear(1.0, rounding).of("critical angle [1e-8 rad]"));
+    CHECK_THAT(critical_angle(1e-6) * 1e6, IsNear(1.0, 1e-3).of("critical angle [1e-6 rad]"));
 }
 
 //> Erratum E5.13: the angle
@@ -555,12 +576,19 @@ TEST_CASE("velocities up to 1e5 are allowed on the table, and tiny ones", "[5.6]
     CHECK_THAT(table_friction({6e4, 8e4}, 1e5, 1e5), IsNear(Vec2{0, 0}));
     CHECK_THAT(Vec2{table_friction({6e-9, -8e-9}, 1e-8, 0.5) * 1e9},
                IsNear(Vec2{3, -4}, rounding).of("velocity [1e-9 m/s]"));
+    CHECK_THAT(table_friction({3, 4}, 5, 1e-8), IsNear(Vec2{3 - 3e-8, 4 - 4e-8}, rounding));
+    const Vec2 direction{-0.6, 0.8};
+    CHECK_THAT(table_friction((1 - 1e-13) * direction, 2, 0.5), IsNear(Vec2{0, 0})); // not a bit backwards
+    CHECK_THAT(table_friction((1 + 5e-10) * direction, 2, 0.5), IsNear(Vec2{5e-10 * direction}, rounding));
 }
 
 TEST_CASE("a negative deceleration or dt, or a number out of range, is refused by table_friction", "[5.6]") {
     CHECK_REFUSED(table_friction({3, 4}, -2, 0.5));
     CHECK_REFUSED(table_friction({3, 4}, 2, -0.5));
     CHECK_REFUSED(table_friction({0, 0}, -2, 0.5));
+    CHECK_REFUSED(table_friction({3, 4}, -1e-9, 0.5));
+    CHECK_REFUSED(table_friction({3, 4}, 2, -1e-9));
+    CHECK_REFUSED(table_friction({0, too_large}, 2, 0.5), "the first number beyond 1e5, as a velocity");
     CHECK_OUT_OF_RANGE_REFUSED(table_friction, {Vec2{3, 4}, 2.0, 0.5});
     table_friction({3, 4}, 2, 0.5); // good input is still answered
 }
@@ -585,6 +613,12 @@ TEST_CASE("between the angles of mu_k and mu_s it stays, although it would go on
     CHECK_THAT(got.back, IsNear(0.0).of("speed back [m/s]"));
     CHECK_THAT(got.up,
                IsNear(12.5 / (10 * (std::sin(20 * degree) + 0.3 * std::cos(20 * degree))), rounding).of("way up [m]"));
+    CHECK_THAT(up_and_back({10, 0.5, 0}, 5.6, gentle, 10), IsNear(UpAndBack{5.6, 0}, rounding));
+    for (const Box &box : {crate, Box{1e5, 0.5, 0.45}}) {
+        const double critical = std::atan(0.5);
+        CHECK_THAT(up_and_back(box, 5, critical - 1.5e-9, 10).back, IsNear(0.0).of("speed back [m/s]"));
+        CHECK_THAT(up_and_back(box, 5, critical + 1.5e-9, 10).back, IsAbove(0).of("speed back [m/s]"));
+    }
 }
 
 //> Without friction
@@ -597,6 +631,8 @@ TEST_CASE("without friction it comes back as fast as it began", "[5.7]") {
 TEST_CASE("on level ground it is a puck: it gets as far as 5.1 says, and stays", "[5.7]") {
     CHECK_THAT(up_and_back({10, 0.5, 0.2}, 6, 0, 10), IsNear(UpAndBack{9, 0}, rounding));
     CHECK_THAT(up_and_back({10, 0.2, 0.2}, 6, 0, 10), IsNear(UpAndBack{9, 0}, rounding));
+    CHECK_THAT(up_and_back({10, 1e5, 1e5}, 4, 0, 1e-5), IsNear(UpAndBack{8, 0}, 1e-11));
+    CHECK_THAT(up_and_back({10, 1e-8, 1e-8}, 1e-3, 0, 10), IsNear(UpAndBack{5, 0}, rounding));
 }
 
 //> The mass drops out again
@@ -638,22 +674,37 @@ TEST_CASE("not pushed at all, it stays, or slides from where it is", "[5.7]") {
 }
 
 TEST_CASE("speeds up to 1e5 are allowed up the board, and small ones", "[5.7]") {
-    CHECK_THAT(up_and_back({10, 0.5, 0.45}, 9.6e4, steep, 10), IsNear(UpAndBack{4.8e8, 4.8e4}, rounding));
-    const UpAndBack small = up_and_back({10, 0.5, 0.45}, 9.6e-6, steep, 10);
-    CHECK_THAT(small.up * 1e12, IsNear(4.8, rounding).of("up [1e-12 m]"));
-    CHECK_THAT(small.back * 1e6, IsNear(4.8, rounding).of("back [1e-6 m/s]"));
+    CHECK_THAT(up_and_back({10, 0.5, 0.45}, 1e5, steep, 10), IsNear(UpAndBack{1e10 / 19.2, 5e4}, rounding));
+    CHECK_THAT(up_and_back({1e5, 0.5, 0.45}, 9.6, steep, 1e5), IsNear(UpAndBack{4.8e-4, 4.8}, rounding));
+    CHECK_THAT(up_and_back({1e-8, 0.5, 0.45}, 9.6, steep, 1e-8), IsNear(UpAndBack{4.8e9, 4.8}, rounding));
+    CHECK_THAT(up_and_back({10, 20, 10}, 5, std::atan(40), 10).back,
+               IsNear(std::sqrt(15), 1e-11).of("speed back [m/s]")); // 30/50 of 25
+    // without friction even 1e-8 rad are a slope that it comes down
+    CHECK_THAT(up_and_back({10, 0, 0}, 1e-3, 1e-8, 10), IsNear(UpAndBack{5, 1e-3}, rounding));
+    const double slow = up_and_back({10, 0.75, 0.75}, 5, steep + 2e-9, 10).back;
+    CHECK_THAT(slow * slow, IsNear(25 * 2e-9 / 0.96, 1e-10).of("square of the speed back [m²/s²]"));
+    const UpAndBack small = up_and_back({10, 0.5, 0.45}, 9.6e-8, steep, 10);
+    CHECK_THAT(small.up * 1e16, IsNear(4.8, rounding).of("up [1e-16 m]"));
+    CHECK_THAT(small.back * 1e8, IsNear(4.8, rounding).of("back [1e-8 m/s]"));
 }
 
 TEST_CASE("a negative speed, a box that nothing stops, and what incline_acceleration refuses, is refused", "[5.7]") {
     CHECK_REFUSED(up_and_back(crate, -5, steep, 10));
     CHECK_REFUSED(up_and_back({10, 0, 0}, 5, 0, 10));
     CHECK_REFUSED(up_and_back({10, 0.5, 0}, 5, 0, 10));
+    CHECK_REFUSED(up_and_back({10, 0.5, 0}, 0, 0, 10));
+    CHECK_REFUSED(up_and_back(crate, -1e-9, steep, 10));
     CHECK_REFUSED(up_and_back({10, 0.3, 0.5}, 5, steep, 10));
+    CHECK_REFUSED(up_and_back({10, 0.3, std::nextafter(0.3, 1)}, 5, steep, 10));
     CHECK_REFUSED(up_and_back({10, 0.5, -0.1}, 5, steep, 10));
+    CHECK_REFUSED(up_and_back({10, 0.5, -1e-9}, 5, steep, 10));
     CHECK_REFUSED(up_and_back({0, 0.5, 0.3}, 5, steep, 10));
-    CHECK_REFUSED(up_and_back(crate, 5, -0.1, 10));
-    CHECK_REFUSED(up_and_back(crate, 5, 1.6, 10));
+    CHECK_REFUSED(up_and_back({-10, 0.5, 0.3}, 5, steep, 10));
+    CHECK_REFUSED(up_and_back(crate, 5, -1e-15, 10));
+    CHECK_REFUSED(up_and_back(crate, 5, 30, 10), "30, which are degrees");
+    CHECK_REFUSED(up_and_back(crate, 5, std::nextafter(quarter_turn, 2), 10));
     CHECK_REFUSED(up_and_back(crate, 5, steep, 0));
+    CHECK_REFUSED(up_and_back(crate, 5, steep, -10));
     CHECK_OUT_OF_RANGE_REFUSED(up_and_back, {crate, 5.0, 0.6, 10.0});
     up_and_back(crate, 5, steep, 10); // good input is still answered
 }
@@ -814,24 +865,50 @@ TEST_CASE("with mu_s and mu_k equal it creeps after the spring's end, and the sp
     CHECK_THAT(now.stretch, IsNear(0.3, 1e-2).of("stretch [m]"));
 }
 
-TEST_CASE("in no time nothing moves, and on ice the spring has its way", "[5.8]") {
+TEST_CASE("in no time nothing moves, on ice the spring has its way, and numbers up to 1e5 are allowed", "[5.8]") {
     CHECK_THAT(stick_slip_step({1, 0.9, 0.4}, block, spring, 10, 0), IsNear(Pulled{1, 0.9, 0.4}, rounding));
     CHECK_THAT(stick_slip_step({1, 0, 0.1}, {2, 0, 0}, spring, 10, 0.1), IsNear(Pulled{1.01, 0.1, 0.11}, rounding));
     CHECK_THAT(stick_slip_step({-1e5, 0, 1e5}, {1e5, 1e5, 0}, {1, 1e5}, 10, 0.5),
                IsNear(Pulled{-1e5, 0, 1.5e5}, rounding));
     CHECK_THAT(stick_slip_step({0, 0, 1e-8}, {1e-8, 0.5, 0.3}, {20, 0.2}, 10, 0.1).velocity,
                IsNear(1.7, rounding).of("velocity [m/s]"));
+    for (const double to : {1, -1}) { // to the right, then to the left
+        CHECK_THAT(stick_slip_step({to * 1e5, 0, -to * 1e5}, {1e5, 1e5, 0}, {1e5, to * 1e5}, 1e5, 1e5), // it holds
+                   IsNear(Pulled{to * 1e5, 0, to * (1e10 - 1e5)}, rounding));
+        CHECK_THAT(stick_slip_step({0, 0, to}, {2, 1e5, 1e5}, {20, to}, 1, 10),
+                   IsNear(Pulled{0, 0, to * 11}, rounding));
+        CHECK_THAT(stick_slip_step({to * 1e5, to * 1e5, 0}, {2, 0, 0}, {20, 0}, 10, 10), // on ice
+                   IsNear(Pulled{to * 1.1e6, to * 1e5, -to * 1e6}, rounding));
+        CHECK_THAT(stick_slip_step({0, 0, to * 1e5}, {1e5, 0.5, 0.3}, {1e5, 0}, 10, 0.1), // 1e10 N slip
+                   IsNear(Pulled{to * 999.97, to * 9999.7, to * (1e5 - 999.97)}, rounding));
+        const Pulled small = stick_slip_step({0, 0, to}, {1e-8, 1e-8, 1e-8}, {1e-8, to * 1e-8}, 1e-8, 1e-8);
+        CHECK_THAT(small.velocity * 1e8, IsNear(to, rounding).of("velocity [1e-8 m/s]")); // 1 m/s² for 1e-8 s
+    }
+    // pulled with hardly more than 10 N, with hardly less although it slipped before, hardly moving, turning round
+    CHECK_THAT(stick_slip_step({1, 0, 0.5 + 1e-10}, block, spring, 10, 0.1), IsNear(Pulled{1.02, 0.2, 0.5}, 1e-9));
+    CHECK_THAT(stick_slip_step({1, 0, 0.5 - 1e-10}, block, spring, 10, 0.1), // although it slipped before
+               IsNear(Pulled{1, 0, 0.52 - 1e-10}, rounding));
+    CHECK_THAT(stick_slip_step({1, 2e-9, 0.4}, block, spring, 10, 0.1), // slow, but it moves
+               IsNear(Pulled{1.01 + 2e-10, 0.1 + 2e-9, 0.41 - 2e-10}, rounding));
+    CHECK_THAT(stick_slip_step({1, 0.2, 0.25}, block, spring, 10, 0.1), IsNear(Pulled{1.015, 0.15, 0.255}, rounding));
+    // against its motion: -0.1 + 0.49 is 0.39 m/s, less 0.3
+    CHECK_THAT(stick_slip_step({1, -0.1, 0.49}, block, spring, 10, 0.1), IsNear(Pulled{1.009, 0.09, 0.501}, rounding));
 }
 
 TEST_CASE("a box, a spring, a g or a dt that makes no sense, or a number out of range, is refused", "[5.8]") {
     const Pulled rest{1, 0, 0.4};
     CHECK_REFUSED(stick_slip_step(rest, {2, 0.3, 0.5}, spring, 10, 0.1));
     CHECK_REFUSED(stick_slip_step(rest, {2, 0.5, -0.3}, spring, 10, 0.1));
+    CHECK_REFUSED(stick_slip_step(rest, {2, 0.3, std::nextafter(0.3, 1)}, spring, 10, 0.1));
+    CHECK_REFUSED(stick_slip_step(rest, {2, 0.5, -1e-9}, spring, 10, 0.1));
     CHECK_REFUSED(stick_slip_step(rest, {0, 0.5, 0.3}, spring, 10, 0.1));
+    CHECK_REFUSED(stick_slip_step(rest, {-2, 0.5, 0.3}, spring, 10, 0.1));
     CHECK_REFUSED(stick_slip_step(rest, block, {0, 0.2}, 10, 0.1));
     CHECK_REFUSED(stick_slip_step(rest, block, {-20, 0.2}, 10, 0.1));
     CHECK_REFUSED(stick_slip_step(rest, block, spring, 0, 0.1));
+    CHECK_REFUSED(stick_slip_step(rest, block, spring, -10, 0.1));
     CHECK_REFUSED(stick_slip_step(rest, block, spring, 10, -0.1));
+    CHECK_REFUSED(stick_slip_step(rest, block, spring, 10, -1e-9));
     CHECK_OUT_OF_RANGE_REFUSED(stick_slip_step, {rest, block, spring, 10.0, 0.1});
     stick_slip_step(rest, block, spring, 10, 0.1); // good input is still answered
 }

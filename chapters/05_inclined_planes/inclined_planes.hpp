@@ -52,7 +52,8 @@ struct Box {
 double incline_acceleration(const Box &box, double angle, double g);
 
 //> Critical angle
-/// The steepest angle at which a board holds a box that rests on it [rad]. For a mu_s above 100 it is right to nine digits.
+/// The steepest angle at which a board holds a box that rests on it [rad].
+/// For a mu_s below 0.01 or above 100 it is right to 1e-9 rad.
 /// @param mu_s  coefficient of static friction [1], not negative
 /// @throws std::invalid_argument if `mu_s` is negative or not within ±1e5.
 double critical_angle(double mu_s);
