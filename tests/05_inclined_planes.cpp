@@ -625,6 +625,7 @@ TEST_CASE("between the angles of mu_k and mu_s it stays, although it would go on
 TEST_CASE("without friction it comes back as fast as it began", "[5.7]") {
     CHECK_THAT(up_and_back({10, 0, 0}, 6, steep, 10), IsNear(UpAndBack{3, 6}, rounding));
     CHECK_THAT(up_and_back({10, 0, 0}, 6, quarter_turn, 10), IsNear(UpAndBack{1.8, 6}, rounding));
+    CHECK_THAT(up_and_back({10, 0, 0}, 6, 1e-6, 10), IsNear(UpAndBack{1.8e6, 6}, rounding));
 }
 
 //> Level ground
