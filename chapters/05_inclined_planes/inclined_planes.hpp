@@ -46,9 +46,10 @@ struct Box {
 
 //> Acceleration on an incline
 /// The acceleration down the board of a box that was put down on it at rest [m/s²]: 0 if friction holds it.
-/// At the critical angle itself friction holds it; up to rounding, since nearer to it than 1e-9 either is right.
+/// Where the pull is just as large as static friction can be, friction holds it; up to rounding, since nearer to that angle
+/// than 1e-9 either is right.
 /// @param angle  of the board [rad]: 0 is level, π/2 upright
-/// @throws std::invalid_argument if the box is not as above, or for what `normal_force` refuses.
+/// @throws std::invalid_argument if `box` is not as `Box` says, or for what `normal_force` refuses.
 double incline_acceleration(const Box &box, double angle, double g);
 
 //> Critical angle
@@ -101,10 +102,10 @@ struct Pulled {
 /// A box that is pulled by a spring, one frame later. First its velocity changes:
 /// at rest it stays at rest, as long as the spring's force is not larger than mu_s times the normal force;
 /// otherwise the spring accelerates it for `dt`, and then kinetic friction takes from its speed, as in `apply_friction`.
-/// Then the box moves at this velocity for `dt`, and the spring is stretched by what its right end has moved further.
+/// Then the box moves at this velocity for `dt`, and the stretch grows by how much further the right end has moved.
 /// Where the box is just held, up to rounding, either is right. A velocity or mu_k · g beyond ±1e5 may be refused.
 /// @param dt  length of the frame [s], not negative
-/// @throws std::invalid_argument if the box is not as above, `stiffness` or `g` is not positive, `dt` is negative, or a
+/// @throws std::invalid_argument if `box` is not as `Box` says, `stiffness` or `g` is not positive, `dt` is negative, or a
 ///         number is not within ±1e5.
 Pulled stick_slip_step(const Pulled &before, const Box &box, const Spring &spring, double g, double dt);
 
