@@ -9,7 +9,7 @@ set xtics 15; set ytics 5
 set xlabel 'angle [°]'; set ylabel 'down the board [m/s²]'
 set label 'it stays' at 12,0.9 center textcolor lt 1
 set label 'it slides' at 52,7.4 right textcolor lt 1
-set label 'as printed' at 15.5,-2.4 left textcolor lt 6
+set label 'first try' at 15.5,-2.4 left textcolor lt 6
 set label '26.6°' at 26.57,4.1 center textcolor rgb DIM
 set arrow from 26.57,0 to 26.57,3.2 nohead lc rgb DIM lw 1.5 dt solid
 yours = with_yours("ARG3 using 1:2 every 3 with points lt 2 pt 6 ps 0.9 lw 1.5 title 'yours'")
