@@ -1,8 +1,11 @@
 // needs GSL GSL::gsl libgsl-dev
+// needs box2d box2d::box2d libbox2d-dev
 // GSL moves things with an integrator of its own, and finds when they stop by a search for a root.
+// Box2D is an engine: it holds boxes on slopes, or lets them slide, in floats and with one coefficient of friction.
 #include "inclined_planes.hpp"
 #include "peer.hpp"
 
+#include <box2d/box2d.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_roots.h>
@@ -64,6 +67,50 @@ double compare_distances(Dice &dice) {
         const Slopes slopes = [&](const Pair &now) { return Pair{now[1], -loss}; };
         const double t = root_of([&](double end) { return moved({0, speed}, slopes, end)[1]; }, 1e-3, 50);
         largest = worse(course::difference(stopping_distance(speed, loss), moved({0, speed}, slopes, t)[0]), largest);
+    }
+    return largest;
+}
+
+/// The acceleration of a box on a slope, in its second second. The slope is level, and gravity is turned instead.
+double engine_acceleration(double mu, double angle, double gravity) {
+    b2World world{{float(gravity * std::sin(angle)), float(-gravity * std::cos(angle))}};
+    b2BodyDef at_rest;
+    b2EdgeShape slope;
+    slope.SetTwoSided({-100, 0}, {1000, 0});
+    b2FixtureDef below;
+    below.shape = &slope;
+    below.friction = float(mu);
+    world.CreateBody(&at_rest)->CreateFixture(&below);
+
+    b2BodyDef movable;
+    movable.type = b2_dynamicBody;
+    movable.position = {0, 0.25f};
+    movable.fixedRotation = true;
+    movable.allowSleep = false;
+    b2PolygonShape shape;
+    shape.SetAsBox(0.5f, 0.25f);
+    b2Body *box = world.CreateBody(&movable);
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.density = 1;
+    fixture.friction = float(mu);
+    box->CreateFixture(&fixture);
+
+    const auto one_second = [&] {
+        for (int frame = 0; frame < 60; ++frame) world.Step(1 / 60.0f, 8, 3);
+        return double(box->GetLinearVelocity().x);
+    };
+    const double before = one_second();
+    return one_second() - before;
+}
+
+double compare_slopes(Dice &dice) {
+    double largest = 0;
+    for (int i = 0; i < cases / 100; ++i) {
+        const double mu = dice.real(0.05, 1), angle = dice.real(0, 1.3), gravity = dice.real(5, 15);
+        if (std::abs(std::tan(angle) - mu) < 1e-3) continue; // held or not, by rounding
+        const double want = engine_acceleration(mu, angle, gravity);
+        largest = worse(std::abs(incline_acceleration({1, mu, mu}, angle, gravity) - want), largest);
     }
     return largest;
 }
@@ -150,8 +197,12 @@ double compare_slips(Dice &dice) {
 
 int main(int argc, char **argv) {
     return course::compare_with_peer(
-        argc, argv, "Compared with GSL " GSL_VERSION ", 20000 random cases each, 200 with *, 20 with **",
+        argc, argv,
+        "Compared with GSL " GSL_VERSION " and Box2D " + std::to_string(b2_version.major) + '.'
+            + std::to_string(b2_version.minor) + '.' + std::to_string(b2_version.revision)
+            + ", 20000 random cases each, 200 with *, 20 with **",
         {{"stopping_distance*: moved until it rests, of itself", compare_distances},
+         {"incline_acceleration*: a box in Box2D, held or sliding, in floats [m/s²]", compare_slopes},
          {"critical_angle: by a search for a root [rad]", compare_angles},
          {"table_friction*: slowed down by an integrator [m/s]", compare_tables},
          {"up_and_back*: moved until it rests, and back, of itself and of the speed", compare_climbs},
