@@ -14,14 +14,14 @@ const firefox = process.env.FIREFOX ?? ['/usr/bin/firefox-esr', '/usr/bin/firefo
 
 describe('in Firefox', { skip: !firefox && 'it is not installed: apt-get install firefox-esr' }, () => {
   let browser;
-  before(async () => (browser = await puppeteer.launch({ browser: 'firefox', executablePath: firefox, headless: true })));
+  // Its window has the size, since an older Firefox (140) refuses what puppeteer says when a page is given one.
+  before(async () => (browser = await puppeteer.launch({ browser: 'firefox', executablePath: firefox, headless: true, defaultViewport: null, args: ['--width=1280', '--height=900'] })));
   after(() => browser?.close());
 
   async function open(demo, mine = null) {
     const page = await browser.newPage(), troubles = [];
     page.on('console', (message) => troubles.push(message.text()));
     page.on('pageerror', (error) => troubles.push(String(error)));
-    await page.setViewport({ width: 1280, height: 900 });
     if (mine) await page.evaluateOnNewDocument(mine);
     await page.goto(pathToFileURL(path.join(build, 'site/play.html')).href);
     const figure = `.play[data-demo="${demo}"]`;
