@@ -1,12 +1,12 @@
 // 03_bursts.mjs NATIVE: the task of 3.1's demo. Five bursts keep the ship beyond 4 m; four do not, in whatever directions.
 import assert from 'node:assert';
-import { player } from './rows.mjs';
+import { player, seconds } from './rows.mjs';
 
 const demo = player(process.argv[2]), values = demo.values({ 'The game': 'ship and hole (3.1)' });
 
 /// How near the ship comes to the hole within six seconds, with these presses: the time in seconds, and the key.
 function nearest(presses) {
-  const keys = Array(6 * 60).fill('');
+  const keys = seconds(6);
   for (const [time, key] of presses) keys[Math.round(time * 60)] = `Arrow${key}`;
   return Math.min(...demo.readouts(values, keys).map((seen) => seen.nearest));
 }

@@ -27,11 +27,14 @@ export const printedRow = (text) => text.trim().split(' ').map((word) => {
   return (sign ? -1 : 1) * parseInt(whole + fraction, 16) * 2 ** (Number(power) - 4 * fraction.length);
 });
 
+/// As many frames as last so many seconds, without a key.
+export const seconds = (count) => Array(60 * count).fill('');
+
 /// A demo that was built without a page.
 export function player(native) {
   const run = (words, input) => execFileSync(native, words, { input, maxBuffer: 1 << 30 }).toString().trim().split('\n');
   const about = aboutOf(reader(printedRow(run(['--picture', ''], '')[0])));
-  return {
+  const demo = {
     /// Its controls as they are at first, but for these.
     values: (chosen) => about.controls.map(({ name, value, options }) => (name in chosen ? (options.length > 0 ? options.indexOf(chosen[name]) : chosen[name]) : value)),
     /// A frame for each of these keys, with '' for none, of 1/60 s; the readouts after the last one in each second.
@@ -40,5 +43,8 @@ export function player(native) {
       const rows = run([], keys.map((key) => `${line([1 / 60, 0, 0, 0, 0, 0, -1, at(key)], values)}\n`).join(''));
       return rows.filter((_, frame) => frame % 60 === 59).map((row) => Object.fromEntries(pictureOf(reader(printedRow(row))).readouts.map(({ name, value }) => [name, value])));
     },
+    /// The last ones of these readouts, with these controls.
+    last: (chosen, keys) => demo.readouts(demo.values(chosen), keys).at(-1),
   };
+  return demo;
 }

@@ -8,7 +8,7 @@ import { aboutOf, line, pictureOf, printedRow, reader } from './rows.mjs';
 
 const [native, published] = process.argv.slice(2);
 const [, name, packed] = /\['(\w+)'\] = '(.*)';/.exec(fs.readFileSync(published, 'utf8'));
-const tolerance = { '04_trajectories': 1e-9, '05_inclined_planes': 1e-9, '11_particles': 1e-9 }[name] ?? 0; // a shot, a slope and a burst need sines
+const tolerance = /^(01|02|03|07)_/.test(name) ? 0 : 1e-9; // these agree to the last bit; elsewhere sines need not
 
 const module = new WebAssembly.Module(gunzipSync(Buffer.from(packed, 'base64')));
 const text = (from) => Buffer.from(world.memory.buffer).subarray(from, Buffer.from(world.memory.buffer).indexOf(0, from)).toString();
