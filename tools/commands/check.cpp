@@ -49,11 +49,13 @@ struct Outcome {
         const Verdict *failure = first_failure();
         return failure == nullptr ? Kind::passed : first(Kind::not_started) ? Kind::not_started : failure->kind;
     }
-    /// How far it is from done: "wrong", "not started", "needs 4.2 time_of_flight". This is remembered, too.
-    std::string standing() const {
+    /// The exercise that it calls, and that is not started: "4.2 time_of_flight"; or nothing.
+    std::string needs() const {
         const Verdict *open = first(Kind::not_started);
-        return open != nullptr && !open->needs.empty() ? "needs " + open->needs : std::string{name_of(state())};
+        return open == nullptr ? "" : open->needs;
     }
+    /// How far it is from done: "wrong", "not started", "needs 4.2 time_of_flight". This is remembered, too.
+    std::string standing() const { return needs().empty() ? std::string{name_of(state())} : "needs " + needs(); }
 };
 
 std::vector<Outcome> by_exercise(const Tree &tree, const Section &section, const Judgement &judgement) {
@@ -142,11 +144,10 @@ void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
                   << " See your figures in the book: ./course open " << section.short_number() << " --mine\n";
         return;
     }
-    const Verdict *unwritten = open->first(Kind::not_started);
-    const std::string next = unwritten != nullptr && !unwritten->needs.empty()
-                                 ? unwritten->needs
-                                 : open->exercise.number + ' ' + open->exercise.function;
-    std::cout << "Next: " << next << ". " << (unwritten != nullptr ? "Where to begin: " : "Stuck? ") << "./course hint "
+    const std::string needs = open->needs(),
+                      next = needs.empty() ? open->exercise.number + ' ' + open->exercise.function : needs;
+    const bool untouched = open->state() == Kind::not_started;
+    std::cout << "Next: " << next << ". " << (untouched ? "Where to begin: " : "Stuck? ") << "./course hint "
               << next.substr(0, next.find(' ')) << '\n';
 }
 
