@@ -10,9 +10,6 @@
 using motion::Integrators, motion::Motion, motion::PointMass, motion::Sample, motion::State;
 using namespace motion::subject; // px_per_second, uniform_motion, ... fit_motion: the student's
 
-constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
-const double too_large = std::nextafter(course::largest, infinity);
-
 // --------------------------------------------------------------------------------------------------- 1.1 px_per_second
 
 //> Worked example: pixels

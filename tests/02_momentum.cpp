@@ -10,9 +10,6 @@
 using momentum::Body, momentum::Cart, momentum::CentreOfMassFrame, momentum::Velocities;
 using namespace momentum::subject; // acceleration_due_to, elastic_collision, ... newtons_cradle: the student's
 
-constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
-const double too_large = std::nextafter(course::largest, infinity);
-
 namespace {
 
 double momentum_of(const Cart &a, const Cart &b, const Velocities &v) { return a.mass * v.a + b.mass * v.b; } // [N s]

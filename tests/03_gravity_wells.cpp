@@ -11,9 +11,6 @@ using gravity_wells::Fall, gravity_wells::Integrators;
 using motion::PointMass, motion::State;
 using namespace gravity_wells::subject; // gravity, time_to_fall, ... kepler_position: the student's
 
-constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
-const double too_large = std::nextafter(course::largest, infinity);
-
 namespace {
 
 /// A body of 0.1 to 100 kg, somewhere within 50 m.

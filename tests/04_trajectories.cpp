@@ -10,9 +10,7 @@ using motion::State;
 using trajectories::LoopRanges;
 using namespace trajectories::subject; // launch_velocity, time_of_flight, ... frame_loop_ranges: the student's
 
-constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
 constexpr double degree = std::numbers::pi / 180;
-const double too_large = std::nextafter(course::largest, infinity);
 
 namespace {
 

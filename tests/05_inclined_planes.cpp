@@ -12,9 +12,7 @@ using inclined_planes::Spring;
 using inclined_planes::UpAndBack;
 using namespace inclined_planes::subject; // stopping_distance, apply_friction, ... stick_slip_step: the student's
 
-constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
 constexpr double degree = std::numbers::pi / 180;
-const double too_large = std::nextafter(course::largest, infinity);
 
 namespace {
 

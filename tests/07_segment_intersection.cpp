@@ -13,8 +13,6 @@ using segment_intersection::Ball, segment_intersection::Impact, segment_intersec
 using segment_intersection::Segment, segment_intersection::max_bounces;
 using namespace segment_intersection::subject; // the student's six functions
 
-constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
-
 const Segment motion{.start = {4, 7}, .end = {16, 3}}; // the worked example
 const Segment wall{.start = {1, 1}, .end = {17, 10}};
 

@@ -10,7 +10,6 @@ using particles::Emission, particles::Emitter, particles::Particle, particles::P
 using particles::max_bounces, particles::contact_tolerance;
 using namespace particles::subject; // spawn, shade_index, ...: the student's functions
 
-constexpr double rounding = 1e-12;       // as the header says
 constexpr double rounding_of_1e5 = 1e-7; // where numbers as large as that go into a result
 constexpr double pi = std::numbers::pi;
 constexpr int more_than_16_bits = 70'000; // particles or walls: an index must not wrap at 65536

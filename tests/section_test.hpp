@@ -30,6 +30,9 @@ using course::Vec2;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline const double not_a_number = std::nan("");
+inline const double too_large = std::nextafter(course::largest, infinity); ///< the first number that is refused
+
+inline constexpr double rounding = 1e-12; ///< of some dozen operations, and what the headers promise
 
 // The first failure of a case is its verdict, so nothing after it runs.
 #undef CHECK

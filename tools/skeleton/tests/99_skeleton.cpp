@@ -4,8 +4,6 @@
 
 using namespace skeleton::subject; // pull: the student's
 
-constexpr double rounding = 1e-12; // a handful of operations on numbers of size one
-
 //> Worked example
 TEST_CASE("the worked example: a spring of 30 N/m, 0.25 m longer than at rest, pulls back with 7.5 N", "[99.1]") {
     CHECK_THAT(pull(30, 0.25), IsNear(-7.5, rounding)); // -30 N/m * 0.25 m
