@@ -1,11 +1,10 @@
 // needs GSL GSL::gsl libgsl-dev
 // GSL differentiates, solves quadratic equations, and moves things with integrators of its own.
 #include "gravity_wells.hpp"
+#include "gsl.hpp"
 #include "peer.hpp"
 
 #include <gsl/gsl_deriv.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_poly.h>
 #include <gsl/gsl_version.h>
 
@@ -86,24 +85,15 @@ double compare_falls(Dice &dice) {
 /// A ship in a well at (0, 0), as GSL wants it: x, y and their velocities.
 using Ship = std::array<double, 4>;
 
-int slopes(double, const double y[], double dydt[], void *mu) {
-    const double r = std::hypot(y[0], y[1]), k = -*static_cast<const double *>(mu) / (r * r * r);
-    dydt[0] = y[2];
-    dydt[1] = y[3];
-    dydt[2] = k * y[0];
-    dydt[3] = k * y[1];
-    return GSL_SUCCESS;
+course::Slopes<4> slopes_of(double mu) {
+    return [mu](const Ship &now) {
+        const double r = std::hypot(now[0], now[1]), k = -mu / (r * r * r);
+        return Ship{now[2], now[3], k * now[0], k * now[1]};
+    };
 }
 
-/// Where the ship is after t seconds, in as many steps as its error needs.
-Ship flown(Ship ship, double mu, double t) {
-    const gsl_odeiv2_system system{slopes, nullptr, 4, &mu};
-    const std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> driver{
-        gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-6, 1e-13, 1e-13), gsl_odeiv2_driver_free};
-    double now = 0;
-    gsl_odeiv2_driver_apply(driver.get(), &now, t, ship.data());
-    return ship;
-}
+/// Where the ship is after t seconds.
+Ship flown(const Ship &ship, double mu, double t) { return course::moved(ship, slopes_of(mu), t, 1e-6); }
 
 double compare_circles(Dice &dice) {
     double largest = 0;
@@ -131,11 +121,12 @@ double compare_kepler(Dice &dice) {
 double compare_runge_kutta(Dice &dice) {
     double largest = 0;
     for (int i = 0; i < cases; ++i) {
-        double mu = dice.real(1, 1000);
+        const double mu = dice.real(1, 1000);
         const double r = dice.real(1, 20), dt = dice.real(0, 0.1) * std::sqrt(r * r * r / mu);
         const State ship{r * dice.direction(), dice.real(0, 1.4) * std::sqrt(mu / r) * dice.direction()};
         Ship there{ship.position.x(), ship.position.y(), ship.velocity.x(), ship.velocity.y()};
-        const gsl_odeiv2_system system{slopes, nullptr, 4, &mu};
+        const course::Slopes<4> slopes = slopes_of(mu);
+        const gsl_odeiv2_system system = course::system_of(slopes);
         const std::unique_ptr<gsl_odeiv2_step, decltype(&gsl_odeiv2_step_free)> step{
             gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk4, 4), gsl_odeiv2_step_free};
         std::array<double, 4> error{};

@@ -1,14 +1,12 @@
 // needs GSL GSL::gsl libgsl-dev
 // GSL solves quadratic equations, finds roots and minima, and moves things with integrators of its own.
+#include "gsl.hpp"
 #include "peer.hpp"
 #include "trajectories.hpp"
 
 #include <gsl/gsl_complex_math.h>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_min.h>
-#include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_poly.h>
-#include <gsl/gsl_roots.h>
 #include <gsl/gsl_version.h>
 
 #include <array>
@@ -99,23 +97,10 @@ double compare_apexes(Dice &dice) {
 /// A shell in wind, as GSL wants it: x, y and their velocities.
 using Shell = std::array<double, 4>;
 
-int slopes(double, const double y[], double dydt[], void *pull) {
-    const auto &[wind, g] = *static_cast<std::array<double, 2> *>(pull);
-    dydt[0] = y[2];
-    dydt[1] = y[3];
-    dydt[2] = wind;
-    dydt[3] = -g;
-    return GSL_SUCCESS;
-}
-
 Shell flown(const State &muzzle, std::array<double, 2> pull, double t) {
-    Shell shell{muzzle.position.x(), muzzle.position.y(), muzzle.velocity.x(), muzzle.velocity.y()};
-    const gsl_odeiv2_system system{slopes, nullptr, 4, &pull};
-    const std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> driver{
-        gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-13, 1e-13), gsl_odeiv2_driver_free};
-    double now = 0;
-    gsl_odeiv2_driver_apply(driver.get(), &now, t, shell.data());
-    return shell;
+    const course::Slopes<4> slopes = [&](const Shell &now) { return Shell{now[2], now[3], pull[0], -pull[1]}; };
+    return course::moved({muzzle.position.x(), muzzle.position.y(), muzzle.velocity.x(), muzzle.velocity.y()}, slopes,
+                         t);
 }
 
 double compare_arcs(Dice &dice) {
@@ -160,23 +145,17 @@ double compare_heights(Dice &dice) {
 /// The two angles on both sides of the one that reaches farthest in this direction, by a search for a root.
 double compare_angles(Dice &dice) {
     double largest = 0;
-    const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> search{
-        gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free};
     for (int i = 0; i < cases; ++i) {
-        std::array<double, 3> all{dice.real(5, 40), dice.real(-30, 5),
-                                  9.8 / (2 * 900)};       // target, and g / 2v² at 30 m/s
-        gsl_function above{[](double angle, void *data) { // times cos², or it would be infinite straight up
-                               const auto &[x, y, fall] = *static_cast<std::array<double, 3> *>(data);
-                               return (x * std::sin(angle) - y * std::cos(angle)) * std::cos(angle) - fall * x * x;
-                           },
-                           &all};
-        const double seen = std::atan2(all[1], all[0]), middle = std::numbers::pi / 4 + seen / 2;
-        const std::vector<double> got = launch_angles(30, {all[0], all[1]}, 9.8);
+        const double x = dice.real(5, 40), y = dice.real(-30, 5), fall = 9.8 / (2 * 900); // g / 2v² at 30 m/s
+        const auto above = [&](double angle) { // times cos², or it would be infinite straight up
+            return (x * std::sin(angle) - y * std::cos(angle)) * std::cos(angle) - fall * x * x;
+        };
+        const double seen = std::atan2(y, x), middle = std::numbers::pi / 4 + seen / 2;
+        const std::vector<double> got = launch_angles(30, {x, y}, 9.8);
         if (got.size() != 2) return std::nan("");
         for (const bool high : {false, true}) {
-            gsl_root_fsolver_set(search.get(), &above, high ? middle : seen, high ? std::numbers::pi / 2 : middle);
-            for (int round = 0; round < 60; ++round) gsl_root_fsolver_iterate(search.get());
-            largest = worse(std::abs(got[high] - gsl_root_fsolver_root(search.get()) / degree), largest);
+            const double want = course::root_of(above, high ? middle : seen, high ? std::numbers::pi / 2 : middle);
+            largest = worse(std::abs(got[high] - want / degree), largest);
         }
     }
     return largest;

@@ -2,22 +2,18 @@
 // needs box2d box2d::box2d libbox2d-dev
 // GSL moves things with an integrator of its own, and finds when they stop by a search for a root.
 // Box2D is an engine: it holds boxes on slopes, or lets them slide, in floats and with one coefficient of friction.
+#include "gsl.hpp"
 #include "inclined_planes.hpp"
 #include "peer.hpp"
 
 #include <box2d/box2d.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
-#include <gsl/gsl_roots.h>
 #include <gsl/gsl_version.h>
 
 #include <array>
 #include <cmath>
-#include <functional>
-#include <memory>
 #include <numbers>
 
-using course::Vec2, course::worse;
+using course::moved, course::root_of, course::Vec2, course::worse;
 using namespace inclined_planes;
 
 namespace {
@@ -30,35 +26,9 @@ Box random_box(Dice &dice) {
     return {dice.real(0.1, 100), mu_k + dice.real(0, 0.5), mu_k};
 }
 
-/// Where the function changes its sign between these two.
-double root_of(std::function<double(double)> f, double low, double high) {
-    gsl_function called{[](double x, void *data) { return (*static_cast<std::function<double(double)> *>(data))(x); },
-                        &f};
-    const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> search{
-        gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free};
-    gsl_root_fsolver_set(search.get(), &called, low, high);
-    for (int round = 0; round < 60; ++round) gsl_root_fsolver_iterate(search.get());
-    return gsl_root_fsolver_root(search.get());
-}
-
 /// Two numbers, and how fast each of them changes.
 using Pair = std::array<double, 2>;
-using Slopes = std::function<Pair(const Pair &)>;
-
-Pair moved(Pair now, const Slopes &slopes, double t) {
-    const auto called = [](double, const double y[], double dydt[], void *data) {
-        const Pair slope = (*static_cast<const Slopes *>(data))({y[0], y[1]});
-        dydt[0] = slope[0];
-        dydt[1] = slope[1];
-        return int(GSL_SUCCESS);
-    };
-    const gsl_odeiv2_system system{called, nullptr, 2, const_cast<Slopes *>(&slopes)};
-    const std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> driver{
-        gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-13, 1e-13), gsl_odeiv2_driver_free};
-    double time = 0;
-    gsl_odeiv2_driver_apply(driver.get(), &time, t, now.data());
-    return now;
-}
+using Slopes = course::Slopes<2>;
 
 double compare_distances(Dice &dice) {
     double largest = 0;
