@@ -2,8 +2,6 @@
 
 #include "game.hpp"
 
-#include <numbers>
-
 //> The demo
 namespace play {
 using namespace inclined_planes;
@@ -34,7 +32,6 @@ const demo::About about{"A box on a board, a puck on a table, and a block on a s
                          {"f", "Push", {games[1], games[2], games[6], games[7]}}}};
 const demo::Still still{1.6, "f"};
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double length = 9, top = 6.5, longest = 8; // of the board, and how far up the box lies at first [m]
 constexpr int parts = 16;                            // of each frame, so that the last one is short
 constexpr double wide = 8.5, high = 8, round = 0.4;  // half of the table, its depth, and a puck's radius [m]

@@ -4,6 +4,7 @@
 #include "inclined_planes.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace inclined_planes {
 
@@ -11,6 +12,9 @@ namespace inclined_planes {
 constexpr double g = 10;                ///< how much faster something falls each second [m/s²]
 constexpr double deceleration = 2;      ///< how much of its speed friction takes from the puck each second [m/s²]
 constexpr double frame_time = 1.0 / 60; ///< [s]
+
+//> Degrees and radians
+constexpr double degree = std::numbers::pi / 180; ///< [rad]
 
 //> The frame loop: a puck that slows down
 /// One frame of the game: the puck moves on for `dt` seconds, and its velocity changes evenly.

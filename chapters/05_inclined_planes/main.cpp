@@ -2,8 +2,6 @@
 
 #include "game.hpp"
 
-#include <numbers>
-
 using namespace inclined_planes;
 using course::row, course::text;
 
@@ -33,9 +31,6 @@ void print_stopping(std::ostream &out) {
         next_frame(puck, frame_time);
     }
 }
-
-//> Degrees and radians
-constexpr double degree = std::numbers::pi / 180; // [rad]
 
 //> A box on boards
 constexpr Box crate{10, 0.5, 0.3}; // 10 kg, which g makes 100 N
