@@ -30,9 +30,11 @@ list(TRANSFORM COURSE_DEFINITIONS PREPEND -D OUTPUT_VARIABLE definitions)
 list(APPEND COURSE_LOOP ${definitions} -I${PROJECT_SOURCE_DIR}/chapters -isystem ${eigen})
 set(COURSE_PCH ${PROJECT_BINARY_DIR}/loop/student.hpp)
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  list(APPEND COURSE_LOOP -ferror-limit=20)
   set(compiled ${COURSE_PCH}.pch)
   set(COURSE_LOOP_PCH -include-pch ${compiled})
 else()
+  list(APPEND COURSE_LOOP -fmax-errors=20)
   set(compiled ${COURSE_PCH}.gch)
   set(COURSE_LOOP_PCH -include ${COURSE_PCH})
 endif()
@@ -44,8 +46,11 @@ if(CMAKE_SYSTEM_NAME STREQUAL Linux)
   endif()
 endif()
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/loop)
-file(COPY_FILE ${PROJECT_SOURCE_DIR}/tools/verdict/student/student.hpp ${COURSE_PCH} ONLY_IF_DIFFERENT)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/verdict/student/student.hpp)
+foreach(header student.hpp quick.hpp)
+  set(original ${PROJECT_SOURCE_DIR}/tools/verdict/student/${header})
+  file(COPY_FILE ${original} ${PROJECT_BINARY_DIR}/loop/${header} ONLY_IF_DIFFERENT)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${original})
+endforeach()
 add_custom_command(OUTPUT ${compiled}
   COMMAND ${CMAKE_CXX_COMPILER} ${COURSE_LOOP} -x c++-header ${COURSE_PCH} -o ${compiled} -MD -MF ${compiled}.d
   DEPENDS ${COURSE_PCH}
@@ -53,6 +58,42 @@ add_custom_command(OUTPUT ${compiled}
   COMMENT "Precompiling the header that stands before every exercise"
   VERBATIM COMMAND_EXPAND_LISTS)
 add_custom_target(course_pch DEPENDS ${compiled})
+
+# Clang compiles an answer in half of GCC's time: at -O0, with the templates of quick.hpp made and optimized beforehand.
+# So it goes first where it is there. What it does not take without a word is given to GCC: see `judge`.
+set(COURSE_QUICK TRUE CACHE BOOL "Let Clang, if it is there, compile answers before GCC")
+find_program(COURSE_QUICK_COMPILER NAMES clang++ clang++-14)
+set(COURSE_QUICK_LOOP)
+if(COURSE_QUICK AND COURSE_QUICK_COMPILER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_SYSTEM_NAME STREQUAL Linux
+   AND NOT CMAKE_CXX_FLAGS) # which may be flags that only GCC knows
+  set(COURSE_QUICK_LOOP ${COURSE_LOOP} -O0)
+  list(REMOVE_ITEM COURSE_QUICK_LOOP ${COURSE_OPTIMIZATION} -fmax-errors=20)
+  # warnings that GCC has among its own
+  list(APPEND COURSE_QUICK_LOOP -Wshadow-all -Wconditional-uninitialized -Wimplicit-fallthrough)
+  set(quick ${PROJECT_BINARY_DIR}/loop/quick)
+  set(make_quick ${COURSE_QUICK_COMPILER} ${COURSE_QUICK_LOOP} -x c++-header ${quick}.hpp
+    -fpch-instantiate-templates -fpch-codegen)
+  if(NOT "${COURSE_QUICK_TRIED}" STREQUAL "${make_quick}")
+    execute_process(COMMAND ${make_quick} -fsyntax-only RESULT_VARIABLE quick_fails OUTPUT_QUIET ERROR_QUIET)
+    set(COURSE_QUICK_FAILS ${quick_fails} CACHE INTERNAL "")
+    set(COURSE_QUICK_TRIED "${make_quick}" CACHE INTERNAL "")
+  endif()
+endif()
+set(COURSE_QUICK_OBJECT)
+if(COURSE_QUICK_LOOP AND COURSE_QUICK_FAILS EQUAL 0)
+  set(COURSE_QUICK_OBJECT ${quick}.o)
+  add_custom_command(OUTPUT ${quick}.pch
+    COMMAND ${make_quick} -o ${quick}.pch -MD -MF ${quick}.d
+    DEPENDS ${quick}.hpp ${COURSE_QUICK_COMPILER} DEPFILE ${quick}.d VERBATIM
+    COMMENT "Precompiling the same for Clang, with the templates that answers use")
+  add_custom_command(OUTPUT ${quick}.o
+    COMMAND ${COURSE_QUICK_COMPILER} ${COURSE_QUICK_LOOP} -O2 -Wno-unused-command-line-argument -c ${quick}.pch -o ${quick}.o
+    DEPENDS ${quick}.pch VERBATIM COMMENT "Compiling these templates")
+  add_custom_target(course_quick DEPENDS ${quick}.o)
+  add_dependencies(course_pch course_quick)
+  # Its own assembler cannot list what it reads, so code for it is refused here, and GCC is asked.
+  list(APPEND COURSE_QUICK_LOOP -fno-gnu-inline-asm -Xclang -fno-validate-pch)
+endif()
 
 # Where the headers are that a student's file may include.
 set(COURSE_INCLUDES ${PROJECT_SOURCE_DIR}/chapters ${PROJECT_BINARY_DIR}/loop ${eigen} ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES}

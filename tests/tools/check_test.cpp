@@ -109,6 +109,33 @@ TEST_CASE("a compiler that the machine has stopped is no verdict, and exits with
     CHECK_THAT(done.err, ContainsSubstring(sentence));
 }
 
+TEST_CASE("an answer with nothing to complain of is compiled by Clang, where it is there, and any other one by GCC") {
+    REQUIRE(check("7.1", our_answer).code == 0);
+    const auto settings = nlohmann::json::parse(course::read_file(COURSE_BUILD "/course.json"));
+    if (!settings.contains("quick")) SKIP("there is one compiler only");
+    const OtherBuild build{"echo \"$*\" >>\"$0.calls\"; exec '" + settings.at("compiler").get<std::string>()
+                           + "' \"$@\""};
+    const fs::path calls = build.folder / "compiler.calls", answer = build.folder / "answer.cpp";
+    const std::string ours = course::read_file(fs::path{COURSE_ROOT} / our_answer);
+    const auto gcc_compiles = [&](const std::string &added) {
+        course::write_file(answer, ours + added);
+        fs::remove(calls);
+        const auto done = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" + build.folder.string(),
+                                       COURSE_TOOL, "check", "7.2", "--file", answer.string()});
+        CHECK_THAT(done.out, ContainsSubstring("✓ 7.2"));
+        return count(course::read_file(calls), " -c "); // it always links
+    };
+    CHECK(gcc_compiles("") == 0);
+    CHECK(gcc_compiles("static int unused = 0;\n") == 1);
+    CHECK(gcc_compiles("int odd(int n) { switch (n % 2) { case 0: return 0; default: return 1; } }\n") == 1);
+    CHECK(gcc_compiles("asm(\"nop\");\n") == 1);
+
+    auto broken = nlohmann::json::parse(course::read_file(build.folder / "course.json"));
+    broken["quick"]["compiler"] = "false";
+    course::write_file(build.folder / "course.json", broken.dump());
+    CHECK(gcc_compiles("") == 1);
+}
+
 TEST_CASE("a disk that is full is no verdict, and check exits with 4") {
     REQUIRE(check("7.1", our_answer).code == 0);
     const OtherBuild build{""};

@@ -349,7 +349,7 @@ leaves_with 2
 has "$out" 'CMake       found 3.9.12, need 3.25, type apt-get install cmake'
 has "$out" 'gnuplot     found nothing, need 5.4, type apt-get install gnuplot-nox'
 has "$out" 'Catch2      found nothing, need 3, type ./course setup'
-has "$out" 'found Clang 13.1, need GCC 12 or Clang 14, type apt-get install g++'
+has "$out" 'found Clang 13.1, need GCC 12 or Clang 14, type apt-get install g++ clang'
 who=1000 course doctor
 has "$out" 'let root type apt-get install gnuplot-nox'
 fake sudo 'exit 1'
@@ -372,7 +372,7 @@ leaves_with 2
 has "$out" 'Only with them can the others be found'
 course setup
 leaves_with 0
-has "$did" ' g++ cmake ninja-build '
+has "$did" ' g++ clang cmake ninja-build '
 has "$did" 'libcmark-gfm-dev libcmark-gfm-extensions-dev'
 
 machine 'another system: it lists names and versions, and stops'

@@ -3,8 +3,8 @@
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "ground/process.hpp"
-#include "loop/judge.hpp"
 #include "loop/programs.hpp"
+#include "loop/toolbox.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -35,26 +35,27 @@ void bench_loop(const Tree &tree, const Section &section, int runs) {
     const std::vector<std::string> check{(tree.root / "course").string(), "check", section.name, "--file",
                                          solution.string()};
     const std::vector<std::string> nothing{(tree.root / "course").string(), "check", "--help"};
-    std::vector<double> bare, quick, whole, start;
-    time_of(check);                  // what a first run alone has to do
-    for (int i = 0; i < runs; ++i) { // in turns, so that a busy moment meets all of them
-        bare.push_back(time_of(compile_command(tree, section, solution, object, true)));
-        quick.push_back(time_of(compile_command(tree, section, solution, object)));
-        whole.push_back(time_of(check));
-        start.push_back(time_of(nothing));
-    }
+    const Toolbox tools = toolbox(tree, section);
+    Compiler bare = tools.compiler;
+    bare.precompiled.clear();
+    const auto by = [&](const Compiler &compiler) { return compiler.command(tree, section, solution, object); };
+    std::vector<std::pair<const char *, std::vector<std::string>>> commands{
+        {"bare compilation", by(bare)}, {"the same, with the precompiled header", by(tools.compiler)}};
+    if (tools.quick) commands.emplace_back("by Clang, which is asked first", by(*tools.quick));
+    commands.emplace_back("save to verdict: ./course check", check);
+    commands.emplace_back("of which the course program starts and reads", nothing);
+    time_of(check); // what a first run alone has to do
+    std::vector<std::vector<double>> times(commands.size());
+    for (int i = 0; i < runs; ++i) // in turns, so that a busy moment meets all of them
+        for (std::size_t each = 0; each < commands.size(); ++each)
+            times[each].push_back(time_of(commands[each].second));
     fs::remove(object);
-    const auto line = [&](const char *what, const std::vector<double> &times) {
-        std::cout << std::left << std::setw(46) << what << std::right << std::fixed << std::setprecision(0)
-                  << std::setw(6) << 1e3 * median(times) << " ms   " << std::setprecision(2)
-                  << median(times) / median(bare) << '\n';
-    };
     std::cout << "Section " << section.short_number() << ", its finished solution; medians of " << runs
               << " runs, and their ratio to the first:\n";
-    line("bare compilation", bare);
-    line("the same, with the precompiled header", quick);
-    line("save to verdict: ./course check", whole);
-    line("of which the course program starts and reads", start);
+    for (std::size_t each = 0; each < commands.size(); ++each)
+        std::cout << std::left << std::setw(46) << commands[each].first << std::right << std::fixed
+                  << std::setprecision(0) << std::setw(6) << 1e3 * median(times[each]) << " ms   "
+                  << std::setprecision(2) << median(times[each]) / median(times[0]) << '\n';
 }
 
 /// Builds a section's benchmark, which is in no other target, and runs it: it prints a table, and writes its trace.

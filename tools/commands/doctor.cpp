@@ -1,6 +1,7 @@
 // What `course doctor` cannot find out as a script: the script asks here, once this program is built.
 
 #include "commands/commands.hpp"
+#include "loop/toolbox.hpp"
 #include "verdict/tests/shut_in.hpp"
 
 #include <iostream>
@@ -18,11 +19,21 @@ void tell_protection() {
                   << (here.calls ? "" : "seccomp") << ": judge only code that you trust\n";
 }
 
+void tell_compilers(const Tree &tree) {
+    std::cout << "check           "
+              << (toolbox(tree, tree.sections().front()).quick
+                      ? "Clang compiles your answers; GCC those with a mistake, for its messages\n"
+                      : "one compiler compiles your answers; on Linux, Clang beside GCC would halve the time\n");
+}
+
 } // namespace
 
-void add_doctor(CLI::App &app, const Tree &) {
+void add_doctor(CLI::App &app, const Tree &tree) {
     app.add_subcommand("doctor", "Say which tools are installed, and how to get the others")
-        ->callback(tell_protection)
+        ->callback([&tree] {
+            tell_protection();
+            tell_compilers(tree);
+        })
         ->footer("Example: ./course doctor");
 }
 

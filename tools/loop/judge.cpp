@@ -3,13 +3,13 @@
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
-#include "ground/lock.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
 #include "loop/answer.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/includes.hpp"
 #include "loop/stopped.hpp"
+#include "loop/toolbox.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -35,85 +35,8 @@ namespace {
 
 /// [s] for all tests of a section. They end a student's endless loops themselves, after a few seconds each.
 constexpr double longest_test = 180;
-
-/// How CMake compiles and links: what it left in course.json.
-struct Toolbox {
-    std::string compiler, cmake, nm;
-    std::vector<std::string> link, flags, precompiled; ///< the last: what puts the precompiled header before a file
-    std::vector<std::string> assembler; ///< before the file where it lists what it reads; empty if it cannot
-    fs::path server, missing;
-    std::vector<fs::path> includes;   ///< folders with what a student's file may include
-    std::vector<std::string> earlier; ///< objects: the solutions of the sections that this one builds on
-};
-
-Toolbox toolbox(const Tree &tree, const Section &section) {
-    const fs::path file = tree.build / "course.json";
-    if (!fs::exists(file)) throw Complaint{"the course is not built yet: type ./course, which builds all of it."};
-    try {
-        const auto json = nlohmann::json::parse(read_file(file));
-        Toolbox w{json.at("compiler"),
-                  json.at("cmake"),
-                  json.at("nm"),
-                  json.at("link"),
-                  json.at("flags"),
-                  json.at("precompiled"),
-                  json.at("assembler"),
-                  {},
-                  {},
-                  {},
-                  {}};
-        for (const auto &folder : json.at("includes")) w.includes.emplace_back(folder.get<std::string>());
-        for (const auto &each : json.at("sections"))
-            if (each.at("name") == section.name) {
-                w.server = each.at("server").get<std::string>();
-                w.missing = each.at("missing").get<std::string>();
-                w.earlier = each.at("earlier");
-            }
-        return w;
-    } catch (const nlohmann::json::exception &) {
-        throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes a new one."};
-    }
-}
-
-/// The newest date of the course's own files that a verdict on this section rests on. A file dated in the future, by a
-/// clock that was wrong, would be newer than all that is ever built from it: it is dated now.
-fs::file_time_type newest(const Tree &tree, const Section &section) {
-    const auto now = fs::file_time_type::clock::now();
-    auto date = fs::file_time_type::min();
-    const auto look = [&](const fs::path &file) {
-        std::error_code ignored;
-        auto its = fs::last_write_time(file, ignored);
-        if (ignored) return;
-        if (its > now) fs::last_write_time(file, its = now, ignored);
-        date = std::max(date, its);
-    };
-    for (const char *folder :
-         {"chapters", "tools/verdict/shared", "tools/verdict/student", "tools/verdict/tests", "cmake"})
-        for (const auto &entry : fs::directory_iterator{tree.root / folder})
-            if (entry.is_regular_file()) look(entry.path());
-    for (const auto &file :
-         {tree.root / "CMakeLists.txt", tree.root / "tests/section_test.hpp", tree.tests(section), tree.stub(section)})
-        look(file);
-    for (const Section &each : tree.sections()) { // this one may build on it
-        look(tree.header(each));
-        look(tree.solution(each));
-    }
-    return date;
-}
-
-/// Builds what is older than the course's files: ninja is asked only then, for it takes longer to say "no work".
-void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &w) {
-    const fs::path stamp = tree.build / "loop" / (section.name + ".checked");
-    std::error_code never;
-    const auto checked = fs::last_write_time(stamp, never);
-    if (!never && checked >= newest(tree, section)) return;
-    const Lock lock{tree};
-    const auto built = run({w.cmake, "--build", tree.build.string(), "--target", section.name + "_loop"});
-    if (built.code != 0)
-        throw Complaint{"the course's own files do not build; `cmake --build " + tree.build.string() + "` shows why."};
-    write_file(stamp, "");
-    fs::last_write_time(stamp, fs::file_time_type::clock::now());
-}
+/// [s] of processor for the quick compiler, which needs a fifth of a second.
+constexpr unsigned quick_enough = 5;
 
 /// A folder for one judgement, gone when it is over.
 class Scratch {
@@ -149,13 +72,13 @@ Verdict stopped(Kind kind, std::string sentence) {
 }
 
 /// For a function that is missing: how the header declares it, and what is there instead.
-void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section, const Toolbox &w,
+void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section, const Toolbox &tools,
                       const fs::path &object) {
     std::string defined, header; // read once, and only if a function is missing
     for (auto &verdict : verdicts) {
         if (verdict.kind != Kind::missing || !verdict.call) continue;
         if (defined.empty()) {
-            defined = plain_output(run({w.nm, "-C", "--defined-only", object.string()}).out);
+            defined = plain_output(run({tools.nm, "-C", "--defined-only", object.string()}).out);
             header = read_file(tree.header(section));
         }
         verdict.sentence += explain_missing(defined, header, verdict.call->function, renamed(tree, section));
@@ -191,22 +114,86 @@ std::string run_tests(const Tree &tree, const Section &section, const std::strin
     return tested.out;
 }
 
-std::vector<std::string> compile_command(const Toolbox &w, const Tree &tree, const Section &section,
-                                         const fs::path &file, const fs::path &object, bool bare) {
-    std::vector<std::string> command{w.compiler};
-    command.insert(command.end(), w.flags.begin(), w.flags.end());
-    if (!bare) command.insert(command.end(), w.precompiled.begin(), w.precompiled.end());
-    command.insert(command.end(), {"-I" + tree.header(section).parent_path().string(), "-fdiagnostics-color=never",
-                                   "-fmax-errors=20", "-x", "c++", "-c", file.string(), "-o", object.string()});
-    return command;
-}
+/// A student's file becomes a subject, the program against which tests run.
+struct SubjectBuild {
+    const Tree &tree;
+    const Section &section;
+    const Toolbox &tools;
+    const fs::path &file;
+    const Scratch &scratch;
+
+    std::string object() const { return scratch / "student.o"; }
+    std::string subject() const { return scratch / "subject"; }
+
+    /// By the quick compiler. Whatever it has to complain of is left to the other one, whose words students read, and
+    /// so is a `switch`: if it has all values of an enum, only GCC wants a return behind it.
+    /// @return whether the subject is built
+    bool quickly(std::string_view text) const {
+        if (!tools.quick || text.find("switch") != std::string_view::npos) return false;
+        Limits limits = compiler_limits;
+        limits.processor_time = quick_enough;
+        const auto compiled = run(compile_command(*tools.quick), within(limits));
+        return compiled.code == 0 && compiled.err.empty() && !foreign_header() && link(tools.quick_link).code == 0;
+    }
+
+    /// By the course's own compiler.
+    /// @return why the subject could not be built
+    std::optional<Verdict> thoroughly(std::vector<std::string> &warnings) const {
+        const std::string name = tree.shown(file);
+        auto command = compile_command(tools.compiler);
+        command.insert(command.end(), tools.assembler.begin(), tools.assembler.end());
+        if (!tools.assembler.empty()) command.push_back(assembled());
+        const auto compiled = run(command, within(compiler_limits));
+        const std::string said = plain_output(compiled.err);
+        if (auto why = stopped_by_a_limit(compiled, said); !why.empty())
+            return stopped(Kind::does_not_compile, std::move(why));
+        if (compiled.code != 0) return diagnose_compiler(said, file, name, renamed(tree, section));
+        auto elsewhere = foreign_header();
+        if (!elsewhere && !tools.assembler.empty()) // it is in the scratch folder, as is what the compiler hands to it
+            elsewhere = included_from_elsewhere(read_file(assembled()), file, scratch.folder, {scratch.folder});
+        if (elsewhere)
+            return stopped(Kind::does_not_compile,
+                           "Your file includes " + tree.shown(*elsewhere)
+                               + ", which a check does not allow: it may include headers of the system, of Eigen and "
+                                 "of chapters/. Write what you need into the file itself.");
+        warnings = find_warnings(said, file, name);
+
+        const auto linked = link({});
+        if (linked.code == 0) return {};
+        const std::string linker = plain_output(linked.err);
+        auto why = stopped_by_a_limit(linked, linker);
+        return why.empty() ? diagnose_linker(linker, name, section.short_number())
+                           : stopped(Kind::does_not_link, std::move(why));
+    }
+
+    std::string includes() const { return scratch / "includes"; }
+    std::string assembled() const { return scratch / "assembled"; }
+
+    RunOptions within(const Limits &limits) const {
+        return {.deadline = longest_wait,
+                .folder = scratch.folder,
+                .limits = limits,
+                .environment = {"TMPDIR=" + scratch.folder.string() + '/'}};
+    }
+    std::vector<std::string> compile_command(const Compiler &compiler) const {
+        auto command = compiler.command(tree, section, file, object());
+        command.insert(command.end(), {"-MD", "-MF", includes()});
+        return command;
+    }
+    std::optional<fs::path> foreign_header() const {
+        return included_from_elsewhere(read_file(includes()), file, scratch.folder, tools.includes);
+    }
+    Finished link(const std::vector<std::string> &also) const {
+        std::vector<std::string> command{tools.compiler.program, object(), tools.server.string(),
+                                         tools.missing.string(), "-o",     subject()};
+        command.insert(command.end(), also.begin(), also.end());
+        command.insert(command.end(), tools.earlier.begin(), tools.earlier.end());
+        command.insert(command.end(), tools.link.begin(), tools.link.end());
+        return run(command, within(compiler_limits));
+    }
+};
 
 } // namespace
-
-std::vector<std::string> compile_command(const Tree &tree, const Section &section, const fs::path &file,
-                                         const fs::path &object, bool bare) {
-    return compile_command(toolbox(tree, section), tree, section, file, object, bare);
-}
 
 std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std::string &said) {
     std::vector<Verdict> told, verdicts;
@@ -244,49 +231,18 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     if (auto trouble = diagnose_text(text, name, section.short_number())) return not_built(*trouble);
     if (auto trouble = diagnose_section(text, name, tree, section)) return not_built(*trouble);
 
-    const Toolbox w = toolbox(tree, section);
-    bring_up_to_date(tree, section, w);
+    const Toolbox tools = toolbox(tree, section);
+    bring_up_to_date(tree, section, tools);
     const Scratch scratch{tree.build};
-    const std::string object = scratch / "student.o", subject = scratch / "subject";
-    const RunOptions limited{.deadline = longest_wait,
-                             .folder = scratch.folder,
-                             .limits = compiler_limits,
-                             .environment = {"TMPDIR=" + (scratch / "").string()}};
-
-    const std::string includes = scratch / "includes", assembled = scratch / "assembled";
-    auto compile = compile_command(w, tree, section, file, object, false);
-    compile.insert(compile.end(), {"-MD", "-MF", includes});
-    compile.insert(compile.end(), w.assembler.begin(), w.assembler.end());
-    if (!w.assembler.empty()) compile.push_back(assembled);
-    const auto compiled = run(compile, limited);
-    const std::string said = plain_output(compiled.err);
-    if (auto why = stopped_by_a_limit(compiled, said); !why.empty())
-        return not_built(stopped(Kind::does_not_compile, std::move(why)));
-    if (compiled.code != 0) return not_built(diagnose_compiler(said, file, name, renamed(tree, section)));
-    auto elsewhere = included_from_elsewhere(read_file(includes), file, scratch.folder, w.includes);
-    if (!elsewhere && !w.assembler.empty()) // it is in the scratch folder, as is what the compiler hands to it
-        elsewhere = included_from_elsewhere(read_file(assembled), file, scratch.folder, {scratch.folder});
-    if (elsewhere)
-        return not_built(stopped(Kind::does_not_compile,
-                                 "Your file includes " + tree.shown(*elsewhere)
-                                     + ", which a check does not allow: it may include headers of the system, of Eigen "
-                                       "and of chapters/. Write what you need into the file itself."));
-    auto warnings = find_warnings(said, file, name);
+    const SubjectBuild build{tree, section, tools, file, scratch};
+    std::vector<std::string> warnings;
+    if (!build.quickly(text))
+        if (auto trouble = build.thoroughly(warnings)) return not_built(*trouble, warnings);
     for (const std::string &unreached : find_unreached(text, name)) warnings.push_back(unreached);
 
-    std::vector<std::string> link{w.compiler, object, w.server.string(), w.missing.string(), "-o", subject};
-    link.insert(link.end(), w.earlier.begin(), w.earlier.end());
-    link.insert(link.end(), w.link.begin(), w.link.end());
-    if (const auto linked = run(link, limited); linked.code != 0) {
-        const std::string linker = plain_output(linked.err);
-        auto why = stopped_by_a_limit(linked, linker);
-        return not_built(why.empty() ? diagnose_linker(linker, name, section.short_number())
-                                     : stopped(Kind::does_not_link, std::move(why)),
-                         std::move(warnings));
-    }
-
-    Judgement judgement{{}, one_for_each(tests_of(tree, section), run_tests(tree, section, subject, seed)), warnings};
-    help_the_missing(judgement.verdicts, tree, section, w, object);
+    Judgement judgement{
+        {}, one_for_each(tests_of(tree, section), run_tests(tree, section, build.subject(), seed)), warnings};
+    help_the_missing(judgement.verdicts, tree, section, tools, build.object());
     help_the_accepting(judgement.verdicts, tree, section, text);
     return judgement;
 }

@@ -32,9 +32,4 @@ Judgement judge(const Tree &tree, const Section &section, const std::filesystem:
 /// @param said  a line of JSON for each verdict
 std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std::string &said);
 
-/// The command that compiles a file as `judge` does; the bare one, without the precompiled header, is what benchmarks
-/// measure it against.
-std::vector<std::string> compile_command(const Tree &tree, const Section &section, const std::filesystem::path &file,
-                                         const std::filesystem::path &object, bool bare = false);
-
 } // namespace course

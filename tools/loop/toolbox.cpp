@@ -1,0 +1,99 @@
+#include "loop/toolbox.hpp"
+
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
+#include "ground/lock.hpp"
+#include "ground/process.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace course {
+namespace fs = std::filesystem;
+
+std::vector<std::string> Compiler::command(const Tree &tree, const Section &section, const fs::path &file,
+                                           const fs::path &object) const {
+    std::vector<std::string> words{program};
+    words.insert(words.end(), flags.begin(), flags.end());
+    words.insert(words.end(), precompiled.begin(), precompiled.end());
+    words.insert(words.end(), {"-I" + tree.header(section).parent_path().string(), "-fdiagnostics-color=never", "-x",
+                               "c++", "-c", file.string(), "-o", object.string()});
+    return words;
+}
+
+Toolbox toolbox(const Tree &tree, const Section &section) {
+    const fs::path file = tree.build / "course.json";
+    if (!fs::exists(file)) throw Complaint{"the course is not built yet: type ./course, which builds all of it."};
+    try {
+        const auto json = nlohmann::json::parse(read_file(file));
+        const auto compiler = [](const auto &its) {
+            return Compiler{its.at("compiler"), its.at("flags"), its.at("precompiled")};
+        };
+        Toolbox w;
+        w.compiler = compiler(json);
+        if (const auto quick = json.find("quick"); quick != json.end()) {
+            w.quick = compiler(*quick);
+            w.quick_link = quick->at("link");
+        }
+        w.cmake = json.at("cmake");
+        w.nm = json.at("nm");
+        w.link = json.at("link");
+        w.assembler = json.at("assembler");
+        for (const auto &folder : json.at("includes")) w.includes.emplace_back(folder.get<std::string>());
+        for (const auto &each : json.at("sections"))
+            if (each.at("name") == section.name) {
+                w.server = each.at("server").get<std::string>();
+                w.missing = each.at("missing").get<std::string>();
+                w.earlier = each.at("earlier");
+            }
+        return w;
+    } catch (const nlohmann::json::exception &) {
+        throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes a new one."};
+    }
+}
+
+namespace {
+
+/// The newest date of the course's own files that a verdict on this section rests on. A file dated in the future, by a
+/// clock that was wrong, would be newer than all that is ever built from it: it is dated now.
+fs::file_time_type newest(const Tree &tree, const Section &section) {
+    const auto now = fs::file_time_type::clock::now();
+    auto date = fs::file_time_type::min();
+    const auto look = [&](const fs::path &file) {
+        std::error_code ignored;
+        auto its = fs::last_write_time(file, ignored);
+        if (ignored) return;
+        if (its > now) fs::last_write_time(file, its = now, ignored);
+        date = std::max(date, its);
+    };
+    for (const char *folder :
+         {"chapters", "tools/verdict/shared", "tools/verdict/student", "tools/verdict/tests", "cmake"})
+        for (const auto &entry : fs::directory_iterator{tree.root / folder})
+            if (entry.is_regular_file()) look(entry.path());
+    for (const auto &file :
+         {tree.root / "CMakeLists.txt", tree.root / "tests/section_test.hpp", tree.tests(section), tree.stub(section)})
+        look(file);
+    for (const Section &each : tree.sections()) { // this one may build on it
+        look(tree.header(each));
+        look(tree.solution(each));
+    }
+    return date;
+}
+
+} // namespace
+
+void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &tools) {
+    const fs::path stamp = tree.build / "loop" / (section.name + ".checked");
+    std::error_code never;
+    const auto checked = fs::last_write_time(stamp, never);
+    if (!never && checked >= newest(tree, section)) return;
+    const Lock lock{tree};
+    const auto built = run({tools.cmake, "--build", tree.build.string(), "--target", section.name + "_loop"});
+    if (built.code != 0)
+        throw Complaint{"the course's own files do not build; `cmake --build " + tree.build.string() + "` shows why."};
+    write_file(stamp, "");
+    fs::last_write_time(stamp, fs::file_time_type::clock::now());
+}
+
+} // namespace course

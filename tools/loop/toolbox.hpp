@@ -1,0 +1,40 @@
+#pragma once
+// What a student's file is compiled and linked with, as CMake left it in course.json.
+
+#include "ground/tree.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace course {
+
+struct Compiler {
+    std::string program;
+    std::vector<std::string> flags, precompiled; ///< the last: what puts the precompiled header before a file
+
+    /// The command that compiles a file of this section.
+    std::vector<std::string> command(const Tree &tree, const Section &section, const std::filesystem::path &file,
+                                     const std::filesystem::path &object) const;
+};
+
+struct Toolbox {
+    Compiler compiler;             ///< of the whole course
+    std::optional<Compiler> quick; ///< Clang beside GCC, at -O0, with its templates compiled beforehand: see `judge`
+    std::string cmake, nm;
+    std::vector<std::string> link, quick_link; ///< the last: also, for what the quick compiler has compiled
+    std::vector<std::string> assembler;        ///< before the file where it lists what it reads; empty if it cannot
+    std::filesystem::path server, missing;
+    std::vector<std::filesystem::path> includes; ///< folders with what a student's file may include
+    std::vector<std::string> earlier;            ///< objects: the solutions of the sections that this one builds on
+};
+
+/// @throws Complaint if the course is not built yet, or course.json is broken
+Toolbox toolbox(const Tree &tree, const Section &section);
+
+/// Builds what is older than the course's files: ninja is asked only then, for it takes longer to say "no work".
+/// @throws Complaint if that fails
+void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &tools);
+
+} // namespace course
