@@ -471,7 +471,10 @@ Next: 6.1, `first_bounce`, in exercises/06_reflection.cpp; then ./course check 6
                            && ContainsSubstring("Next: ./course check 7 (7.2: too long; ./course hint 7.2 helps)"));
     CHECK(listed.find("changed") == std::string::npos);
 
-    remember(course.tree, course.seven(), {{"7.2", "passed"}});
+    remember(course.tree, course.seven(), {{"7.1", "needs 7.2 second"}, {"7.2", "not started"}});
+    CHECK_THAT(course({"list"}).out, ContainsSubstring("Next: 7.2, `second`, in exercises/07_wall_meeting.cpp"));
+
+    remember(course.tree, course.seven(), {{"7.1", "passed"}, {"7.2", "passed"}});
     CHECK_THAT(course({"list"}).out, ContainsSubstring("All exercises are passed."));
 }
 

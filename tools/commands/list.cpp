@@ -43,10 +43,20 @@ void print(const Tree &tree, const Section &section, const Progress &progress) {
     if (progress.changed) std::cout << "  " << file << " has changed since the last check.\n";
 }
 
-/// What to do about the first exercise that is not passed.
+/// The first exercise that is not passed; or the one that it needs, which is not started.
+std::vector<Standing>::const_iterator first_open(const std::vector<Standing> &standings) {
+    const auto open =
+        std::find_if(standings.begin(), standings.end(), [](const Standing &s) { return s.state != "passed"; });
+    if (open == standings.end()) return open;
+    const auto needed = std::find_if(standings.begin(), standings.end(), [&](const Standing &s) {
+        return open->state == "needs " + s.exercise.number + ' ' + s.exercise.function;
+    });
+    return needed == standings.end() ? open : needed;
+}
+
+/// What to do about the first exercise that is open.
 std::string next_step(const Section &section, const Progress &progress) {
-    const auto open = std::find_if(progress.standings.begin(), progress.standings.end(),
-                                   [](const Standing &s) { return s.state != "passed"; });
+    const auto open = first_open(progress.standings);
     const std::string number = section.short_number();
     if (!progress.there) return "./course reset " + number;
     if (progress.changed || open == progress.standings.end()) return "./course check " + number;
