@@ -1,0 +1,71 @@
+#pragma once
+// The game of this chapter, as it grows: a ball on a screen, off a wall that one turns, and on a pool table.
+#include "reflection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reflection {
+
+//> The world
+constexpr double frame_time = 1.0 / 60; ///< [s]
+const Box screen{{0, 0}, {16, 9}};
+
+//> The frame loop: a ball on a screen
+/// One frame of the game: the sides of the screen turn the ball back, and it moves on for `dt` seconds.
+inline void next_frame(Ball &ball, const Box &box, double dt) {
+    ball.velocity = bounce_in_box(ball, box);
+    ball.position += dt * ball.velocity;
+}
+
+//> The frame loop: a ball and a slanted wall
+/// One frame of the game: a ball in front of a wall, which goes through `point` and has no ends.
+/// The normal has length 1, and points to the side where the ball may be.
+inline void next_frame(Ball &ball, const Vec2 &point, const Vec2 &normal, double dt) {
+    const double distance = (ball.position - point).dot(normal); // of its centre from the wall [m]
+    const bool approaches = ball.velocity.dot(normal) < 0;
+    if (distance < ball.radius && approaches) ball.velocity = reflect(ball.velocity, normal);
+    ball.position += dt * ball.velocity;
+}
+
+//> The frame loop: a wall with two ends that one drags
+/// A wall from one point to another; the ball is on its left.
+struct Wall {
+    Vec2 start; ///< [m]
+    Vec2 end;   ///< [m]
+};
+inline void next_frame(Ball &ball, const Wall &wall, double dt) {
+    next_frame(ball, wall.start, unit_normal(wall.start, wall.end), dt);
+}
+
+//> The frame loop: a rough wall
+/// One frame of the game: only a ball that touches the wall is given to 6.4, which asks itself whether it approaches.
+inline void next_frame(Ball &ball, const Vec2 &point, const Vec2 &normal, const Surface &surface, double dt) {
+    if ((ball.position - point).dot(normal) < ball.radius) ball.velocity = bounce(ball.velocity, normal, surface);
+    ball.position += dt * ball.velocity;
+}
+
+//> The frame loop: a ball in a turned box
+/// One frame of the game: the sides of the turned box turn the ball back.
+inline void next_frame(Ball &ball, const Box &box, double angle, double dt) {
+    ball.velocity = bounce_in_rotated_box(ball, box, angle);
+    ball.position += dt * ball.velocity;
+}
+
+//> Folded
+/// Where on the table a ball is that has got to x in the unfolded tables; low and high are its mirrors.
+inline double folded(double x, double low, double high) {
+    const double twice = 2 * (high - low);                  // after two tables everything looks the same again
+    const double way = std::fmod(std::abs(x - low), twice); // to the left of `low` it looks as on its right
+    return low + std::min(way, twice - way);
+}
+
+//> The frame loop: a pool table
+/// The centre of a ball that was pushed in a direction of length 1, and has rolled so far [m].
+inline Vec2 rolled(const Ball &ball, const Box &table, const Vec2 &direction, double way) {
+    const Vec2 unfolded = ball.position + way * direction, edge{ball.radius, ball.radius};
+    const Vec2 low = table.low + edge, high = table.high - edge;
+    return {folded(unfolded.x(), low.x(), high.x()), folded(unfolded.y(), low.y(), high.y())};
+}
+//>
+} // namespace reflection

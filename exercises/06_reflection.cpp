@@ -1,0 +1,77 @@
+// Section 6, Reflection. Replace a whole `throw ...;` with your own code, save, and look:  ./course check 6
+// The lines above each `throw` refuse numbers that make no sense; leave them as they are.
+
+#include "reflection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reflection {
+
+static void require_ball_in_box(const Ball &ball, const Box &box) {
+    course::require_range(ball.position, ball.velocity, ball.radius, box.low, box.high);
+    course::require(ball.radius >= 0, "radius [m] must not be negative", ball.radius);
+    const double room = (box.high - box.low).minCoeff() - 2 * ball.radius;
+    course::require(room > 0, "the box must be wider and higher than the ball: its room [m] must be positive", room);
+}
+
+// 6.1 core
+Vec2 bounce_in_box(const Ball &ball, const Box &box) {
+    require_ball_in_box(ball, box);
+    throw course::NotYet{"where are the edges of the ball, and which side has one of them passed?"};
+}
+
+static void require_normal(const Vec2 &normal) {
+    course::require_range(normal);
+    course::require(normal.norm() > 0, "the length of the normal must be positive", normal.norm());
+}
+
+// 6.2 core
+Vec2 reflect(const Vec2 &velocity, const Vec2 &normal) {
+    course::require_range(velocity);
+    require_normal(normal);
+    throw course::NotYet{"what is the normal part of the velocity?"};
+}
+
+// 6.3 core
+Vec2 unit_normal(const Vec2 &start, const Vec2 &end) {
+    course::require_range(start, end);
+    const double length = (end - start).norm(); // of the wall [m]
+    course::require(length > 0, "the length of the wall [m] must be positive", length);
+    throw course::NotYet{"how far does the wall go to the right, and how far up?"};
+}
+
+// 6.4 stretch
+Vec2 bounce(const Vec2 &velocity, const Vec2 &normal, const Surface &surface) {
+    course::require_range(velocity, surface.restitution, surface.mu_k);
+    require_normal(normal);
+    course::require(surface.restitution >= 0 && surface.restitution <= 1, "restitution must be from 0 to 1",
+                    surface.restitution);
+    course::require(surface.mu_k >= 0, "mu_k must not be negative", surface.mu_k);
+    throw course::NotYet{"what are the normal part and the tangential part of the velocity?"};
+}
+
+// 6.5 stretch
+Vec2 bounce_in_rotated_box(const Ball &ball, const Box &box, double angle) {
+    require_ball_in_box(ball, box);
+    course::require_range(angle);
+    throw course::NotYet{"where is the ball, as seen from the box?"};
+}
+
+static void require_inside(const Ball &ball, const Vec2 &centre, const Box &table) {
+    course::require_range(centre);
+    const double room = std::min((centre - table.low).minCoeff(), (table.high - centre).minCoeff()) - ball.radius;
+    course::require(room >= 0, "a centre must not be closer to a side than the radius: its distance [m]", room);
+}
+
+// 6.6 challenge
+Vec2 bank_shot(const Ball &ball, const Vec2 &target, const Box &table, int across, int up) {
+    require_ball_in_box(ball, table);
+    require_inside(ball, ball.position, table);
+    require_inside(ball, target, table);
+    course::require(std::abs(across) <= 100, "across must be from -100 to 100", across);
+    course::require(std::abs(up) <= 100, "up must be from -100 to 100", up);
+    throw course::NotYet{"where does the ball see the target, so many mirrors away?"};
+}
+
+} // namespace reflection

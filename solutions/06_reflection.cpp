@@ -1,0 +1,105 @@
+#include "reflection.hpp"
+
+#include <algorithm>
+
+namespace reflection {
+
+//> Solution: a good ball in a good box
+static void require_ball_in_box(const Ball &ball, const Box &box) {
+    course::require_range(ball.position, ball.velocity, ball.radius, box.low, box.high);
+    course::require(ball.radius >= 0, "radius [m] must not be negative", ball.radius);
+    const double room = (box.high - box.low).minCoeff() - 2 * ball.radius;
+    course::require(room > 0, "the box must be wider and higher than the ball: its room [m] must be positive", room);
+}
+
+//> Solution 6.1: bounce in a box
+Vec2 bounce_in_box(const Ball &ball, const Box &box) {
+    require_ball_in_box(ball, box);
+    double x = ball.velocity.x(), y = ball.velocity.y();
+    if (ball.position.x() - ball.radius < box.low.x() && x < 0) x = -x;
+    if (ball.position.x() + ball.radius > box.high.x() && x > 0) x = -x;
+    if (ball.position.y() - ball.radius < box.low.y() && y < 0) y = -y;
+    if (ball.position.y() + ball.radius > box.high.y() && y > 0) y = -y;
+    return {x, y};
+}
+
+//> Solution: a good normal
+static void require_normal(const Vec2 &normal) {
+    course::require_range(normal);
+    course::require(normal.norm() > 0, "the length of the normal must be positive", normal.norm());
+}
+
+//> Solution 6.2: reflect
+Vec2 reflect(const Vec2 &velocity, const Vec2 &normal) {
+    course::require_range(velocity);
+    require_normal(normal);
+    const Vec2 n = normal / normal.norm();
+    return velocity - 2 * velocity.dot(n) * n; // once to stop at the wall, once more to leave it
+}
+
+//> Solution 6.3: unit normal
+Vec2 unit_normal(const Vec2 &start, const Vec2 &end) {
+    course::require_range(start, end);
+    const Vec2 wall = end - start;
+    course::require(wall.norm() > 0, "the length of the wall [m] must be positive", wall.norm());
+    return Vec2{-wall.y(), wall.x()} / wall.norm();
+}
+
+//> Solution 6.4: bounce off a surface
+Vec2 bounce(const Vec2 &velocity, const Vec2 &normal, const Surface &surface) {
+    course::require_range(velocity, surface.restitution, surface.mu_k);
+    require_normal(normal);
+    course::require(surface.restitution >= 0 && surface.restitution <= 1, "restitution must be from 0 to 1",
+                    surface.restitution);
+    course::require(surface.mu_k >= 0, "mu_k must not be negative", surface.mu_k);
+    const Vec2 n = normal / normal.norm();
+    const double approach = -velocity.dot(n); // normal speed, towards the wall [m/s]
+    if (approach <= 0) return velocity;
+
+    const Vec2 tangential = velocity + approach * n;
+    const double speed = tangential.norm();
+    const double loss = surface.mu_k * (1 + surface.restitution) * approach; // at most [m/s]
+    const double kept = speed > loss ? (speed - loss) / speed : 0;
+    return kept * tangential + surface.restitution * approach * n;
+}
+
+//> Solution 6.5: bounce in a rotated box
+static Vec2 turned(const Vec2 &v, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+Vec2 bounce_in_rotated_box(const Ball &ball, const Box &box, double angle) {
+    require_ball_in_box(ball, box);
+    course::require_range(angle);
+    const Ball seen{turned(ball.position, -angle), turned(ball.velocity, -angle), ball.radius}; // from the box
+    return turned(bounce_in_box(seen, box), angle);
+}
+
+//> Solution 6.6: a bank shot
+/// Where x is seen, so many mirrors away.
+static double mirrored(double x, double low, double high, int count) {
+    const double shifted = count * (high - low);
+    return count % 2 == 0 ? shifted + x : shifted + low + high - x;
+}
+
+static void require_inside(const Ball &ball, const Vec2 &centre, const Box &table) {
+    course::require_range(centre);
+    const double room = std::min((centre - table.low).minCoeff(), (table.high - centre).minCoeff()) - ball.radius;
+    course::require(room >= 0, "a centre must not be closer to a side than the radius: its distance [m]", room);
+}
+
+Vec2 bank_shot(const Ball &ball, const Vec2 &target, const Box &table, int across, int up) {
+    require_ball_in_box(ball, table);
+    require_inside(ball, ball.position, table);
+    require_inside(ball, target, table);
+    course::require(std::abs(across) <= 100, "across must be from -100 to 100", across);
+    course::require(std::abs(up) <= 100, "up must be from -100 to 100", up);
+    const Vec2 low = table.low + Vec2{ball.radius, ball.radius}, high = table.high - Vec2{ball.radius, ball.radius};
+    const Vec2 image{mirrored(target.x(), low.x(), high.x(), across), mirrored(target.y(), low.y(), high.y(), up)};
+    const Vec2 way = image - ball.position;
+    course::require(way.norm() > 0, "the ball must not be at the image already: its distance [m]", way.norm());
+    return way / way.norm();
+}
+//>
+} // namespace reflection

@@ -1,0 +1,39 @@
+// 06_tasks.mjs NATIVE: what the chapter says of its demo: what comes back, where the ball goes, which shots get there.
+import assert from 'node:assert';
+import { player } from './rows.mjs';
+
+const demo = player(process.argv[2]);
+const seconds = (count) => Array(60 * count).fill('');
+const near = (got, want, by = 0.005) => assert.ok(Math.abs(got - want) < by, `${got}, not ${want}`);
+const last = (chosen, keys) => demo.readouts(demo.values(chosen), keys).at(-1);
+
+{ // the ball of the opening
+  const seen = last({}, ['r', ...seconds(1.5).slice(1), ...seconds(0.5)]);
+  near(seen['after, to the right'], -4.8);
+  near(seen['after, up'], 1.4);
+}
+{ // put far outside, it comes back and stays
+  const seen = demo.readouts(demo.values({ 'The game': 'a screen (6.1)' }), [...seconds(1), 'l', ...seconds(6)]);
+  assert.ok(seen[1]['past a side by'] > 1);
+  assert.ok(seen.at(-1)['past a side by'] < 0.1);
+  near(seen.at(-1).speed, 5);
+}
+for (const turns of [0, 8, -57]) { // the angle out is the angle in; at 45° the ball goes straight to the left
+  const keys = Array(Math.abs(turns)).fill(turns > 0 ? 'u' : 'd');
+  const seen = last({ 'The game': 'a wall (6.2)', speed: 3 }, [...keys, ...seconds(4).slice(keys.length)].slice(0, 120));
+  near(seen['angle out'], seen['angle in'], 1e-9);
+  if (turns === 8) near(seen['after, up'], 0);
+}
+{ // from 0.6 on the ball leaves along the normal
+  const values = { 'The game': 'rough wall (6.4)', speed: 3 };
+  near(last({ ...values, mu_k: 0.6 }, seconds(2))['angle out'], 0, 1e-5);
+  assert.ok(last({ ...values, mu_k: 0.5 }, seconds(2))['angle out'] > 0.1);
+  const smooth = last({ ...values, mu_k: 0, restitution: 1 }, seconds(2));
+  near(smooth['angle out'], smooth['angle in'], 1e-9);
+}
+near(last({ 'The game': 'turned box (6.5)' }, [...Array(50).fill('u'), ...seconds(10)].slice(0, 600)).speed, 5);
+{ // the straight shot hits the ball in the way; over a cushion or two the target is reached
+  const shot = (across, up) => last({ 'The game': 'bank shot (6.6)', across, up }, ['r', ...seconds(5)].slice(0, 300))['target is away by'];
+  const there = [-1, 0, 1].flatMap((across) => [-1, 0, 1].filter((up) => shot(across, up) < 1e-6).map((up) => `${across} ${up}`));
+  assert.deepEqual(there, ['-1 1', '0 1', '1 -1']);
+}
