@@ -8,7 +8,7 @@ set xrange [0:90]; set yrange [0:90]
 set xtics 30; set ytics 30
 set xlabel 'angle in [°]'; set ylabel 'angle out [°]'
 set label 'reflected' at 52,47 left textcolor lt 1
-set label "half of the\nnormal speed" at 25,66 center textcolor lt 3
+set label "half of the normal speed" at 4,79 left textcolor lt 3
 set label "and mu_k = 0.3" at 46,22 left textcolor lt 6 noenhanced
 yours = with_yours("ARG3 using 1:4 every 2 with points lt 2 pt 6 ps 0.9 lw 1.5 title 'yours'")
 plot ARG1 using 1:2 with lines lt 1 notitle, \

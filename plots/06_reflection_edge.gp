@@ -4,7 +4,7 @@ load 'style.gp'
 eval canvas(280)
 set output ARG2
 set key bottom left
-set lmargin 6.5
+set lmargin 7.5
 set xrange [0:10]; set yrange [58:110]
 set xtics 2; set ytics 20
 set xlabel 'frame'; set ylabel 'x [px]'

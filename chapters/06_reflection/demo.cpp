@@ -42,7 +42,7 @@ struct State {
     Game game = you_guess;
     Ball ball{{0, 4.3}, {0, -5}, small};
     int angle_deg = 37; ///< of the wall, or of the box
-    Vec2 guess{0, 3};
+    Vec2 guess{-1.8, 2.4};
     Wall wall{{-4, -2}, {4, 1}};
     Vec2 target{1.5, 0.9};
     bool rolling = false;
@@ -63,6 +63,9 @@ double choice_of(const Input &in) {
 
 Vec2 at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 double angle_of(const State &now) { return now.angle_deg * degree; }
+double angle_between(const Vec2 &a, const Vec2 &b) {
+    return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
+}
 /// Out of the wall that one turns, to the side from which the ball comes.
 Vec2 normal_of(const State &now) {
     return now.game == you_guess ? Vec2{-0.6, 0.8} : at_angle(angle_of(now) + std::numbers::pi / 2);
@@ -201,12 +204,12 @@ void draw_parts(demo::Picture &seen, const State &now, const Vec2 &normal) {
     const Vec2 meets = normal.y() > 0 ? Vec2{0, small / normal.y()} : Vec2{0, 0}; // the ball's centre
     add(seen, Shape::arrow, Colour::pink, 2.5, {meets - before, meets - before + across});
     add(seen, Shape::arrow, Colour::green, 2.5, {meets - along, meets});
-    add_words(seen, meets - before + across + 0.3 * along + Vec2{0.2, 0.3}, "normal part", Colour::pink);
-    add_words(seen, meets - 0.5 * along + Vec2{0.2, -0.5}, "tangential part", Colour::green);
+    add_words(seen, meets - before + 0.5 * across + Vec2{0.2, 0.1}, "normal part", Colour::pink);
+    add_words(seen, meets - 0.5 * along + Vec2{0.4, -0.7}, "tangential part", Colour::green);
     if (!now.met) return;
     add(seen, Shape::arrow, Colour::blue, 3, {meets, meets + scale * now.ball.velocity});
     add_words(seen, meets + 1.1 * scale * now.ball.velocity, "after", Colour::blue);
-    const auto out = [&](const Vec2 &v) { return std::acos(std::clamp(v.normalized().dot(normal), -1.0, 1.0)); };
+    const auto out = [&](const Vec2 &v) { return angle_between(v, normal); };
     say(seen, "angle in", "°", out(-now.before) / degree, 1);
     if (now.ball.velocity.norm() > 0) say(seen, "angle out", "°", out(now.ball.velocity) / degree, 1);
 }
@@ -221,9 +224,8 @@ void draw_wall(demo::Picture &seen, const State &now) {
         add_handle(seen, now.wall.end);
         if (has_length(now.wall)) {
             const Vec2 middle = (now.wall.start + now.wall.end) / 2, n = unit_normal(now.wall.start, now.wall.end);
-            add(seen, Shape::line, Colour::dim, -1.5,
-                {middle - 20 * (now.wall.end - now.wall.start).normalized(),
-                 middle + 20 * (now.wall.end - now.wall.start).normalized()});
+            const Vec2 far = 20 * Vec2{n.y(), -n.x()};
+            add(seen, Shape::line, Colour::dim, -1.5, {middle - far, middle + far});
             add(seen, Shape::arrow, Colour::violet, 3, {middle, middle + n});
             add_words(seen, middle + 1.4 * n, "unit normal (6.3)", Colour::violet);
             say(seen, "normal, to the right", "", n.x());
@@ -245,6 +247,8 @@ void draw_wall(demo::Picture &seen, const State &now) {
         }
     }
     if (now.met) {
+        if (now.game == you_guess)
+            say(seen, "guess off by", "°", angle_between(now.guess, now.ball.velocity) / degree, 0);
         say(seen, "after, to the right", "m/s", now.ball.velocity.x());
         say(seen, "after, up", "m/s", now.ball.velocity.y());
     }
