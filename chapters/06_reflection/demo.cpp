@@ -143,7 +143,7 @@ void drag(State &now, const Input &in) {
     if (now.game == you_guess && there.norm() > 0.1) now.guess = 3 * there.normalized();
     if (now.game == two_ends) (in.handle == 0 ? now.wall.start : now.wall.end) = there;
     if (now.game == off_wall || now.game == rough || now.game == turned_box)
-        now.angle_deg = int(std::round(std::atan2(there.y(), there.x()) / degree));
+        now.angle_deg = int(std::floor(std::atan2(there.y(), there.x()) / degree + 0.5));
     if (now.game == pool) {
         const Vec2 edge{cue.radius, cue.radius};
         const Vec2 inside = there.cwiseMax(table.low + edge).cwiseMin(table.high - edge);
@@ -161,7 +161,7 @@ State next(State now, const Input &in) {
         if (same) fresh.angle_deg = now.angle_deg;
         fresh.target = now.target;
         fresh.chosen = choice_of(in);
-        now = fresh;
+        now = std::move(fresh);
         throw_ball(now, in);
         if (now.game == pool) now.ball = cue;
     }

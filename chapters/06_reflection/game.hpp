@@ -55,9 +55,9 @@ inline void next_frame(Ball &ball, const Box &box, double angle, double dt) {
 //> Folded
 /// Where on the table a ball is that has got to x in the unfolded tables; low and high are its mirrors.
 inline double folded(double x, double low, double high) {
-    const double twice = 2 * (high - low);                  // after two tables everything looks the same again
-    const double way = std::fmod(std::abs(x - low), twice); // to the left of `low` it looks as on its right
-    return low + std::min(way, twice - way);
+    const double twice = 2 * (high - low); // after two tables everything looks the same again
+    const double way = x - low - twice * std::floor((x - low) / twice);
+    return low + std::min(way, twice - way); // on the second of the two the ball is on its way back
 }
 
 //> The frame loop: a pool table
