@@ -106,6 +106,7 @@ double operands(Vec2 a, Vec2 b, double t) {
     Vec2 c = t;                                // A Vec2 has two components: write Vec2{x, y}.
     t = a.x * 2;                               // A call needs parentheses: a.x(), not a.x.
     t = a.x;                                   // A call needs parentheses: a.x(), not a.x.
+    t = -a.x;                                  // A call needs parentheses: a.x(), not a.x.
     return c.x();
 }
 double product(Vec2 a, Vec2 b) {

@@ -65,6 +65,7 @@ constexpr std::array slips{
     Slip{"invalid suffix '", "", missing_star},
     Slip{"unresolved overloaded function type", "", call_it},
     Slip{"cannot resolve overloaded function", "", call_it},
+    Slip{"wrong type argument to unary minus", "", call_it},
     Slip{"(Eigen::MatrixBase<Vec2>::)() const' to type", "", call_it},
     Slip{"no match for call to '(const Vec2) ()'", "", no_call},
     Slip{"no match for call to '(Vec2) ()'", "", no_call},
