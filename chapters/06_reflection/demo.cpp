@@ -25,11 +25,11 @@ const demo::About about{"A ball on a screen, a wall that one turns, and a pool t
                          {"mu_k", "", 0, 1, 0.1, 0.3, {}, {games[4]}},
                          {"across", "tables", -1, 1, 1, 0, {}, {games[6]}},
                          {"up", "tables", -1, 1, 1, 0, {}, {games[6]}}},
-                        {{"r", "Roll", {games[0], games[6]}},
+                        {{"f", "Roll", {games[0], games[6]}},
                          {"l", "One long frame", {games[1]}},
                          {"u", "Turn left", {games[2], games[4], games[5]}},
                          {"d", "Turn right", {games[2], games[4], games[5]}}}};
-const demo::Still still{1.4, "r"};
+const demo::Still still{1.4, "f"};
 
 constexpr double degree = std::numbers::pi / 180;
 const Box whole{{-8, -4.5}, {8, 4.5}}, turning{{-4, -2.5}, {4, 2.5}}, table{{-2.5, -1.5}, {2.5, 1.5}};
@@ -168,7 +168,7 @@ State next(State now, const Input &in) {
     if (in.handle >= 0) drag(now, in);
     now.angle_deg += (in.key == "u") - (in.key == "d");
     if (now.game == off_wall || now.game == rough) now.angle_deg = std::clamp(now.angle_deg, -80, 80);
-    if (in.key == "r") roll(now, in);
+    if (in.key == "f") roll(now, in);
     if (in.key == "l") now.ball.position += 2 * now.ball.velocity; // two seconds in which nobody looks
     for (int due = demo::steps_due(now.spare, in, frame_time); due > 0; --due) step(now, in);
     return now;

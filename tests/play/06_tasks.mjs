@@ -8,7 +8,7 @@ const near = (got, want, by = 0.005) => assert.ok(Math.abs(got - want) < by, `${
 const last = (chosen, keys) => demo.readouts(demo.values(chosen), keys).at(-1);
 
 { // the ball of the opening
-  const seen = last({}, ['r', ...seconds(1.5).slice(1), ...seconds(0.5)]);
+  const seen = last({}, ['f', ...seconds(1.5).slice(1), ...seconds(0.5)]);
   near(seen['after, to the right'], -4.8);
   near(seen['after, up'], 1.4);
 }
@@ -33,7 +33,7 @@ for (const turns of [0, 8, -57]) { // the angle out is the angle in; at 45° the
 }
 near(last({ 'The game': 'turned box (6.5)' }, [...Array(50).fill('u'), ...seconds(10)].slice(0, 600)).speed, 5);
 { // the straight shot hits the ball in the way; over a cushion or two the target is reached
-  const shot = (across, up) => last({ 'The game': 'bank shot (6.6)', across, up }, ['r', ...seconds(5)].slice(0, 300))['target is away by'];
+  const shot = (across, up) => last({ 'The game': 'bank shot (6.6)', across, up }, ['f', ...seconds(5)].slice(0, 300))['target is away by'];
   const there = [-1, 0, 1].flatMap((across) => [-1, 0, 1].filter((up) => shot(across, up) < 1e-6).map((up) => `${across} ${up}`));
   assert.deepEqual(there, ['-1 1', '0 1', '1 -1']);
 }
