@@ -11,9 +11,7 @@ using reflection::Box;
 using reflection::Surface;
 using namespace reflection::subject; // bounce_in_box, reflect, ... bank_shot: the student's
 
-constexpr double rounding = 1e-12; // some dozen operations on numbers of size ten
 constexpr double degree = std::numbers::pi / 180;
-const double too_large = std::nextafter(course::largest, infinity);
 
 namespace {
 

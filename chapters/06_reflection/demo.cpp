@@ -2,8 +2,6 @@
 
 #include "game.hpp"
 
-#include <numbers>
-
 //> The demo
 namespace play {
 using namespace reflection;
@@ -31,7 +29,6 @@ const demo::About about{"A ball on a screen, a wall that one turns, and a pool t
                          {"d", "Turn right", {games[2], games[4], games[5]}}}};
 const demo::Still still{1.4, "f"};
 
-constexpr double degree = std::numbers::pi / 180;
 const Box whole{{-8, -4.5}, {8, 4.5}}, turning{{-4, -2.5}, {4, 2.5}}, table{{-2.5, -1.5}, {2.5, 1.5}};
 const Ball cue{{-1.7, -0.8}, {0, 0}, 0.2};
 const Vec2 room{4.6, 2.6};        // of the cue ball's centre, between the mirrors [m]
@@ -61,14 +58,13 @@ double choice_of(const Input &in) {
     return sum;
 }
 
-Vec2 at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 double angle_of(const State &now) { return now.angle_deg * degree; }
 double angle_between(const Vec2 &a, const Vec2 &b) {
     return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 /// Out of the wall that one turns, to the side from which the ball comes.
 Vec2 normal_of(const State &now) {
-    return now.game == you_guess ? Vec2{-0.6, 0.8} : at_angle(angle_of(now) + std::numbers::pi / 2);
+    return now.game == you_guess ? Vec2{-0.6, 0.8} : at_angle(angle_of(now) + 90 * degree);
 }
 bool has_length(const Wall &wall) { return (wall.end - wall.start).norm() > 0.01; }
 /// Whether the ball in the way would be hit.

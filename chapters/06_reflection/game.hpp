@@ -4,12 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace reflection {
 
 //> The world
 constexpr double frame_time = 1.0 / 60; ///< [s]
 const Box screen{{0, 0}, {16, 9}};
+
+//> Degrees and radians
+constexpr double degree = std::numbers::pi / 180; ///< [rad]
+
+/// A vector of length 1 that points there.
+inline Vec2 at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 //> The frame loop: a ball on a screen
 /// One frame of the game: the sides of the screen turn the ball back, and it moves on for `dt` seconds.

@@ -2,8 +2,6 @@
 
 #include "game.hpp"
 
-#include <numbers>
-
 using namespace reflection;
 using course::row, course::text;
 
@@ -16,12 +14,6 @@ void print_screen(std::ostream &out) {
         next_frame(ball, screen, frame_time);
     }
 }
-
-//> Degrees and radians
-constexpr double degree = std::numbers::pi / 180; // [rad]
-
-/// A vector of length 1 that points there.
-Vec2 at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 //> A wall that one turns
 void print_turns(std::ostream &out) {

@@ -1,11 +1,9 @@
 // 06_tasks.mjs NATIVE: what the chapter says of its demo: what comes back, where the ball goes, which shots get there.
 import assert from 'node:assert';
-import { player } from './rows.mjs';
+import { player, seconds } from './rows.mjs';
 
-const demo = player(process.argv[2]);
-const seconds = (count) => Array(60 * count).fill('');
+const demo = player(process.argv[2]), { last } = demo;
 const near = (got, want, by = 0.005) => assert.ok(Math.abs(got - want) < by, `${got}, not ${want}`);
-const last = (chosen, keys) => demo.readouts(demo.values(chosen), keys).at(-1);
 
 { // the ball of the opening
   const seen = last({}, ['f', ...seconds(1.5).slice(1), ...seconds(0.5)]);
