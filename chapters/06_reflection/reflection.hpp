@@ -4,8 +4,8 @@
 
 /// Section 6: what a wall does to a velocity.
 /// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
-/// An answer is right to twelve digits of the largest number that goes in, unless its function says otherwise. A wall
-/// or a normal shorter than 1e-60 may count as one of length 0.
+/// An answer is right to twelve digits of the largest number that goes in, or of 1 if that is larger, unless its
+/// function says otherwise. A wall or a normal shorter than 1e-60 may count as one of length 0.
 namespace reflection {
 
 using course::Vec2;
@@ -68,7 +68,7 @@ Vec2 bounce(const Vec2 &velocity, const Vec2 &normal, const Surface &surface);
 
 //> Bounce in a rotated box
 /// What `bounce_in_box` says if the box has been turned about the origin, anticlockwise.
-/// A coordinate that is beyond ±1e5 as seen from the box may be refused.
+/// A position or a velocity with a component beyond ±1e5, as seen from the box, may be refused.
 /// @param box    as it was before it was turned
 /// @param angle  [rad], negative: clockwise
 /// @throws std::invalid_argument for what `bounce_in_box` refuses, or if `angle` is not within ±1e5.
@@ -77,7 +77,7 @@ Vec2 bounce_in_rotated_box(const Ball &ball, const Box &box, double angle);
 //> A bank shot
 /// The direction in which to push a ball so that its centre gets to `target` by way of the cushions, without friction:
 /// a vector of length 1 that points from the ball to a mirror image of the target. The velocity of `ball` is of no
-/// account. If the image is less than 1 m away, the direction may be right to fewer digits.
+/// account. If the image is d metres away, and d is less than 1, the error may be 1/d times as large.
 /// @param target  where the centre is to get [m]
 /// @param across  how many tables the image is to the right, negative: to the left, from -100 to 100
 /// @param up      how many tables it is up, negative: down, from -100 to 100
