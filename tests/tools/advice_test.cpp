@@ -53,7 +53,8 @@ TEST_CASE("a compiler's guess at a name of one or two letters is left out: any o
     };
     CHECK(said("‘x0’ was not declared in this scope; did you mean ‘y0’?")
               .starts_with("'x0' was not declared in this scope. If x0 is a letter of a formula, "));
-    CHECK(said("use of undeclared identifier 'v'; did you mean 'a'?") == "use of undeclared identifier 'v'");
+    CHECK(said("use of undeclared identifier 'v'; did you mean 'a'?")
+              .starts_with("use of undeclared identifier 'v'. A field needs its struct, "));
     const std::string useful = "'velocty' was not declared in this scope; did you mean 'velocity'?";
     CHECK(said(useful) == useful);
 }
@@ -74,6 +75,14 @@ TEST_CASE("what GCC says of a vector whose parts are gone is said in words") {
     CHECK(find_warnings(plain_output(place + "‘*(__m128d*)((char*)&v" + parts), file, "11.cpp")
               .at(0)
               .ends_with("uninitialized"));
+}
+
+TEST_CASE("a type that the compiler also calls double is shown as double") {
+    for (const char *type : {"‘Eigen::GenericNumTraits<double>::Real’ {aka ‘double’}",
+                             "'typename ScalarBinaryOpTraits<double, double>::ReturnType' (aka 'double')"})
+        CHECK(diagnose_compiler("/x/06.cpp:3:5: error: conversion from " + std::string{type} + " to 'Vec2'\n",
+                                "/x/06.cpp", "06.cpp")
+                  .sentence.starts_with("conversion from 'double' to 'Vec2'"));
 }
 
 TEST_CASE("the slips that are made most are explained, whatever the compiler calls them") {

@@ -238,4 +238,48 @@ double calls_of_functions(const Spark &spark, double angle, double g) {
     angle = by(-g, 1);                         // A Vec2 has two components: write Vec2{x, y}.
     return angle;
 }
+struct Disc { Vec2 position, velocity; double radius{}; };
+Vec2 turned(const Vec2 &v, double angle);
+Vec2 minus_a_number(const Vec2 &velocity, const Vec2 &normal) {
+    if (normal.x() > 0) return velocity - velocity.dot(normal); // a.dot(b) is a number; a.dot(b) * b is a vector.
+    const Vec2 part = velocity.dot(normal);    // a.dot(b) is a number; a.dot(b) * b is a vector.
+    const Vec2 n = normal.norm();              // a.norm() is a number; a / a.norm() is a vector of length 1.
+    if (n.x() > 0) return velocity - 2 * dot(velocity, normal) * normal; // For the dot product of two vectors write a.dot(b).
+    if (n.x() > 1) return velocity - 2 velocity.dot(normal) * normal; // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
+    if (n.x() > 2) return velocity.dot(n.x()) * velocity; // A dot product has a vector on each side: a.dot(b).
+    return velocity - 2 * velocity.dot(normal); // a.dot(b) is a number; a.dot(b) * b is a vector.
+}
+Vec2 used_too_early(const Vec2 &velocity, const Vec2 &normal, const Disc &disc, double angle) {
+    if (velocity.dot(n) > 0) return velocity;  // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
+    if (angle > 0) return turned(disc, -angle); // A Disc is a struct: use its fields, one at a time.
+    const part = velocity.dot(normal) * normal; // A variable needs its type: const Vec2 a = …; or const double a = …;
+    const seen{velocity, 2};                   // A variable needs its type: const Vec2 a = …; or const double a = …;
+    const Vec2 normal = normal / normal.norm(); // The name is taken already: use what has it, or choose another name.
+    return velocity;
+}
+Vec2 without_a_type(Vec2 v, angle) {           // A parameter needs its type, too: (Vec2 v, double t).
+    return v;
+}
+Vec2 questions(const Vec2 &v, double x, double y, double count) {
+    if ((x > 2 && y > 2) x = -x;               // Count the parentheses of the if: is a ) missing?
+    if (x > 2) x = -x;
+    else (y > 2) y = -y;                       // A question after else needs an if of its own: else if (t < 1) …
+    if (x > 2) && (y > 2) x = -x;              // One pair of parentheses holds the whole question: if (a > 0 && b > 0) …
+    if (x > 2) || (y > 2) x = -x;              // One pair of parentheses holds the whole question: if (a > 0 && b > 0) …
+    if (x => 2) x = -x;                        // At least is >=, and at most is <=: the = comes last.
+    if (x =< 2) x = -x;                        // At least is >=, and at most is <=: the = comes last.
+    if (x > 3);                                // The ; behind the parentheses ends the if: remove it.
+    x = count % 2;                             // % is for whole numbers: make both an int.
+    return {x, y};
+}
+Vec2 questions_to_a_return(const Vec2 &v, const Vec2 &normal) {
+    if (v.dot(normal) > 0 return v;            // Count the parentheses of the if: is a ) missing?
+    return normal;
+}
+Vec2 turned_by_std(const Vec2 &v, double angle) {
+    const double c = std::cos angle;           // A call needs parentheses: std::cos(…).
+    Vec2 w = std::cos angle * v;               // A call needs parentheses: std::cos(…).
+    w.x() = v.x() * std::cos angle - v.y();    // A call needs parentheses: std::cos(…).
+    return w;
+}
 bool nothing(bool none, Vec2 a);               // The header gives this function another result: copy its line from there.

@@ -43,6 +43,9 @@ constexpr const char *count_arguments = "Look up in the header how many argument
 constexpr const char *one_value =
     "push_back takes one value: a Vec2 or a struct in braces, push_back({a, b}), or one number at a time.";
 constexpr const char *once_each = "push_back takes one value: call it once for each number.";
+constexpr const char *write_dot = "For the dot product of two vectors write a.dot(b).";
+constexpr const char *dot_is_number = "a.dot(b) is a number; a.dot(b) * b is a vector.";
+constexpr const char *name_taken = "The name is taken already: use what has it, or choose another name.";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
 /// A slip that the compiler's words alone give away, or together with a word of its notes.
@@ -78,7 +81,7 @@ constexpr std::array slips{
     Slip{"do not have their mathematical meaning", "", two_at_a_time},
     Slip{"with boolean expression is always", "", two_at_a_time},
     Slip{"with expression of type 'bool' is always", "", two_at_a_time},
-    Slip{"product of Vec2s", "", "For the dot product of two vectors write a.dot(b)."},
+    Slip{"product of Vec2s", "", write_dot},
     Slip{"INVALID_VECTOR_VECTOR_PRODUCT", "", "Two vectors have no product with *: a.dot(b) is their dot product."},
     Slip{"IT_IS_READ_ONLY", "", "Write Vec2 in the place of auto."},
     Slip{"FLOATING_POINT_ARGUMENT_PASSED__INTEGER_WAS_EXPECTED", "", two_components},
@@ -96,6 +99,9 @@ constexpr std::array slips{
     Slip{"of type 'const char *' with an rvalue", "", double_quotes},
     Slip{"shadows a previous local", "", one_more},
     Slip{"declaration shadows a local variable", "", one_more},
+    Slip{"shadows a parameter", "", name_taken},
+    Slip{"redeclaration of '", "", name_taken},
+    Slip{"with a different type: '", "", name_taken}, // Clang: redefinition of 'a' with a different type: 'b' vs 'c'
     Slip{"of different signedness", "", count_in_size},
     Slip{"of different signs", "", count_in_size},
     Slip{"conversion from 'double' to 'int'", "", whole_number},
@@ -134,8 +140,7 @@ bool is_optional(std::string_view type) { return contains(type, "std::optional<"
 bool is_vector(std::string_view type) { return type.ends_with("Vec2") || type.ends_with("expression of Vec2s"); }
 bool is_number(std::string_view type) {
     if (type.starts_with("const ")) type.remove_prefix(6);
-    return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int"
-           || type.ends_with("NumTraits<double>::Real"); // what norm() returns
+    return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int";
 }
 
 /// A struct of the course or the student's own: State, as the compiler writes it; or else nothing.
@@ -146,7 +151,7 @@ std::string struct_name(std::string_view type) {
     if (const std::size_t colon = type.rfind(':'); colon != type.npos) type.remove_prefix(colon + 1);
     const bool is_name =
         type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789") == type.npos;
-    if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2" || type == "Real") return {};
+    if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2") return {};
     return std::string{type};
 }
 
@@ -154,6 +159,14 @@ std::string struct_name(std::string_view type) {
 std::string about_fields(const std::string &name) {
     const bool vowel = contains("AEIOU", name.substr(0, 1));
     return (vowel ? "An " : "A ") + name + " is a struct: use its fields, one at a time.";
+}
+
+bool is_in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// A name or a number with which this begins; or nothing.
+std::string_view first_word(std::string_view code) {
+    const auto end = std::find_if_not(code.begin(), code.end(), is_in_a_name);
+    return code.substr(0, static_cast<std::size_t>(end - code.begin()));
 }
 
 /// a, b or (a, b): a comma that is in no inner brackets.
@@ -194,6 +207,20 @@ std::string about_semicolon(const Said &said) {
     return at_the_end ? "A ; is missing at the end of this line." : "";
 }
 
+/// 2 velocity, where the compiler ends the sum after the 2.
+bool number_meets_name(std::string_view code) {
+    code = code.substr(0, code.find("//"));
+    for (std::size_t blank = 0; (blank = code.find(' ', blank)) != code.npos; ++blank) {
+        const std::string_view left = code.substr(0, blank), right = without_blanks(code.substr(blank));
+        const std::size_t before = left.find_last_not_of("0123456789.");
+        const bool is_literal = before + 1 < left.size() && (before == left.npos || !is_in_a_name(left[before]));
+        if (is_literal && !right.empty() && is_in_a_name(right[0]) && first_word(right) != "and"
+            && first_word(right) != "or")
+            return true;
+    }
+    return false;
+}
+
 /// 0.5(a + b), 2 t
 std::string about_missing_star(const Said &said) {
     const auto names = in_quotes(said.words);
@@ -201,14 +228,14 @@ std::string about_missing_star(const Said &said) {
     if (contains(said.words, "expression cannot be used as a function")
         || (said.words.starts_with("called object type '") && is_number(names[0])))
         return said.code.find("()", caret) == caret ? no_call : missing_star; // box.mass()
+    const bool cannot_add = contains(said.words, "operand types are '") || contains(said.words, "binary expression (");
+    if (cannot_add && number_meets_name(said.code)) return missing_star;
     if (!said.words.starts_with("expected") || !contains(said.words, "';'")) return {};
     if (caret >= said.code.size()) return {};
     const std::string_view left = without_blanks_behind(std::string_view{said.code}.substr(0, caret)),
                            right = without_blanks(std::string_view{said.code}.substr(caret));
-    const auto is_in_a_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     if (left.empty() || right.empty() || !(is_in_a_name(left.back()) || left.ends_with(')'))) return {};
-    const std::string_view word = right.substr(
-        0, static_cast<std::size_t>(std::find_if_not(right.begin(), right.end(), is_in_a_name) - right.begin()));
+    const std::string_view word = first_word(right);
     for (const char *statement : {"", "return", "if", "for", "while", "else", "const", "auto", "double", "int"})
         if (word == statement) return {};
     return missing_star;
@@ -222,10 +249,73 @@ std::string about_power(const Said &said) {
     return dereferences && contains(said.code, "**") ? "** is not a power: write t * t." : "";
 }
 
-/// if t < 1
+/// Where the parenthesis closes that opens at `from`, or npos.
+std::size_t where_it_closes(std::string_view code, std::size_t from) {
+    int open = 0;
+    for (std::size_t i = from; i < code.size(); ++i) {
+        if (code[i] == '(') ++open;
+        if (code[i] == ')' && --open == 0) return i;
+    }
+    return code.npos;
+}
+
+/// if t < 1, if (t < 1 x = 2, if (t < 1) && (t > 0), else (t < 1), if (t < 1);
 std::string about_if(const Said &said) {
-    const bool no_bracket = said.words.starts_with("expected '(' ");
-    return no_bracket && contains(said.code, "if ") ? "An if needs parentheses: if (t < 1) …" : "";
+    const std::string_view code = without_blanks_behind(std::string_view{said.code}.substr(0, said.code.find("//")));
+    if (said.words.starts_with("expected '(' ") && contains(code, "if "))
+        return "An if needs parentheses: if (t < 1) …";
+    if (contains(said.words, "expected ';'") && contains(code, "else ("))
+        return "A question after else needs an if of its own: else if (t < 1) …";
+    const std::size_t begins = code.find("if (");
+    if (begins == code.npos) return {};
+    const std::size_t end = where_it_closes(code, begins + 3);
+    if (end == code.npos)
+        return said.words.starts_with("expected ';' before") || said.words == "expected ')'"
+                   ? "Count the parentheses of the if: is a ) missing?"
+                   : "";
+    const std::string_view behind = without_blanks(code.substr(end + 1));
+    if (behind.starts_with("&&") || behind.starts_with("||"))
+        return "One pair of parentheses holds the whole question: if (a > 0 && b > 0) …";
+    const bool is_empty = contains(said.words, "empty body") || contains(said.words, "does not guard");
+    return is_empty && behind == ";" ? "The ; behind the parentheses ends the if: remove it." : "";
+}
+
+/// t => 1
+std::string about_order(const Said &said) {
+    const bool no_operand =
+        said.words.starts_with("expected primary-expression") || said.words == "expected expression";
+    const bool turned_round = contains(said.code, "=>") || contains(said.code, "=<");
+    return no_operand && turned_round ? "At least is >=, and at most is <=: the = comes last." : "";
+}
+
+/// const part = …, and a parameter: (Vec2 v, angle)
+std::string about_missing_type(const Said &said) {
+    const std::string_view code = without_blanks(said.code);
+    const auto names = in_quotes(said.words);
+    if (contains(said.words, "does not name a type") || contains(said.words, "requires a type specifier")) {
+        const std::string_view name = code.starts_with("const ") ? first_word(code.substr(6)) : "";
+        if (name.empty() || name == "Vec2") return {};
+        const std::string_view behind = without_blanks(code.substr(6 + name.size()));
+        return behind.starts_with('=') || behind.starts_with('{')
+                   ? "A variable needs its type: const Vec2 a = …; or const double a = …;"
+                   : "";
+    }
+    if (!contains(said.words, "has not been declared") && !contains(said.words, "unknown type name")) return {};
+    const std::string parameter = ", " + (names.empty() ? "" : names[0]);
+    const std::size_t at = code.find(parameter);
+    const bool ends = at != code.npos && contains(",)", code.substr(at + parameter.size(), 1));
+    return ends ? "A parameter needs its type, too: (Vec2 v, double t)." : "";
+}
+
+/// std::cos angle
+std::string about_function_of_std(const Said &said) {
+    if (!contains(said.words, "overloaded function")) return {};
+    for (std::size_t at = 0; (at = said.code.find("std::", at)) != said.code.npos; at += 5) {
+        const std::string_view rest = std::string_view{said.code}.substr(at + 5), name = first_word(rest);
+        if (name.size() < rest.size() && rest[name.size()] == ' ')
+            return "A call needs parentheses: std::" + std::string{name} + "(…).";
+    }
+    return {};
 }
 
 /// 2 * {x, y}: Clang names the operator, GCC stops at the brace, as it does elsewhere too. {x, y} / 2: both want a ;.
@@ -259,10 +349,8 @@ std::string about_condition(const Said &said) {
         if (contains(said.words, words)) cannot_assign = true;
     const std::size_t begins = std::min(said.code.find("if ("), said.code.find("while ("));
     if (!cannot_assign || begins == said.code.npos) return {};
-    int open = 0;
-    for (std::size_t i = said.code.find('(', begins); i + 1 < said.code.size(); ++i) {
-        if (said.code[i] == '(') ++open;
-        if (said.code[i] == ')' && --open == 0) break;
+    const std::size_t end = std::min(where_it_closes(said.code, said.code.find('(', begins)), said.code.size() - 1);
+    for (std::size_t i = said.code.find('(', begins); i < end; ++i) {
         const bool compares = said.code[i + 1] == '=' || contains("=<>!", said.code.substr(i - 1, 1));
         if (said.code[i] == '=' && !compares) return compare_it;
     }
@@ -301,6 +389,7 @@ std::string about_argument(const Said &said) {
     const std::string &given = types[gcc ? 1 : 0];
     const bool wants_vector = gcc ? types[0].ends_with("Vec2&") : is_vector(types[1]);
     if (wants_vector && is_number(given)) return two_components;
+    if (wants_vector && !struct_name(given).empty()) return about_fields(struct_name(given));
     const std::string whole = struct_name(gcc ? types.front() : types.back());
     if (whole.empty()) return {};
     if (is_number(given))
@@ -309,6 +398,13 @@ std::string about_argument(const Said &said) {
                  "in braces, in the order of the header.";
     return is_vector(given) || !struct_name(given).empty()
                ? "A " + whole + " is wanted here: put its fields in braces, in the order of the header."
+               : "";
+}
+
+/// velocity.dot(2)
+std::string about_dot(const Said &said) {
+    return contains(said.words, "::dot(") || contains(said.words, "function for call to 'dot'")
+               ? "A dot product has a vector on each side: a.dot(b)."
                : "";
 }
 
@@ -331,6 +427,9 @@ std::string about_operands(const Said &said) {
     if (!gcc && !contains(said.words, "invalid operands to binary expression (")) return {};
     if (contains(said.words, "operator^") || (!gcc && contains(said.code, "^")))
         return "^ is not a power: write t * t.";
+    const std::size_t caret = said.caret.find('^'); // below the operator
+    const std::string at_caret = caret < said.code.size() ? said.code.substr(caret, 1) : "";
+    if (contains(said.words, "operator%") || at_caret == "%") return "% is for whole numbers: make both an int.";
     const auto names = in_quotes(said.words);
     const bool operator_first = contains(said.words, "no match for '");
     if (names.size() < (operator_first ? 3 : 2)) return {};
@@ -345,11 +444,12 @@ std::string about_operands(const Said &said) {
         return "No vector is larger than another: compare their components, or their lengths.";
     if (is_vector(left) && is_vector(right) && contains(asked, gcc ? "operator/" : " / "))
         return "No vector can be divided by a vector: divide by its length, a / a.norm().";
-    if ((is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right)))
+    const bool mixed = (is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right));
+    if (mixed && contains(said.code, ".dot(")) return dot_is_number;
+    if (mixed)
         return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
                "a.norm().";
-    const std::size_t caret = said.caret.find('^'); // below the operator
-    const bool computes = caret < said.code.size() && contains("+-*/", said.code.substr(caret, 1));
+    const bool computes = !at_caret.empty() && contains("+-*/", at_caret);
     for (const std::string &operand : {left, right})
         if (const std::string name = struct_name(operand); computes && !name.empty()) return about_fields(name);
     return {};
@@ -379,6 +479,7 @@ std::string about_unknown_name(const Said &said) {
     if (!unknown || names.empty()) return {};
     if (names[0] == "pi" || names[0] == "PI") return write_pi;
     if (names[0] == "norm" || names[0] == "length") return length_of_vector;
+    if (names[0] == "dot") return write_dot;
     if (contains(said.words, "std::")) return {};
     for (const auto &[name, header] : standards)
         if (names[0] == name && names[0] != header) // a list of your own may be called `numbers`
@@ -429,7 +530,10 @@ std::string about_conversion(const Said &said) {
         return "It may be nothing: ask first, if (found), and then write *found.";
     if (is_vector(from) && is_number(to))
         return "A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().";
-    if (is_number(from) && is_vector(to)) return two_components;
+    if (is_number(from) && is_vector(to)) {
+        if (contains(said.code, ".norm();")) return "a.norm() is a number; a / a.norm() is a vector of length 1.";
+        return contains(said.code, ".dot(") ? dot_is_number : two_components;
+    }
     if (is_number(from) && !struct_name(to).empty())
         return "A " + struct_name(to) + " is wanted here: put its fields in braces, in the order of the header.";
     if (!struct_name(from).empty() && (is_vector(to) || is_number(to))) return about_fields(struct_name(from));
@@ -471,12 +575,24 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
     return text.size();
 }
 
+/// 'Eigen::…::ReturnType' {aka 'double'}, what dot() returns, is 'double'.
+void name_doubles(std::string &text) {
+    for (const char *known : {"' {aka 'double'}", "' (aka 'double')"})
+        for (std::size_t at; (at = text.find(known)) != text.npos && at > 0;) {
+            const std::size_t begin = text.rfind('\'', at - 1);
+            if (begin == text.npos) return;
+            text.replace(begin, at + std::string_view{known}.size() - begin, "'double'");
+        }
+}
+
 } // namespace
 
 std::string advice(const Said &said) {
-    for (const auto about : {about_else, about_return, about_condition, about_semicolon, about_missing_star,
-                             about_power, about_if, about_braces, about_member, about_argument, about_function,
-                             about_operands, about_conversion, about_two_types, about_header, about_unknown_name})
+    for (const auto about :
+         {about_else,      about_if,         about_order,        about_missing_type, about_return,
+          about_condition, about_semicolon,  about_missing_star, about_power,        about_function_of_std,
+          about_braces,    about_member,     about_argument,     about_dot,          about_function,
+          about_operands,  about_conversion, about_two_types,    about_header,       about_unknown_name})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;
@@ -484,6 +600,7 @@ std::string advice(const Said &said) {
 }
 
 std::string with_short_names(std::string text) {
+    name_doubles(text);
     erase_all(text, " {aka ", "}");
     erase_all(text, " (aka '", "')");
     erase_all(text, " [with ", "]");

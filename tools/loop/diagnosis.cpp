@@ -113,12 +113,13 @@ std::string shown(const std::string &file, const std::filesystem::path &students
 
 /// What the compiler says, and what it means.
 std::string explained(const Said &said) {
-    std::string words = said.words;
-    if (words.starts_with("'*(__m128d*)") && contains(words, "&<unnamed>")) // GCC looks into Eigen
+    if (said.words.starts_with("'*(__m128d*)") && contains(said.words, "&<unnamed>")) // GCC looks into Eigen
         return "This vector's parts may be gone by now: if it is declared with auto, write Vec2 instead.";
+    Said known = said;
+    std::string &words = known.words;
     const std::size_t guess = words.find("; did you mean '");
     if (guess != words.npos && between(words, "'", "'").value_or("").size() < 3) words.erase(guess); // 'x0': 'y0'?
-    const std::string more = advice(said);
+    const std::string more = advice(known);
     if (more.empty()) return words;
     return words + (std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? ". " : " ") + more;
 }
