@@ -127,6 +127,8 @@ TEST_CASE("IsNear is absolute below 1, relative above it, and never true of NaN"
     CHECK_FALSE(near(0, NAN, 1e9));
     CHECK_FALSE(near(INFINITY, 1, 1e9));
     CHECK(near(INFINITY, INFINITY, 0));
+    for (const Vector2d &got : {Vector2d{0, NAN}, Vector2d{NAN, 1}, Vector2d{NAN, NAN}, Vector2d{0, INFINITY}})
+        CHECK(mismatch::find<Vector2d>({}, got, {0, 1}, 1e9));
     CHECK(mismatch::find<double>({}, NAN, 1, 0)->not_a_number);
     CHECK_FALSE(mismatch::find<double>({}, 2, 1, 0)->not_a_number);
 }

@@ -34,9 +34,11 @@ template <class T> Mismatch differ(const Place &at, const T &got, const T &want,
 inline bool is_nan(double x) { return std::isnan(x); }
 inline bool is_nan(const Eigen::Vector2d &v) { return v.hasNaN(); }
 inline double distance(double a, double b) { return std::abs(a - b); }
-inline double distance(const Eigen::Vector2d &a, const Eigen::Vector2d &b) { return (a - b).stableNorm(); }
+inline double distance(const Eigen::Vector2d &a, const Eigen::Vector2d &b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y()); // Eigen's stableNorm() of (0, NaN) is 0
+}
 inline double size(double x) { return std::abs(x); }
-inline double size(const Eigen::Vector2d &v) { return v.stableNorm(); }
+inline double size(const Eigen::Vector2d &v) { return std::hypot(v.x(), v.y()); }
 
 /// The first difference, or nothing.
 template <class T> std::optional<Mismatch> find(const Place &at, const T &got, const T &want, double tolerance) {
