@@ -69,8 +69,8 @@ Vec2 bank_shot(const Ball &ball, const Vec2 &target, const Box &table, int acros
     require_ball_in_box(ball, table);
     require_inside(ball, ball.position, table);
     require_inside(ball, target, table);
-    course::require(std::abs(across) <= 100, "across must be from -100 to 100", across);
-    course::require(std::abs(up) <= 100, "up must be from -100 to 100", up);
+    course::require(across >= -100 && across <= 100, "across must be from -100 to 100", across);
+    course::require(up >= -100 && up <= 100, "up must be from -100 to 100", up);
     throw course::NotYet{"where does the ball see the target, so many mirrors away?"};
 }
 

@@ -93,8 +93,8 @@ Vec2 bank_shot(const Ball &ball, const Vec2 &target, const Box &table, int acros
     require_ball_in_box(ball, table);
     require_inside(ball, ball.position, table);
     require_inside(ball, target, table);
-    course::require(std::abs(across) <= 100, "across must be from -100 to 100", across);
-    course::require(std::abs(up) <= 100, "up must be from -100 to 100", up);
+    course::require(across >= -100 && across <= 100, "across must be from -100 to 100", across);
+    course::require(up >= -100 && up <= 100, "up must be from -100 to 100", up);
     const Vec2 low = table.low + Vec2{ball.radius, ball.radius}, high = table.high - Vec2{ball.radius, ball.radius};
     const Vec2 image{mirrored(target.x(), low.x(), high.x(), across), mirrored(target.y(), low.y(), high.y(), up)};
     const Vec2 way = image - ball.position;

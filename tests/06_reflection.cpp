@@ -649,7 +649,7 @@ TEST_CASE("a place too close to a side, the image itself, more than 100 tables, 
     }
     CHECK_REFUSED(bank_shot(cue, {2, 2}, table, 0, 0), "a target where the ball is");
     CHECK_REFUSED(bank_shot({{9, 2}, {0, 0}, 1}, {9, 2}, table, 1, 0), "an image where the ball is");
-    for (const int far : {-std::numeric_limits<int>::max(), -101, 101, std::numeric_limits<int>::max()}) {
+    for (const int far : {std::numeric_limits<int>::min(), -101, 101, std::numeric_limits<int>::max()}) {
         CHECK_REFUSED(bank_shot(cue, {3, 4}, table, far, 0));
         CHECK_REFUSED(bank_shot(cue, {3, 4}, table, 0, far));
     }
