@@ -71,6 +71,8 @@ Vec2 bank_shot(const Ball &ball, const Vec2 &target, const Box &table, int acros
     require_inside(ball, target, table);
     course::require(across >= -100 && across <= 100, "across must be from -100 to 100", across);
     course::require(up >= -100 && up <= 100, "up must be from -100 to 100", up);
+    // This line refuses a ball that is at the image. Put it below your `way` from one to the other, without its slashes:
+    // course::require(way.norm() > 0, "the ball must not be at the image already: its distance [m]", way.norm());
     throw course::NotYet{"where does the ball see the target, so many mirrors away?"};
 }
 

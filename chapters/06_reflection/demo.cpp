@@ -21,8 +21,8 @@ const demo::About about{"A ball on a screen, a wall that one turns, and a pool t
                          {"radius", "m", 0, 2, 0.25, 0.5, {}, {games[1], games[5]}},
                          {"restitution", "", 0, 1, 0.1, 0.5, {}, {games[4]}},
                          {"mu_k", "", 0, 1, 0.1, 0.3, {}, {games[4]}},
-                         {"across", "tables", -1, 1, 1, 0, {}, {games[6]}},
-                         {"up", "tables", -1, 1, 1, 0, {}, {games[6]}}},
+                         {"across", "", -1, 1, 1, 0, {}, {games[6]}},
+                         {"up", "", -1, 1, 1, 0, {}, {games[6]}}},
                         {{"f", "Roll", {games[0], games[6]}},
                          {"l", "One long frame", {games[1]}},
                          {"u", "Turn left", {games[2], games[4], games[5]}},
@@ -165,7 +165,10 @@ State next(State now, const Input &in) {
     now.angle_deg += (in.key == "u") - (in.key == "d");
     if (now.game == off_wall || now.game == rough) now.angle_deg = std::clamp(now.angle_deg, -80, 80);
     if (in.key == "f") roll(now, in);
-    if (in.key == "l") now.ball.position += 2 * now.ball.velocity; // two seconds in which nobody looks
+    if (in.key == "l") { // two seconds in which nobody looks
+        now.ball.position += 2 * now.ball.velocity;
+        now.trail.clear();
+    }
     for (int due = demo::steps_due(now.spare, in, frame_time); due > 0; --due) step(now, in);
     return now;
 }

@@ -7,10 +7,10 @@ using course::row, course::text;
 
 //> A ball on a screen
 void print_screen(std::ostream &out) {
-    out << row({{"t [s]", 7}, {"position [m]", 18}, {"velocity [m/s]", 0}});
+    out << row({{"t [s]", 7}, {"position [m]", 24}, {"velocity [m/s]", 0}});
     Ball ball{{8, 4}, {3.1, 1.9}, 1};
     for (int frame = 0; frame <= 360; ++frame) {
-        if (frame % 60 == 0) out << row({{text(frame / 60), 7}, {text(ball.position), 18}, {text(ball.velocity), 0}});
+        if (frame % 60 == 0) out << row({{text(frame / 60), 7}, {text(ball.position), 24}, {text(ball.velocity), 0}});
         next_frame(ball, screen, frame_time);
     }
 }
