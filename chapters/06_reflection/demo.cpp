@@ -29,11 +29,11 @@ const demo::About about{"A ball on a screen, a wall that one turns, and a pool t
                          {"d", "Turn right", {games[2], games[4], games[5]}}}};
 const demo::Still still{1.4, "f"};
 
-const Box whole{{-8, -4.5}, {8, 4.5}}, turning{{-4, -2.5}, {4, 2.5}}, table{{-2.5, -1.5}, {2.5, 1.5}};
-const Ball cue{{-1.7, -0.8}, {0, 0}, 0.2};
-const Vec2 room{4.6, 2.6};        // of the cue ball's centre, between the mirrors [m]
-const Vec2 in_the_way{0.5, 0.37}; // a ball that must not be hit
-constexpr double small = 0.3;     // the radius of a ball in front of a wall [m]
+const Box whole{{-8, -4.5}, {8, 4.5}}, turning{{-4, -2.5}, {4, 2.5}}, table{{-2.875, -1.725}, {2.875, 1.725}};
+const Ball cue{{-1.955, -0.92}, {0, 0}, 0.23};
+const Vec2 room{5.29, 2.99};          // of the cue ball's centre, between the mirrors [m]
+const Vec2 in_the_way{0.575, 0.4255}; // a ball that must not be hit
+constexpr double small = 0.3;         // the radius of a ball in front of a wall [m]
 
 struct State {
     Game game = you_guess;
@@ -41,7 +41,7 @@ struct State {
     int angle_deg = 37; ///< of the wall, or of the box
     Vec2 guess{-1.8, 2.4};
     Wall wall{{-4, -2}, {4, 1}};
-    Vec2 target{1.5, 0.9};
+    Vec2 target{1.725, 1.035};
     bool rolling = false;
     double way{}, all{}; ///< how far the ball has rolled, and will [m]
     Vec2 before{0, -5};  ///< its velocity before it met the wall [m/s]
@@ -203,7 +203,7 @@ void draw_parts(demo::Picture &seen, const State &now, const Vec2 &normal) {
     const Vec2 meets = normal.y() > 0 ? Vec2{0, small / normal.y()} : Vec2{0, 0}; // the ball's centre
     add(seen, Shape::arrow, Colour::pink, 2.5, {meets - before, meets - before + across});
     add(seen, Shape::arrow, Colour::green, 2.5, {meets - along, meets});
-    add_words(seen, meets - before + 0.5 * across + Vec2{0.2, 0.1}, "normal part", Colour::pink);
+    add_words(seen, meets - before + Vec2{0.3, 0.7}, "normal part", Colour::pink);
     add_words(seen, meets - 0.5 * along + Vec2{0.4, -0.7}, "tangential part", Colour::green);
     if (!now.met) return;
     add(seen, Shape::arrow, Colour::blue, 3, {meets, meets + scale * now.ball.velocity});
@@ -226,7 +226,7 @@ void draw_wall(demo::Picture &seen, const State &now) {
             const Vec2 far = 20 * Vec2{n.y(), -n.x()};
             add(seen, Shape::line, Colour::dim, -1.5, {middle - far, middle + far});
             add(seen, Shape::arrow, Colour::violet, 3, {middle, middle + n});
-            add_words(seen, middle + 1.4 * n, "unit normal (6.3)", Colour::violet);
+            add_words(seen, middle + 1.4 * n, "normal (6.3)", Colour::violet);
             say(seen, "normal, to the right", "", n.x());
             say(seen, "normal, up", "", n.y());
         } else {
@@ -274,7 +274,7 @@ void draw_pool(demo::Picture &seen, const State &now, const Input &in) {
     add(seen, Shape::line, Colour::violet, -1.5, {cue.position, image});
     if (across != 0 || up != 0) add_words(seen, image + Vec2{0.3, 0.2}, "image (6.6)", Colour::violet);
     add(seen, Shape::discs, Colour::dim, cue.radius, {in_the_way});
-    add_words(seen, now.target + Vec2{0.3, 0.2}, "target");
+    add_words(seen, now.target + Vec2{-0.7, 0.8}, "target");
     say(seen, "has rolled", "m", now.way);
     say(seen, "target is away by", "m", (now.ball.position - now.target).norm());
     if (!now.rolling && is_blocked(now.ball.position)) add_words(seen, {-4, 3.5}, "It has hit the ball in the way.");
