@@ -258,8 +258,7 @@ TEST_CASE("erratum E6.4: N = (0, 2) in the place of N' = (0, 1) would make (4, 1
 }
 
 //> Erratum E6.9
-TEST_CASE("erratum E6.9: two bodies that reflect each other like walls do not conserve momentum: 4 kg m/s become -4",
-          "[6.2]") {
+TEST_CASE("erratum E6.9: two bodies that bounce like walls do not conserve momentum: 4 kg m/s become -4", "[6.2]") {
     const Vec2 light = reflect({4, 0}, {1, 0}), heavy = reflect({0, 0}, {1, 0});
     CHECK_THAT(1 * light.x() + 10 * heavy.x(), IsNear(-4.0, rounding).of("momentum after, from 4 [kg m/s]"));
 }

@@ -203,7 +203,7 @@ void draw_parts(demo::Picture &seen, const State &now, const Vec2 &normal) {
     const Vec2 meets = normal.y() > 0 ? Vec2{0, small / normal.y()} : Vec2{0, 0}; // the ball's centre
     add(seen, Shape::arrow, Colour::pink, 2.5, {meets - before, meets - before + across});
     add(seen, Shape::arrow, Colour::green, 2.5, {meets - along, meets});
-    add_words(seen, meets - before + Vec2{0.3, 0.7}, "normal part", Colour::pink);
+    add_words(seen, meets - before + Vec2{0.3, 1.2}, "normal part", Colour::pink);
     add_words(seen, meets - 0.5 * along + Vec2{0.4, -0.7}, "tangential part", Colour::green);
     if (!now.met) return;
     add(seen, Shape::arrow, Colour::blue, 3, {meets, meets + scale * now.ball.velocity});
@@ -226,7 +226,7 @@ void draw_wall(demo::Picture &seen, const State &now) {
             const Vec2 far = 20 * Vec2{n.y(), -n.x()};
             add(seen, Shape::line, Colour::dim, -1.5, {middle - far, middle + far});
             add(seen, Shape::arrow, Colour::violet, 3, {middle, middle + n});
-            add_words(seen, middle + 1.4 * n, "normal (6.3)", Colour::violet);
+            add_words(seen, middle + 1.4 * n, "normal", Colour::violet);
             say(seen, "normal, to the right", "", n.x());
             say(seen, "normal, up", "", n.y());
         } else {
