@@ -25,6 +25,12 @@ for (const turns of [0, 8, -57]) { // the angle out is the angle in; the ball's 
   atFirst ??= after(seen);
   near((after(seen) - atFirst - 2 * turns) % 360, 0, 1e-6);
 }
+for (const swapped of [false, true]) { // the ball bounces; with the ends swapped it falls through the wall
+  const ends = swapped ? [[0, 4, 1], [1, -4, -2]] : [[0, -4, -2], [1, 4, 1]];
+  const seen = demo.readouts(demo.values({ 'The game': 'two ends (6.3)' }), [...ends, ...seconds(2).slice(2)]).at(-1);
+  assert.equal(seen['normal, up'] < 0, swapped);
+  assert.equal('after, up' in seen, !swapped);
+}
 { // with restitution 1 the ball leaves along the normal from a mu_k of 0.4 on, with 0.5 from 0.6 on
   const values = { 'The game': 'rough wall (6.4)', speed: 3 };
   const out = (restitution, mu_k) => last({ ...values, restitution, mu_k }, seconds(2))['angle out'];

@@ -38,9 +38,11 @@ export function player(native) {
     /// Its controls as they are at first, but for these.
     values: (chosen) => about.controls.map(({ name, value, options }) => (name in chosen ? (options.length > 0 ? options.indexOf(chosen[name]) : chosen[name]) : value)),
     /// A frame for each of these keys, with '' for none, of 1/60 s; the readouts after the last one in each second.
+    /// In the place of a key, [handle, x, y] drags a handle there.
     readouts(values, keys) {
       const at = (key) => about.keys.findIndex((each) => each.key === key);
-      const rows = run([], keys.map((key) => `${line([1 / 60, 0, 0, 0, 0, 0, -1, at(key)], values)}\n`).join(''));
+      const input = (key) => (Array.isArray(key) ? [key[1], key[2], 1, 1, key[0], -1] : [0, 0, 0, 0, -1, at(key)]);
+      const rows = run([], keys.map((key) => `${line([1 / 60, 0, ...input(key)], values)}\n`).join(''));
       return rows.filter((_, frame) => frame % 60 === 59).map((row) => Object.fromEntries(pictureOf(reader(printedRow(row))).readouts.map(({ name, value }) => [name, value])));
     },
     /// The last ones of these readouts, with these controls.
