@@ -203,7 +203,7 @@ void draw_parts(demo::Picture &seen, const State &now, const Vec2 &normal) {
     const Vec2 meets = normal.y() > 0 ? Vec2{0, small / normal.y()} : Vec2{0, 0}; // the ball's centre
     add(seen, Shape::arrow, Colour::pink, 2.5, {meets - before, meets - before + across});
     add(seen, Shape::arrow, Colour::green, 2.5, {meets - along, meets});
-    add_words(seen, meets - before + Vec2{0.3, 1.2}, "normal part", Colour::pink);
+    add_words(seen, {0.3, std::min(meets.y() - before.y() + 1.5, 4.5)}, "normal part", Colour::pink);
     add_words(seen, meets - 0.5 * along + Vec2{0.4, -0.7}, "tangential part", Colour::green);
     if (!now.met) return;
     add(seen, Shape::arrow, Colour::blue, 3, {meets, meets + scale * now.ball.velocity});
@@ -274,7 +274,7 @@ void draw_pool(demo::Picture &seen, const State &now, const Input &in) {
     add(seen, Shape::line, Colour::violet, -1.5, {cue.position, image});
     if (across != 0 || up != 0) add_words(seen, image + Vec2{0.3, 0.2}, "image (6.6)", Colour::violet);
     add(seen, Shape::discs, Colour::dim, cue.radius, {in_the_way});
-    add_words(seen, now.target + Vec2{-0.7, 0.8}, "target");
+    add_words(seen, now.target + Vec2{-0.7, 1}, "target");
     say(seen, "has rolled", "m", now.way);
     say(seen, "target is away by", "m", (now.ball.position - now.target).norm());
     if (!now.rolling && is_blocked(now.ball.position)) add_words(seen, {-4, 3.5}, "It has hit the ball in the way.");
