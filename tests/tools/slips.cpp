@@ -282,4 +282,26 @@ Vec2 turned_by_std(const Vec2 &v, double angle) {
     w.x() = v.x() * std::cos angle - v.y();    // A call needs parentheses: std::cos(…).
     return w;
 }
+struct Box { Vec2 low, high; };
+double type_with_a_dot(const Box &box, const Disc &disc) {
+    if (disc.radius > Box.high.x()) return 1;  // Box is a type: before the dot, write the name of the parameter or variable, as in box.high.
+    Disc.position.x();                         // Disc is a type: before the dot, write the name of the parameter or variable, as in disc.position.
+    const double length = Vec2.norm();         // Vec2 is a type: before the dot, write the name of the parameter or variable, as in velocity.norm.
+    return Box.low.x();                        // Box is a type: before the dot, write the name of the parameter or variable, as in box.low.
+}
+Vec2 forgotten_variable(const Disc &disc) {
+    if (disc.position.x() > 2) x = 1;          // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
+    return turned_twice(disc.velocity) + y(2); // If turned_twice is a function of yours, put it above the one that calls it.
+}
+Vec2 function_in_a_function(const Vec2 &v) {
+    Vec2 turned_within(const Vec2 &w) {        // A function cannot stand inside another one: put it above. If it is not meant to be inside, a } is missing above this line.
+        return w;
+    }
+    return v;
+}
+double length_of(const Vec2 &part, double x) {
+    if (x > 2) and (x < 3) return 2;           // One pair of parentheses holds the whole question: if (a > 0 && b > 0) …
+    if (x > 2) or (x < 3) return 2;            // One pair of parentheses holds the whole question: if (a > 0 && b > 0) …
+    return std::abs(part);                     // The length of a Vec2 is a.norm().
+}
 bool nothing(bool none, Vec2 a);               // The header gives this function another result: copy its line from there.

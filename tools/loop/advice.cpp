@@ -31,6 +31,9 @@ constexpr const char *answer_a_list = "A list needs braces: return {a}; for one 
 constexpr const char *double_quotes = "Text needs double quotes: \"like this\".";
 constexpr const char *compare_it = "= gives a value; to compare, write ==.";
 constexpr const char *missing_brace = "Is a } missing above this line?";
+constexpr const char *nested =
+    "A function cannot stand inside another one: put it above. If it is not meant to be inside, a } is missing above "
+    "this line.";
 constexpr const char *number_already = "That is a number already: it has no fields.";
 constexpr const char *other_list = "The lists hold different things: begin an empty one, and fill it with push_back.";
 constexpr const char *fields_in_braces =
@@ -90,8 +93,8 @@ constexpr std::array slips{
          "fields one by one, as start.position, start.velocity."},
     Slip{"assignment used as truth value", "", compare_it},
     Slip{"result of an assignment as a condition", "", compare_it},
-    Slip{"function-definition is not allowed here", "", missing_brace},
-    Slip{"function definition is not allowed here", "", missing_brace},
+    Slip{"function-definition is not allowed here", "", nested},
+    Slip{"function definition is not allowed here", "", nested},
     Slip{"expected '}' before 'else'", "", missing_brace},
     Slip{"ambiguating new declaration", "", same_result},
     Slip{"functions that differ only in their return type", "", same_result},
@@ -274,7 +277,8 @@ std::string about_if(const Said &said) {
                    ? "Count the parentheses of the if: is a ) missing?"
                    : "";
     const std::string_view behind = without_blanks(code.substr(end + 1));
-    if (behind.starts_with("&&") || behind.starts_with("||"))
+    const std::string_view joined = first_word(behind);
+    if (behind.starts_with("&&") || behind.starts_with("||") || joined == "and" || joined == "or")
         return "One pair of parentheses holds the whole question: if (a > 0 && b > 0) …";
     const bool is_empty = contains(said.words, "empty body") || contains(said.words, "does not guard");
     return is_empty && behind == ";" ? "The ; behind the parentheses ends the if: remove it." : "";
@@ -408,6 +412,29 @@ std::string about_dot(const Said &said) {
                : "";
 }
 
+/// std::abs(velocity)
+std::string about_absolute(const Said &said) {
+    const bool is_it = contains(said.words, "function for call to 'abs");
+    return is_it && contains(said.words + said.notes, "Vec2") ? length_of_vector : "";
+}
+
+/// Box.high: GCC points at the dot, Clang at the dot or at the type.
+std::string about_type_with_dot(const Said &said) {
+    bool is_it = false;
+    for (const char *words : {"before '.' token", "does not refer to a value", "dot operator on a type", "type name '"})
+        if (contains(said.words, words)) is_it = true;
+    std::size_t from = std::min(said.caret.find('^'), said.code.size());
+    while (from > 0 && is_in_a_name(said.code[from - 1])) --from;
+    const std::string_view code = std::string_view{said.code}.substr(from), type = first_word(code);
+    if (!is_it || type.empty() || type[0] < 'A' || type[0] > 'Z' || !code.substr(type.size()).starts_with('.'))
+        return {};
+    const std::string_view field = first_word(code.substr(type.size() + 1));
+    std::string own = type == "Vec2" ? "velocity" : std::string{type};
+    own[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(own[0])));
+    return std::string{type} + " is a type: before the dot, write the name of the parameter or variable, as in " + own
+           + '.' + std::string{field} + '.';
+}
+
 /// 2 * time_of_flight: the name of a function, which is not called.
 std::string about_function(const Said &said) {
     bool takes_a_value = false;
@@ -467,6 +494,13 @@ constexpr std::array standards{
     Standard{"accumulate", "numeric"}, Standard{"numbers", "numbers"},   Standard{"optional", "optional"},
     Standard{"array", "array"},        Standard{"set", "set"},           Standard{"map", "map"}};
 
+/// Whether a function of this name is called: x(…), and not a.x() or max(…).
+bool is_called(std::string_view code, const std::string &name) {
+    for (std::size_t at = 0; (at = code.find(name + '(', at)) != code.npos; ++at)
+        if (at == 0 || (code[at - 1] != '.' && !is_in_a_name(code[at - 1]))) return true;
+    return false;
+}
+
 /// A name that the compiler does not know and has no guess at: of the standard library, of a function that is defined
 /// further below or not at all, of a field, or of a variable whose braces have ended.
 std::string about_unknown_name(const Said &said) {
@@ -484,7 +518,7 @@ std::string about_unknown_name(const Said &said) {
     for (const auto &[name, header] : standards)
         if (names[0] == name && names[0] != header) // a list of your own may be called `numbers`
             return "Write std::" + names[0] + ", and #include <" + header + "> at the top of your file.";
-    if (contains(said.code, names[0] + '('))
+    if (is_called(said.code, names[0]))
         return "If " + names[0] + " is a function of yours, put it above the one that calls it.";
     if (names[0].size() == 2 && std::isalpha(static_cast<unsigned char>(names[0][0])) != 0
         && std::isdigit(static_cast<unsigned char>(names[0][1])) != 0)
@@ -589,10 +623,10 @@ void name_doubles(std::string &text) {
 
 std::string advice(const Said &said) {
     for (const auto about :
-         {about_else,      about_if,         about_order,        about_missing_type, about_return,
-          about_condition, about_semicolon,  about_missing_star, about_power,        about_function_of_std,
-          about_braces,    about_member,     about_argument,     about_dot,          about_function,
-          about_operands,  about_conversion, about_two_types,    about_header,       about_unknown_name})
+         {about_else,       about_if,           about_order,    about_missing_type,    about_return,   about_condition,
+          about_semicolon,  about_missing_star, about_power,    about_function_of_std, about_braces,   about_member,
+          about_argument,   about_dot,          about_absolute, about_type_with_dot,   about_function, about_operands,
+          about_conversion, about_two_types,    about_header,   about_unknown_name})
         if (std::string means = about(said); !means.empty()) return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;
