@@ -4,7 +4,7 @@ load 'style.gp'
 eval canvas(400)
 set output ARG2
 unset border; unset tics; unset grid; unset xlabel; unset ylabel
-set key top left
+set key center right
 set lmargin 0.5; set rmargin 0.5; set bmargin 0.5
 set size ratio -1
 set xrange [-5.4:5]; set yrange [-5.2:5.2]

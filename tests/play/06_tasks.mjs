@@ -25,6 +25,14 @@ for (const turns of [0, 8, -57]) { // the angle out is the angle in; the ball's 
   atFirst ??= after(seen);
   near((after(seen) - atFirst - 2 * turns) % 360, 0, 1e-6);
 }
+for (const game of ['a wall (6.2)', 'rough wall (6.4)']) { // turned after the meeting, the wall gets a new throw
+  const values = demo.values({ 'The game': game, speed: 3, restitution: 1, mu_k: 0 });
+  for (const turn of ['u', 'd', [0, 1, 3]]) { // by a key, or by the handle
+    const seen = demo.readouts(values, [...seconds(2), turn, ...seconds(2).slice(1)]);
+    assert.deepEqual(seen.map((each) => 'angle out' in each), [false, true, false, true]);
+    for (const each of [seen[1], seen[3]]) near(each['angle out'], each['angle in'], 1e-5);
+  }
+}
 for (const swapped of [false, true]) { // the ball bounces; with the ends swapped it falls through the wall
   const ends = swapped ? [[0, 4, 1], [1, -4, -2]] : [[0, -4, -2], [1, 4, 1]];
   const seen = demo.readouts(demo.values({ 'The game': 'two ends (6.3)' }), [...ends, ...seconds(2).slice(2)]).at(-1);
