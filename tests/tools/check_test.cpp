@@ -136,6 +136,16 @@ TEST_CASE("an answer with nothing to complain of is compiled by Clang, where it 
     CHECK(gcc_compiles("") == 1);
 }
 
+TEST_CASE("what is never reached is told of a file that does not link, too") {
+    const course::OwnFolder own;
+    const fs::path answer = own.path / "answer.cpp";
+    course::write_file(answer, course::read_file(fs::path{COURSE_ROOT} / our_answer)
+                                   + "double nowhere();\ndouble half() {\n    return nowhere();\n    nowhere();\n}\n");
+    const auto done = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
+                                   "check", "7", "--file", answer.string()});
+    CHECK_THAT(done.out, ContainsSubstring("does not link") && ContainsSubstring("is never reached: move it up"));
+}
+
 TEST_CASE("a disk that is full is no verdict, and check exits with 4") {
     REQUIRE(check("7.1", our_answer).code == 0);
     const OtherBuild build{""};

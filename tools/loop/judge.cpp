@@ -133,12 +133,12 @@ struct SubjectBuild {
         Limits limits = compiler_limits;
         limits.processor_time = quick_enough;
         const auto compiled = run(compile_command(*tools.quick), within(limits));
-        return compiled.code == 0 && compiled.err.empty() && !foreign_header() && link(tools.quick_link).code == 0;
+        return compiled.code == 0 && compiled.err.empty() && !foreign_header() && link_with(tools.quick_link).code == 0;
     }
 
     /// By the course's own compiler.
-    /// @return why the subject could not be built
-    std::optional<Verdict> thoroughly(std::vector<std::string> &warnings) const {
+    /// @return why it could not be compiled
+    std::optional<Verdict> compile(std::vector<std::string> &warnings) const {
         const std::string name = tree.shown(file);
         auto command = compile_command(tools.compiler);
         command.insert(command.end(), tools.assembler.begin(), tools.assembler.end());
@@ -157,12 +157,17 @@ struct SubjectBuild {
                                + ", which a check does not allow: it may include headers of the system, of Eigen and "
                                  "of chapters/. Write what you need into the file itself.");
         warnings = find_warnings(said, file, name);
+        return {};
+    }
 
-        const auto linked = link({});
+    /// What that has compiled.
+    /// @return why it could not be linked
+    std::optional<Verdict> link() const {
+        const auto linked = link_with({});
         if (linked.code == 0) return {};
         const std::string linker = plain_output(linked.err);
         auto why = stopped_by_a_limit(linked, linker);
-        return why.empty() ? diagnose_linker(linker, name, section.short_number())
+        return why.empty() ? diagnose_linker(linker, tree.shown(file), section.short_number())
                            : stopped(Kind::does_not_link, std::move(why));
     }
 
@@ -183,7 +188,7 @@ struct SubjectBuild {
     std::optional<fs::path> foreign_header() const {
         return included_from_elsewhere(read_file(includes()), file, scratch.folder, tools.includes);
     }
-    Finished link(const std::vector<std::string> &also) const {
+    Finished link_with(const std::vector<std::string> &also) const {
         std::vector<std::string> command{tools.compiler.program, object(), tools.server.string(),
                                          tools.missing.string(), "-o",     subject()};
         command.insert(command.end(), also.begin(), also.end());
@@ -236,9 +241,12 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     const Scratch scratch{tree.build};
     const SubjectBuild build{tree, section, tools, file, scratch};
     std::vector<std::string> warnings;
-    if (!build.quickly(text))
-        if (auto trouble = build.thoroughly(warnings)) return not_built(*trouble, warnings);
+    const bool is_built = build.quickly(text);
+    if (!is_built)
+        if (auto trouble = build.compile(warnings)) return not_built(*trouble);
     for (const std::string &unreached : find_unreached(text, name)) warnings.push_back(unreached);
+    if (!is_built)
+        if (auto trouble = build.link()) return not_built(*trouble, warnings);
 
     Judgement judgement{
         {}, one_for_each(tests_of(tree, section), run_tests(tree, section, build.subject(), seed)), warnings};
