@@ -79,9 +79,10 @@ if(COURSE_QUICK AND COURSE_QUICK_COMPILER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU
     set(COURSE_QUICK_TRIED "${make_quick}" CACHE INTERNAL "")
   endif()
 endif()
-set(COURSE_QUICK_OBJECT)
+set(COURSE_QUICK_LINK) # empty: the course's own compiler is asked at once
 if(COURSE_QUICK_LOOP AND COURSE_QUICK_FAILS EQUAL 0)
-  set(COURSE_QUICK_OBJECT ${quick}.o)
+  set(COURSE_QUICK_PCH -include-pch ${quick}.pch)
+  set(COURSE_QUICK_LINK ${quick}.o -Wl,--gc-sections)
   add_custom_command(OUTPUT ${quick}.pch
     COMMAND ${make_quick} -o ${quick}.pch -MD -MF ${quick}.d
     DEPENDS ${quick}.hpp ${COURSE_QUICK_COMPILER} DEPFILE ${quick}.d VERBATIM
