@@ -1,10 +1,9 @@
 // 05_tasks.mjs NATIVE: what the chapter says of its demo: where things stop, slip, come back and stick.
 import assert from 'node:assert';
-import { player, seconds } from './rows.mjs';
+import { near, player, seconds } from './rows.mjs';
 
 const { last } = player(process.argv[2]);
 const raised = (count) => Array(count).fill('u');
-const near = (got, want, by = 0.005) => assert.ok(Math.abs(got - want) < by, `${got}, not ${want}`);
 
 for (const velocity of [6, -6, 3.5]) { // pushed at once: it stops at the flag, and stays
   const seen = last({ 'The game': 'it stops (5.2)', velocity }, ['f', ...seconds(4)]);

@@ -1,9 +1,8 @@
 // 06_tasks.mjs NATIVE: what the chapter says of its demo: what comes back, where the ball goes, which shots get there.
 import assert from 'node:assert';
-import { player, seconds } from './rows.mjs';
+import { near, player, seconds } from './rows.mjs';
 
 const demo = player(process.argv[2]), { last } = demo;
-const near = (got, want, by = 0.005) => assert.ok(Math.abs(got - want) < by, `${got}, not ${want}`);
 
 { // the ball of the opening
   const seen = last({}, ['f', ...seconds(1.5).slice(1), ...seconds(0.5)]);

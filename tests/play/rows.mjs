@@ -1,4 +1,5 @@
 // The rows of numbers that a demo writes, as tools/play/host/frame.hpp puts them together.
+import assert from 'node:assert';
 import { execFileSync } from 'node:child_process';
 
 /// Takes one thing after the other from a row.
@@ -29,6 +30,9 @@ export const printedRow = (text) => text.trim().split(' ').map((word) => {
 
 /// As many frames as last so many seconds, without a key.
 export const seconds = (count) => Array(60 * count).fill('');
+
+/// A readout, which shows two digits behind the point.
+export const near = (got, want, by = 0.005) => assert.ok(Math.abs(got - want) < by, `${got}, not ${want}`);
 
 /// A demo that was built without a page.
 export function player(native) {
