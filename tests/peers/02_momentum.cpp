@@ -1,9 +1,8 @@
 // needs box2d box2d::box2d libbox2d-dev
 // Box2D computes in float, with seven digits, so that is how far apart we are.
+#include "box2d.hpp"
 #include "momentum.hpp"
 #include "peer.hpp"
-
-#include <box2d/box2d.h>
 
 #include <algorithm>
 #include <cmath>
@@ -135,9 +134,7 @@ double compare_impulses(Dice &dice) {
 
 int main(int argc, char **argv) {
     return course::compare_with_peer(
-        argc, argv,
-        "Compared with Box2D " + std::to_string(b2_version.major) + '.' + std::to_string(b2_version.minor)
-            + " in 32-bit numbers, 100000 random cases each",
+        argc, argv, "Compared with " + course::box2d_name() + " in 32-bit numbers, 100000 random cases each",
         {{"acceleration_due_to: of the forces' sizes, added up and divided by the mass", compare_accelerations},
          {"elastic_collision: of the largest velocity", compare_elastic_collisions},
          {"collide: of the largest velocity", compare_collisions},

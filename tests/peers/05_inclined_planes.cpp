@@ -2,11 +2,11 @@
 // needs box2d box2d::box2d libbox2d-dev
 // GSL moves things with an integrator of its own, and finds when they stop by a search for a root.
 // Box2D is an engine: it holds boxes on slopes, or lets them slide, in floats and with one coefficient of friction.
+#include "box2d.hpp"
 #include "gsl.hpp"
 #include "inclined_planes.hpp"
 #include "peer.hpp"
 
-#include <box2d/box2d.h>
 #include <gsl/gsl_version.h>
 
 #include <array>
@@ -168,8 +168,7 @@ double compare_slips(Dice &dice) {
 int main(int argc, char **argv) {
     return course::compare_with_peer(
         argc, argv,
-        "Compared with GSL " GSL_VERSION " and Box2D " + std::to_string(b2_version.major) + '.'
-            + std::to_string(b2_version.minor) + '.' + std::to_string(b2_version.revision)
+        "Compared with GSL " GSL_VERSION " and " + course::box2d_name()
             + ", 20000 random cases each, 200 with *, 20 with **",
         {{"stopping_distance*: moved until it rests, of itself", compare_distances},
          {"incline_acceleration*: a box in Box2D, held or sliding, in floats [m/s²]", compare_slopes},

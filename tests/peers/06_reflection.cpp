@@ -1,12 +1,12 @@
 // needs box2d box2d::box2d libbox2d-dev
 // Eigen reflects a vector as linear algebra does, by Householder's matrix, and turns it by rotations as matrices.
 // Box2D is an engine: it bounces balls off walls in floats, with restitution and friction.
+#include "box2d.hpp"
 #include "peer.hpp"
 #include "reflection.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/Householder>
-#include <box2d/box2d.h>
 
 #include <cmath>
 #include <numbers>
@@ -137,8 +137,7 @@ int main(int argc, char **argv) {
     return course::compare_with_peer(
         argc, argv,
         "Compared with Eigen " + std::to_string(EIGEN_WORLD_VERSION) + '.' + std::to_string(EIGEN_MAJOR_VERSION) + '.'
-            + std::to_string(EIGEN_MINOR_VERSION) + " and Box2D " + std::to_string(b2_version.major) + '.'
-            + std::to_string(b2_version.minor) + '.' + std::to_string(b2_version.revision)
+            + std::to_string(EIGEN_MINOR_VERSION) + " and " + course::box2d_name()
             + ", 20000 random cases each, or 200 with *",
         {{"reflect: by a Householder matrix [m/s]", compare_reflections},
          {"unit_normal: a quarter turn by a rotation [1]", compare_normals},
