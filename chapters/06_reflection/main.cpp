@@ -42,10 +42,11 @@ void print_surfaces(std::ostream &out) {
 //> A ball in a turned box
 const Box square{{-5, -5}, {5, 5}};
 const double tilt = std::asin(0.6); // 36.87°
+const Ball rolling{{0, 0}, {5, 10}, 0.6};
 
 void print_turned(std::ostream &out) {
     out << row({{"t [s]", 7}, {"position [m]", 24}, {"velocity [m/s]", 0}});
-    Ball ball{{0, 0}, {5, 10}, 0.6};
+    Ball ball = rolling;
     for (int frame = 0; frame <= 120; ++frame) {
         if (frame % 30 == 0) out << row({{text(frame / 60.0), 7}, {text(ball.position), 24}, {text(ball.velocity), 0}});
         next_frame(ball, square, tilt, frame_time);
@@ -80,33 +81,31 @@ void trace_edge(std::ostream &out) {
 }
 
 //> The parts of a bounce, traced
+void trace_arrow(std::ostream &out, const Vec2 &from, const Vec2 &to) {
+    out << from.x() << '\t' << from.y() << '\t' << to.x() << '\t' << to.y() << '\n';
+}
+
 void trace_parts(std::ostream &out) {
     out << "# from: x[m]\ty[m]\tarrow: x[m/s]\ty[m/s]\n";
     const Vec2 velocity{0, -5}, normal{-0.6, 0.8}, after = reflect(velocity, normal);
     const Vec2 across = velocity.dot(normal) * normal, along = velocity - across;
-    const auto arrow = [&](const Vec2 &from, const Vec2 &to) {
-        out << from.x() << '\t' << from.y() << '\t' << to.x() << '\t' << to.y() << '\n';
-    };
-    arrow(-velocity, velocity);
-    arrow(-velocity, across);
-    arrow(across - velocity, along);
-    arrow({0, 0}, along);
-    arrow(along, -across);
-    arrow({0, 0}, after);
+    trace_arrow(out, -velocity, velocity);
+    trace_arrow(out, -velocity, across);
+    trace_arrow(out, across - velocity, along);
+    trace_arrow(out, {0, 0}, along);
+    trace_arrow(out, along, -across);
+    trace_arrow(out, {0, 0}, after);
 }
 
 //> Two normals of one wall, traced
 void trace_normals(std::ostream &out) {
     out << "# from: x[m]\ty[m]\tarrow: x[m/s]\ty[m/s]\n";
     const Vec2 wall{3, 4}, velocity{5, 0}, printed{wall.y(), wall.x()}, normal = unit_normal({0, 0}, wall);
-    const auto arrow = [&](const Vec2 &from, const Vec2 &to) {
-        out << from.x() << '\t' << from.y() << '\t' << to.x() << '\t' << to.y() << '\n';
-    };
-    arrow(-velocity, velocity);
-    arrow({0, 0}, 2 * normal);
-    arrow({0, 0}, reflect(velocity, normal));
-    arrow({0, 0}, 2 * printed / printed.norm());
-    arrow({0, 0}, reflect(velocity, printed));
+    trace_arrow(out, -velocity, velocity);
+    trace_arrow(out, {0, 0}, 2 * normal);
+    trace_arrow(out, {0, 0}, reflect(velocity, normal));
+    trace_arrow(out, {0, 0}, 2 * printed / printed.norm());
+    trace_arrow(out, {0, 0}, reflect(velocity, printed));
 }
 
 //> Angles in and out, traced
@@ -124,7 +123,7 @@ void trace_angles(std::ostream &out) {
 //> In a turned box, traced
 void trace_turned(std::ostream &out) {
     out << "# x[m]\ty[m]\n";
-    Ball ball{{0, 0}, {5, 10}, 0.6};
+    Ball ball = rolling;
     for (int frame = 0; frame <= 300; ++frame) {
         out << ball.position.x() << '\t' << ball.position.y() << '\n';
         next_frame(ball, square, tilt, frame_time);
