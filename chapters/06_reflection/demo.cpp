@@ -215,44 +215,45 @@ void draw_parts(demo::Picture &seen, const State &now, const Vec2 &normal) {
     if (now.ball.velocity.norm() > 0) say(seen, "angle out", "°", out(now.ball.velocity) / degree, 1);
 }
 
-void draw_wall(demo::Picture &seen, const State &now) {
-    const bool ends = now.game == two_ends;
-    if (ends) {
-        add(seen, Shape::line, Colour::ink, 4, {now.wall.start, now.wall.end});
-        add_words(seen, now.wall.start + Vec2{0.2, -0.5}, "start", Colour::ink);
-        add_words(seen, now.wall.end + Vec2{0.2, -0.5}, "end", Colour::ink);
-        add_handle(seen, now.wall.start);
-        add_handle(seen, now.wall.end);
-        if (has_length(now.wall)) {
-            const Vec2 middle = (now.wall.start + now.wall.end) / 2, n = unit_normal(now.wall.start, now.wall.end);
-            const Vec2 far = 20 * Vec2{n.y(), -n.x()};
-            add(seen, Shape::line, Colour::dim, -1.5, {middle - far, middle + far});
-            add(seen, Shape::arrow, Colour::violet, 3, {middle, middle + n});
-            add_words(seen, middle + 1.4 * n, "normal", Colour::violet);
-            say(seen, "normal, to the right", "", n.x());
-            say(seen, "normal, up", "", n.y());
-        } else {
-            add_words(seen, {-3, 3}, "A point has no normal.");
-        }
+/// The wall whose ends one drags, and its normal by 6.3.
+void draw_ends(demo::Picture &seen, const Wall &wall) {
+    add(seen, Shape::line, Colour::ink, 4, {wall.start, wall.end});
+    add_words(seen, wall.start + Vec2{0.2, -0.5}, "start", Colour::ink);
+    add_words(seen, wall.end + Vec2{0.2, -0.5}, "end", Colour::ink);
+    add_handle(seen, wall.start);
+    add_handle(seen, wall.end);
+    if (!has_length(wall)) return add_words(seen, {-3, 3}, "A point has no normal.");
+    const Vec2 middle = (wall.start + wall.end) / 2, n = unit_normal(wall.start, wall.end);
+    const Vec2 far = 20 * Vec2{n.y(), -n.x()};
+    add(seen, Shape::line, Colour::dim, -1.5, {middle - far, middle + far});
+    add(seen, Shape::arrow, Colour::violet, 3, {middle, middle + n});
+    add_words(seen, middle + 1.4 * n, "normal", Colour::violet);
+    say(seen, "normal, to the right", "", n.x());
+    say(seen, "normal, up", "", n.y());
+}
+
+/// The wall of the guess, or the one that one turns.
+void draw_slant(demo::Picture &seen, const State &now) {
+    const Vec2 n = normal_of(now), along{n.y(), -n.x()};
+    add(seen, Shape::line, Colour::ink, 4, {-6 * along, 6 * along});
+    if (now.game == you_guess) {
+        add(seen, Shape::arrow, Colour::violet, -2, {Vec2{0, 0}, now.guess});
+        add_words(seen, now.guess + Vec2{0.3, 0.1}, "your guess", Colour::violet);
+        add_handle(seen, now.guess);
     } else {
-        const Vec2 n = normal_of(now), along{n.y(), -n.x()};
-        add(seen, Shape::line, Colour::ink, 4, {-6 * along, 6 * along});
-        if (now.game != you_guess) {
-            draw_parts(seen, now, n);
-            say(seen, "wall", "°", now.angle_deg, 0);
-            add_handle(seen, 4 * along);
-        } else {
-            add(seen, Shape::arrow, Colour::violet, -2, {Vec2{0, 0}, now.guess});
-            add_words(seen, now.guess + Vec2{0.3, 0.1}, "your guess", Colour::violet);
-            add_handle(seen, now.guess);
-        }
+        draw_parts(seen, now, n);
+        say(seen, "wall", "°", now.angle_deg, 0);
+        add_handle(seen, 4 * along);
     }
-    if (now.met) {
-        if (now.game == you_guess)
-            say(seen, "guess off by", "°", angle_between(now.guess, now.ball.velocity) / degree, 0);
-        say(seen, "after, to the right", "m/s", now.ball.velocity.x());
-        say(seen, "after, up", "m/s", now.ball.velocity.y());
-    }
+}
+
+void draw_wall(demo::Picture &seen, const State &now) {
+    if (now.game == two_ends) draw_ends(seen, now.wall);
+    else draw_slant(seen, now);
+    if (!now.met) return;
+    if (now.game == you_guess) say(seen, "guess off by", "°", angle_between(now.guess, now.ball.velocity) / degree, 0);
+    say(seen, "after, to the right", "m/s", now.ball.velocity.x());
+    say(seen, "after, up", "m/s", now.ball.velocity.y());
 }
 
 void draw_screen(demo::Picture &seen, const State &now) {
