@@ -2,6 +2,7 @@
 
 #include "ground/lines.hpp"
 #include "ground/plain.hpp"
+#include "interface.hpp"
 #include "loop/advice.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/junit.hpp"
@@ -35,17 +36,13 @@ namespace {
 struct Inner {
     Vector2d place;
     int count = 0;
-    static constexpr std::string_view field_units = "m, 1", field_names = "place, count";
-    auto fields() { return std::tie(place, count); }
-    auto fields() const { return std::tie(place, count); }
+    COURSE_FIELDS("m, 1", place, count)
 };
 struct Outer {
     double time = 0;
     std::vector<Inner> inner;
     std::optional<bool> known;
-    static constexpr std::string_view field_units = "s, , ", field_names = "time, inner, known";
-    auto fields() { return std::tie(time, inner, known); }
-    auto fields() const { return std::tie(time, inner, known); }
+    COURSE_FIELDS("s, , ", time, inner, known)
 };
 
 template <class T> std::string bytes_of(const T &value) {

@@ -11,7 +11,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -26,19 +25,24 @@ template <class T> inline constexpr bool is_vector<std::vector<T>> = true;
 
 /// A struct of a section, which names its fields by COURSE_FIELDS.
 template <class T>
-concept Fields = requires(T &value) {
-    value.fields();
+concept Fields = requires {
+    T::field_names;
 };
 
-/// The part of a struct that COURSE_FIELDS names is all of it: a field forgotten there would never cross.
-template <class T, class... Parts> constexpr std::size_t size_of_parts(std::tuple<Parts &...> *) {
-    std::size_t end = 0;
-    ((end = (end + alignof(Parts) - 1) / alignof(Parts) * alignof(Parts) + sizeof(Parts)), ...);
-    return (end + alignof(T) - 1) / alignof(T) * alignof(T);
+/// How large a struct of these parts is.
+template <class... Parts> constexpr std::size_t size_with() {
+    std::size_t end = 0, widest = 1;
+    const auto pad = [&](std::size_t align) { end = (end + align - 1) / align * align; };
+    ((pad(alignof(Parts)), end += sizeof(Parts), widest = std::max(widest, alignof(Parts))), ...);
+    pad(widest);
+    return end;
 }
+
+/// The part of a struct that COURSE_FIELDS names is all of it: a field forgotten there would never cross.
 template <Fields T>
-constexpr bool names_all_fields = size_of_parts<T>(static_cast<decltype(std::declval<T &>().fields()) *>(nullptr))
-                                  == sizeof(T);
+constexpr bool names_all_fields = sizeof(T) == decltype(std::declval<T &>().fields([]<class... Parts>(Parts &...) {
+                                      return std::integral_constant<std::size_t, size_with<Parts...>()>{};
+                                  }))::value;
 
 class Writer {
   public:
@@ -65,7 +69,7 @@ class Writer {
             for (const auto &element : value) put(element);
         } else if constexpr (Fields<T>) {
             static_assert(names_all_fields<T>, "COURSE_FIELDS must name every field, in the order of declaration");
-            std::apply([this](const auto &...field) { (this->put(field), ...); }, value.fields());
+            value.fields([this](const auto &...field) { (this->put(field), ...); });
         } else {
             static_assert(always_false<T>,
                           "this type cannot cross: bool, int, double, Vec2, std::optional, std::vector, "
@@ -114,11 +118,7 @@ class Reader {
             if (good) value.reserve(size);
             for (std::uint32_t i = 0; i < size && good; ++i) value.push_back(take<typename T::value_type>());
         } else if constexpr (Fields<T>) {
-            std::apply(
-                [this](auto &...field) {
-                    ((field = this->template take<std::remove_reference_t<decltype(field)>>()), ...);
-                },
-                value.fields());
+            value.fields([this]<class... Parts>(Parts &...field) { ((field = this->template take<Parts>()), ...); });
         } else {
             static_assert(always_false<T>, "this type cannot cross");
         }

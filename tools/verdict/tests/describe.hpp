@@ -79,7 +79,7 @@ template <class T> std::string describe(const T &value, std::string_view unit = 
             text += (i == 0 ? "" : ", ") + names[i] + ' ' + describe(field, i < units.size() ? units[i] : "", digits);
             ++i;
         };
-        std::apply([&](const auto &...field) { (add(field), ...); }, value.fields());
+        value.fields([&](const auto &...field) { (add(field), ...); });
         return '{' + text + '}';
     }
 }

@@ -74,11 +74,8 @@ template <class T> std::optional<Mismatch> find(const Place &at, const T &got, c
                 found = find<Field>(at.field(names[i], i < units.size() ? units[i] : ""), mine, theirs, tolerance);
             ++i;
         };
-        std::apply(
-            [&](const auto &...mine) {
-                std::apply([&](const auto &...theirs) { (compare(mine, theirs), ...); }, want.fields());
-            },
-            got.fields());
+        got.fields(
+            [&](const auto &...mine) { want.fields([&](const auto &...theirs) { (compare(mine, theirs), ...); }); });
         return found;
     }
 }

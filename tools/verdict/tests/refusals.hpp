@@ -36,8 +36,7 @@ template <class T, class Visit> void for_each_number(T &value, const std::string
     } else if constexpr (wire::Fields<T>) {
         const auto names = split_list(T::field_names);
         std::size_t i = 0;
-        std::apply([&](auto &...field) { (for_each_number(field, name + '.' + names[i++], visit), ...); },
-                   value.fields());
+        value.fields([&](auto &...field) { (for_each_number(field, name + '.' + names[i++], visit), ...); });
     } else {
         static_assert(std::is_same_v<T, int> || std::is_same_v<T, bool>,
                       "which numbers does a value of this type hold?");
