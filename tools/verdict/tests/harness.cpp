@@ -23,10 +23,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -129,9 +132,9 @@ void add_missing_verdicts(const Part &part) {
 
 /// Runs the tests of a part, each against a subject of its own.
 void run_tests(Session &here, unsigned seed, const Part &part) {
+    static Catch::Session catch2; // there may be only one
     session() = &here;
-    Catch::Session catch2;
-    auto &config = catch2.configData();
+    Catch::ConfigData config;
     config.rngSeed = seed;
     config.shardIndex = part.index;
     config.shardCount = part.of;
@@ -139,13 +142,35 @@ void run_tests(Session &here, unsigned seed, const Part &part) {
     config.allowZeroTests = true;
     if (!part.exercise.empty()) config.testsOrTags = {"[" + part.exercise + "]"};
     if (part.until_red) config.abortAfter = 1;
+    catch2.useConfigData(config);
     catch2.run();
     if (!part.until_red) add_missing_verdicts(part);
 }
 
-/// One of several processes, each of which runs a part of the tests. It has children of its own, and so finds what a
-/// student's code has left behind. Its verdicts go where no subject can reach them, a line of JSON each, as they come.
-[[noreturn]] void work(const std::string &subject, unsigned seed, const Part &part, int core, NamelessFile &lines) {
+/// Numbers of tests, handed out one by one to several processes.
+class Queue {
+  public:
+    Queue() {
+        void *room = ::mmap(nullptr, sizeof *taken, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (room == MAP_FAILED) throw MachineTrouble{"no memory for the tests"};
+        taken = new (room) std::atomic<unsigned>{0};
+    }
+
+    const unsigned size = static_cast<unsigned>(Catch::getRegistryHub().getTestCaseRegistry().getAllInfos().size());
+
+    /// @return which is next; nothing when all are taken
+    std::optional<unsigned> next() {
+        const unsigned test = (*taken)++;
+        return test < size ? std::optional{test} : std::nullopt;
+    }
+
+  private:
+    std::atomic<unsigned> *taken; ///< in memory that these processes share
+};
+
+/// One of several processes that run tests. It has children of its own, and so finds what a student's code has left
+/// behind. Its verdicts go where no subject can reach them, a line of JSON each, as they come.
+[[noreturn]] void work(const std::string &subject, unsigned seed, Queue &tests, int core, NamelessFile &lines) {
     try {
         tell = [&](const Verdict &verdict) {
             const auto json = nlohmann::json(verdict);
@@ -153,7 +178,7 @@ void run_tests(Session &here, unsigned seed, const Part &part) {
         };
         prepare_for_subjects(core);
         Session here{subject, Patience{}};
-        run_tests(here, seed, part);
+        while (const auto test = tests.next()) run_tests(here, seed, {*test, tests.size});
         if (here.trouble().empty()) ::_exit(all_well);
         std::cerr << here.trouble() << std::endl;
     } catch (const MachineTrouble &trouble) {
@@ -162,16 +187,17 @@ void run_tests(Session &here, unsigned seed, const Part &part) {
     ::_exit(machine_trouble);
 }
 
-/// Runs all tests in as many processes as there are cores, up to four, and prints their verdicts, in order.
+/// Runs all tests in as many processes as there are cores, up to four, and prints their verdicts.
 /// @return all_well, or machine_trouble if the machine kept one of them from its end
 int run_side_by_side(const std::string &subject, unsigned seed) {
     const std::vector<int> all = cores();
     const unsigned workers = static_cast<unsigned>(std::min<std::size_t>(all.size(), 4));
     std::vector<NamelessFile> lines(workers);
     std::vector<pid_t> processes;
+    Queue tests;
     for (unsigned worker = 0; worker < workers; ++worker) {
         processes.push_back(::fork());
-        if (processes.back() == 0) work(subject, seed, {worker, workers}, all[worker], lines[worker]);
+        if (processes.back() == 0) work(subject, seed, tests, all[worker], lines[worker]);
     }
     int code = all_well;
     for (unsigned worker = 0; worker < workers; ++worker) {
