@@ -21,6 +21,9 @@ set(COURSE_LOOP_LINK)
 if(COURSE_HAS_GOLD AND NOT CMAKE_CXX_FLAGS MATCHES "sanitize") # which gold warns of
   set(COURSE_LOOP_LINK -fuse-ld=gold)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  list(APPEND COURSE_LOOP_LINK -fno-use-linker-plugin) # for whole programs, which takes a moment to load
+endif()
 
 # The precompiled header that is included before every student's file.
 separate_arguments(extra NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
