@@ -198,7 +198,7 @@ class Check {
         if (!only) options.what = section.name; // and not the next one, when this is finished
         for (;;) {
             const std::string seen = look(section);
-            if (is_terminal(Stream::out)) std::cout << "\x1b[2J\x1b[H";
+            if (is_terminal()) std::cout << "\x1b[2J\x1b[H";
             try {
                 once();
             } catch (const Complaint &complaint) { // a file that is gone may come back

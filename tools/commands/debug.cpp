@@ -81,7 +81,7 @@ void debug(const Tree &tree, const std::string &words, bool print) {
     tree.written_exercise(section);
     build(tree, section);
     const auto command = debugger(tree.build / "debug" / section.name, function, tag);
-    if (print || !can_ask() || !is_terminal(Stream::out)) {
+    if (print || !can_ask() || !is_terminal()) {
         std::cout << typed(command) << '\n';
         return;
     }
