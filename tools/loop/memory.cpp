@@ -88,8 +88,6 @@ std::map<std::string, Memory> recall(const Tree &tree, const Section &section) {
     return result;
 }
 
-int rungs_shown(const Tree &tree, const std::string &number) { return rungs_in(load(hints_file(tree)), number); }
-
 void remember_rungs(const Tree &tree, const std::string &number, int shown) {
     change(tree, hints_file(tree), [&](json &hints) { hints[number] = static_cast<unsigned>(std::max(shown, 0)); });
 }

@@ -31,8 +31,7 @@ void remember(const Tree &tree, const Section &section, const std::vector<Exerci
 /// What is remembered of a section's exercises, by number.
 std::map<std::string, Memory> recall(const Tree &tree, const Section &section);
 
-/// How many rungs of an exercise's hints have been shown.
-int rungs_shown(const Tree &tree, const std::string &number);
+/// Remembers how many rungs of an exercise's hints have been shown.
 void remember_rungs(const Tree &tree, const std::string &number, int shown);
 
 /// The next of `rungs` rungs, counted from 0, which is shown from now on; `rungs` if all have been.
