@@ -25,7 +25,7 @@ struct SmallCourse {
             write(tree.stub(section), "// " + section.name + ", nothing done yet\n");
             write(tree.exercise(section), "// " + section.name + ", nothing done yet\n");
             write(tree.build / "catalogue" / (section.name + ".json"),
-                  R"({"section": ")" + section.name + R"(", "exercises": [)" + exercise(section, "1", "core", "first")
+                  R"({"exercises": [)" + exercise(section, "1", "core", "first")
                       + ", " + exercise(section, "2", "stretch", "second") + "]}");
         }
         write("book.md", "| | section |\n|--:|:--|\n| 8 | n–t collisions | *to come* |\n");
@@ -85,7 +85,7 @@ struct SmallCourse {
                                 const char *name) {
         return R"({"number": ")" + section.short_number() + "." + n + R"(", "tier": ")" + tier + R"(", "function": ")"
                + (section.number() == 6 ? std::string{name} + "_bounce" : name)
-               + R"(", "arguments": "", "result": ""})";
+               + R"("})";
     }
 
     static constexpr const char *chapter = R"(# 7 Walls that meet

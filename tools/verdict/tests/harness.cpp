@@ -92,18 +92,15 @@ class Listener : public Catch::EventListenerBase {
     }
 };
 
-nlohmann::json catalogue(const std::string &section) {
+nlohmann::json catalogue() {
     nlohmann::json list = nlohmann::json::array();
     for (const ExerciseLine *exercise : exercise_lines())
-        list.push_back({{"number", exercise->number},
-                        {"tier", exercise->tier},
-                        {"function", exercise->function},
-                        {"arguments", exercise->arguments},
-                        {"result", exercise->unit}});
+        list.push_back(
+            {{"number", exercise->number}, {"tier", exercise->tier}, {"function", exercise->function}});
     nlohmann::json tests = nlohmann::json::array();
     for (const Catch::TestCaseInfo *test : Catch::getRegistryHub().getTestCaseRegistry().getAllInfos())
         tests.push_back({{"exercise", exercise_of(*test)}, {"claim", test->name}});
-    return {{"section", section}, {"exercises", list}, {"tests", tests}};
+    return {{"exercises", list}, {"tests", tests}};
 }
 
 /// Which of the tests a process runs: one of several equal parts, in the order of the file; of one exercise, or of all.
@@ -284,7 +281,7 @@ int main(int argc, char **argv) {
     CLI11_PARSE(app, argc, argv);
 
     if (list) {
-        std::cout << catalogue(std::filesystem::path{argv[0]}.filename().string()).dump(1) << '\n';
+        std::cout << catalogue().dump(1) << '\n';
         return 0;
     }
     hide_from_other_processes();
