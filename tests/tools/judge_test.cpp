@@ -18,10 +18,7 @@ using Catch::Matchers::ContainsSubstring;
 namespace {
 
 std::string passed(const std::string &test) {
-    Verdict verdict;
-    verdict.exercise = "7.1";
-    verdict.test = test;
-    return nlohmann::json(verdict).dump() + '\n';
+    return nlohmann::json(Verdict{.exercise = "7.1", .test = test}).dump() + '\n';
 }
 
 std::vector<Kind> kinds(const std::string &said) {

@@ -438,21 +438,19 @@ TEST_CASE("a session notes the first failure of a case, and a case without asser
 }
 
 TEST_CASE("a verdict survives its way through JSON") {
-    Verdict verdict{"7.2",
-                    "a \"claim\"",
-                    Kind::left_process,
-                    "what happened",
-                    Call{"meet", {"first = 1"}, 3, "{g, h}"},
-                    {},
-                    "",
-                    "g",
-                    "w",
-                    "1e-9",
-                    "t.cpp",
-                    12,
-                    {"printed"},
-                    4,
-                    "7.1 crossing"};
+    Verdict verdict{.exercise = "7.2",
+                    .test = "a \"claim\"",
+                    .kind = Kind::left_process,
+                    .sentence = "what happened",
+                    .call = Call{"meet", {"first = 1"}, 3, "{g, h}"},
+                    .got = "g",
+                    .want = "w",
+                    .tolerance = "1e-9",
+                    .file = "t.cpp",
+                    .line = 12,
+                    .printed = {"printed"},
+                    .printed_more = 4,
+                    .needs = "7.1 crossing"};
     const auto back = nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>();
     CHECK(explain(back, 2) == explain(verdict, 2));
     CHECK(back.kind == verdict.kind);
@@ -482,13 +480,18 @@ TEST_CASE("a struct of structs that is wider than a screen has a line for each p
 }
 
 TEST_CASE("JUnit files are XML whatever a student prints, and count what failed") {
-    Verdict wrong{
-        "7.1", "<b> & \"quotes\"", Kind::wrong, "]]> </failure>", {}, {}, "", "1", "2", "", "t.cpp", 3, {"\u00e4"}, 0,
-        ""};
+    const Verdict passed{.exercise = "7.1", .test = "fine"}, wrong{.exercise = "7.1",
+                                                                   .test = "<b> & \"quotes\"",
+                                                                   .kind = Kind::wrong,
+                                                                   .sentence = "]]> </failure>",
+                                                                   .got = "1",
+                                                                   .want = "2",
+                                                                   .file = "t.cpp",
+                                                                   .line = 3,
+                                                                   .printed = {"\u00e4"}};
     Verdict ours = wrong;
-    ours.kind = Kind::no_verdict;
-    Verdict passed{"7.1", "fine", Kind::passed, "", {}, {}, "", "", "", "", "", 0, {}, 0, ""};
     ours.test = "ours";
+    ours.kind = Kind::no_verdict;
     Verdict later = wrong;
     later.test = "later";
     later.kind = Kind::not_started;
@@ -542,12 +545,7 @@ TEST_CASE("JUnit files are XML whatever a student prints, and count what failed"
     CHECK(message("accepts", "failure") == "It accepted: dt < 0; x = ??");
     CHECK(message("forgotten", "error").starts_with("This test has no verdict"));
 
-    Verdict unbuilt;
-    unbuilt.kind = Kind::does_not_compile;
-    unbuilt.sentence = "expected ';'";
-    unbuilt.file = "a.cpp";
-    unbuilt.line = 3;
-    report.unbuilt = unbuilt;
+    report.unbuilt = Verdict{.kind = Kind::does_not_compile, .sentence = "expected ';'", .file = "a.cpp", .line = 3};
     const auto without = read_back();
     CHECK(without.child("testsuites").child("testsuite").attribute("failures").as_int() == 7);
     for (const auto &test : without.child("testsuites").child("testsuite").children("testcase"))

@@ -61,14 +61,13 @@ std::optional<Verdict> diagnose_section(std::string_view text, const std::string
         if (header == section.slug() + ".hpp") return {};
         for (const Section &other : all) {
             if (verdict || header != other.slug() + ".hpp") continue;
-            verdict.emplace();
-            verdict->kind = Kind::does_not_compile;
-            verdict->file = name;
-            verdict->line = number;
-            verdict->sentence = "This file answers section " + other.short_number() + ", for it includes \""
-                                + std::string{header} + "\": ./course check " + other.short_number()
-                                + " judges it. An answer to section " + section.short_number() + " includes \""
-                                + section.slug() + ".hpp\".";
+            verdict = Verdict{.kind = Kind::does_not_compile,
+                              .sentence = "This file answers section " + other.short_number() + ", for it includes \""
+                                          + std::string{header} + "\": ./course check " + other.short_number()
+                                          + " judges it. An answer to section " + section.short_number()
+                                          + " includes \"" + section.slug() + ".hpp\".",
+                              .file = name,
+                              .line = number};
         }
     }
     return verdict;

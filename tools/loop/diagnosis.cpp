@@ -124,25 +124,19 @@ std::string explained(const Said &said) {
     return words + (std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? ". " : " ") + more;
 }
 
-Verdict broken(Kind kind, std::string sentence) {
-    Verdict verdict;
-    verdict.kind = kind;
-    verdict.sentence = std::move(sentence);
-    return verdict;
-}
-
 } // namespace
 
 std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
     const std::string back =
         " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
     if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
-        return broken(Kind::does_not_compile, name + " is empty." + back);
+        return Verdict{.kind = Kind::does_not_compile, .sentence = name + " is empty." + back};
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        return broken(Kind::does_not_compile, name + " is saved as UTF-16: save it as UTF-8 in your editor.");
+        return Verdict{.kind = Kind::does_not_compile,
+                       .sentence = name + " is saved as UTF-16: save it as UTF-8 in your editor."};
     if (text.find('\0') != text.npos)
-        return broken(Kind::does_not_compile,
-                      name + " is not a text file: has a compiled file been saved over it?" + back);
+        return Verdict{.kind = Kind::does_not_compile,
+                       .sentence = name + " is not a text file: has a compiled file been saved over it?" + back};
     return {};
 }
 
@@ -172,7 +166,7 @@ void drop_imagined_templates(std::vector<Remark> &remarks) {
 
 Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name,
                           const std::vector<Renamed> &renamed) {
-    Verdict verdict = broken(Kind::does_not_compile, "");
+    Verdict verdict = {.kind = Kind::does_not_compile};
     auto remarks = remarks_in(printed, file);
     std::erase_if(remarks, [](const Remark &remark) { return !remark.is_error; });
     drop_imagined_templates(remarks);
@@ -297,24 +291,22 @@ Verdict diagnose_linker(std::string_view printed, const std::string &name, const
         if (const auto its = quoted_after(line.text, "undefined reference to ")) missing.insert(*its);
         if (const auto its = quoted_after(line.text, "multiple definition of "); its && !twice) twice = its;
     }
-    if (twice) {
-        if (*twice == "main")
-            return broken(Kind::does_not_link,
-                          "Your file has a `main` of its own. The course has one already: remove yours. "
-                          "`./course run "
-                              + number + " --mine` runs the section's program with your code.");
-        return broken(Kind::does_not_link, '`' + *twice
-                                               + "` is defined twice, in your file and in the course: remove yours, or "
-                                                 "give it a name that is not taken.");
-    }
+    const auto because = [](std::string sentence) {
+        return Verdict{.kind = Kind::does_not_link, .sentence = std::move(sentence)};
+    };
+    if (twice == "main")
+        return because("Your file has a `main` of its own. The course has one already: remove yours. `./course run "
+                       + number + " --mine` runs the section's program with your code.");
+    if (twice)
+        return because('`' + *twice
+                       + "` is defined twice, in your file and in the course: remove yours, or give it a name that is "
+                         "not taken.");
     if (missing.empty())
-        return broken(Kind::does_not_link,
-                      "The linker stopped: " + plain_line(text.substr(0, text.find('\n')), longest_name));
+        return because("The linker stopped: " + plain_line(text.substr(0, text.find('\n')), longest_name));
     std::string names;
     for (const auto &one : missing) names += (names.empty() ? "`" : ", `") + one + '`';
-    return broken(Kind::does_not_link,
-                  names + (missing.size() == 1 ? " is" : " are") + " declared in " + name
-                      + ", and used, but never defined: write the body, or correct name and parameters.");
+    return because(names + (missing.size() == 1 ? " is" : " are") + " declared in " + name
+                   + ", and used, but never defined: write the body, or correct name and parameters.");
 }
 
 namespace {

@@ -64,13 +64,6 @@ Judgement not_built(Verdict why, std::vector<std::string> warnings = {}) {
     return {std::move(why), {}, std::move(warnings)};
 }
 
-Verdict stopped(Kind kind, std::string sentence) {
-    Verdict verdict;
-    verdict.kind = kind;
-    verdict.sentence = std::move(sentence);
-    return verdict;
-}
-
 /// For a function that is missing: how the header declares it, and what is there instead.
 void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section, const Toolbox &tools,
                       const fs::path &object) {
@@ -146,16 +139,17 @@ struct SubjectBuild {
         const auto compiled = run(command, within(compiler_limits));
         const std::string said = plain_output(compiled.err);
         if (auto why = stopped_by_a_limit(compiled, said); !why.empty())
-            return stopped(Kind::does_not_compile, std::move(why));
+            return Verdict{.kind = Kind::does_not_compile, .sentence = std::move(why)};
         if (compiled.code != 0) return diagnose_compiler(said, file, name, renamed(tree, section));
         auto elsewhere = foreign_header();
         if (!elsewhere && !tools.assembler.empty()) // it is in the scratch folder, as is what the compiler hands to it
             elsewhere = included_from_elsewhere(read_file(assembled()), file, scratch.folder, {scratch.folder});
         if (elsewhere)
-            return stopped(Kind::does_not_compile,
-                           "Your file includes " + tree.shown(*elsewhere)
+            return Verdict{.kind = Kind::does_not_compile,
+                           .sentence =
+                               "Your file includes " + tree.shown(*elsewhere)
                                + ", which a check does not allow: it may include headers of the system, of Eigen and "
-                                 "of chapters/. Write what you need into the file itself.");
+                                 "of chapters/. Write what you need into the file itself."};
         warnings = find_warnings(said, file, name);
         return {};
     }
@@ -168,7 +162,7 @@ struct SubjectBuild {
         const std::string linker = plain_output(linked.err);
         auto why = stopped_by_a_limit(linked, linker);
         return why.empty() ? diagnose_linker(linker, tree.shown(file), section.short_number())
-                           : stopped(Kind::does_not_link, std::move(why));
+                           : Verdict{.kind = Kind::does_not_link, .sentence = std::move(why)};
     }
 
     std::string includes() const { return scratch / "includes"; }
@@ -210,10 +204,7 @@ std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std
         }
     }
     const auto none = [](const KnownTest &test, const char *sentence) {
-        Verdict verdict = stopped(Kind::no_verdict, sentence);
-        verdict.exercise = test.exercise;
-        verdict.test = test.claim;
-        return verdict;
+        return Verdict{.exercise = test.exercise, .test = test.claim, .kind = Kind::no_verdict, .sentence = sentence};
     };
     for (const KnownTest &test : tests) {
         const auto is_its = [&](const Verdict &v) { return v.exercise == test.exercise && v.test == test.claim; };

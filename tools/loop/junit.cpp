@@ -1,6 +1,5 @@
 #include "loop/junit.hpp"
 
-#include "ground/lines.hpp"
 #include "ground/plain.hpp"
 
 #include <pugixml.hpp>
@@ -13,9 +12,8 @@ namespace {
 
 /// Text that XML can hold: paths and what students print may have any bytes.
 std::string plain(std::string_view text) {
-    constexpr std::size_t longest = 2000;
-    std::string lines;
-    for (const Line &line : lines_of(text)) lines += (lines.empty() ? "" : "\n") + plain_line(line.text, longest);
+    std::string lines = plain_output(text);
+    if (!lines.empty()) lines.pop_back(); // the last line's end
     return lines;
 }
 
@@ -49,10 +47,7 @@ Verdict verdict_on(const KnownTest &test, const Report &report) {
     if (report.unbuilt) return *report.unbuilt;
     for (const Verdict &verdict : report.verdicts)
         if (verdict.test == test.claim) return verdict;
-    Verdict none;
-    none.kind = Kind::no_verdict;
-    none.sentence = "This test has no verdict: our mistake, not yours.";
-    return none;
+    return {.kind = Kind::no_verdict, .sentence = "This test has no verdict: our mistake, not yours."};
 }
 
 const char *element_of(Kind kind) {

@@ -41,19 +41,19 @@ struct Call {
 };
 
 struct Verdict {
-    std::string exercise; ///< "7.2"
-    std::string test;     ///< the claim
+    std::string exercise = {}; ///< "7.2"
+    std::string test = {};     ///< the claim
     Kind kind = Kind::passed;
-    std::string sentence; ///< what happened, to the student; empty where got and want say it
-    std::optional<Call> call;
-    std::vector<std::string> accepted; ///< inputs that had to be refused: "dt is negative", "motion.start.x = infinity"
-    std::string label; ///< what got and want are about, where that is not the answer itself: "speed along x"
-    std::string got, want, tolerance;
-    std::string file; ///< of the check that failed, or of the error
+    std::string sentence = {}; ///< what happened, to the student; empty where got and want say it
+    std::optional<Call> call = {};
+    std::vector<std::string> accepted = {}; ///< inputs to be refused: "dt is negative", "motion.start.x = infinity"
+    std::string label = {}; ///< what got and want are about, where that is not the answer itself: "speed along x"
+    std::string got = {}, want = {}, tolerance = {};
+    std::string file = {}; ///< of the check that failed, or of the error
     int line = 0;
-    std::vector<std::string> printed; ///< the first lines of what the case printed
-    std::size_t printed_more = 0;     ///< lines that are not shown
-    std::string needs;                ///< the exercise that it calls, and that is not started: "4.2 time_of_flight"
+    std::vector<std::string> printed = {}; ///< the first lines of what the case printed
+    std::size_t printed_more = 0;          ///< lines that are not shown
+    std::string needs = {}; ///< the exercise that it calls, and that is not started: "4.2 time_of_flight"
 
     bool passed() const { return kind == Kind::passed; }
 };

@@ -95,8 +95,7 @@ class Listener : public Catch::EventListenerBase {
 nlohmann::json catalogue() {
     nlohmann::json list = nlohmann::json::array();
     for (const ExerciseLine *exercise : exercise_lines())
-        list.push_back(
-            {{"number", exercise->number}, {"tier", exercise->tier}, {"function", exercise->function}});
+        list.push_back({{"number", exercise->number}, {"tier", exercise->tier}, {"function", exercise->function}});
     nlohmann::json tests = nlohmann::json::array();
     for (const Catch::TestCaseInfo *test : Catch::getRegistryHub().getTestCaseRegistry().getAllInfos())
         tests.push_back({{"exercise", exercise_of(*test)}, {"claim", test->name}});
@@ -117,12 +116,10 @@ void add_missing_verdicts(const Part &part) {
         if (!part.exercise.empty() && exercise_of(*test) != part.exercise) continue;
         if (std::any_of(verdicts.begin(), verdicts.end(), [&](const Verdict &v) { return v.test == test->name; }))
             continue;
-        Verdict verdict;
-        verdict.exercise = exercise_of(*test);
-        verdict.test = test->name;
-        verdict.kind = Kind::no_verdict;
-        verdict.sentence = "This test did not run: our mistake, not yours.";
-        verdicts.push_back(verdict);
+        verdicts.push_back({.exercise = exercise_of(*test),
+                            .test = test->name,
+                            .kind = Kind::no_verdict,
+                            .sentence = "This test did not run: our mistake, not yours."});
         tell(verdicts.back());
     }
 }
