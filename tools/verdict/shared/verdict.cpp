@@ -36,47 +36,41 @@ static_assert(names.size() == static_cast<std::size_t>(Kind::no_verdict) + 1);
 
 std::string_view name_of(Kind kind) { return names.at(static_cast<std::size_t>(kind)); }
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Call, function, arguments, before, answer)
+
+namespace {
+
+/// Visits what a verdict holds beside its kind and its call, with its name in JSON.
+template <class V, class Visit> void for_each_field(V &verdict, const Visit &visit) {
+    visit("exercise", verdict.exercise);
+    visit("test", verdict.test);
+    visit("sentence", verdict.sentence);
+    visit("accepted", verdict.accepted);
+    visit("label", verdict.label);
+    visit("got", verdict.got);
+    visit("want", verdict.want);
+    visit("tolerance", verdict.tolerance);
+    visit("file", verdict.file);
+    visit("line", verdict.line);
+    visit("printed", verdict.printed);
+    visit("printed_more", verdict.printed_more);
+    visit("needs", verdict.needs);
+}
+
+} // namespace
+
 void to_json(nlohmann::json &json, const Verdict &v) {
-    json = {{"exercise", v.exercise},
-            {"test", v.test},
-            {"kind", name_of(v.kind)},
-            {"sentence", v.sentence},
-            {"accepted", v.accepted},
-            {"label", v.label},
-            {"got", v.got},
-            {"want", v.want},
-            {"tolerance", v.tolerance},
-            {"file", v.file},
-            {"line", v.line},
-            {"printed", v.printed},
-            {"printed_more", v.printed_more}};
-    if (!v.needs.empty()) json["needs"] = v.needs;
-    if (v.call)
-        json["call"] = {{"function", v.call->function},
-                        {"arguments", v.call->arguments},
-                        {"before", v.call->before},
-                        {"answer", v.call->answer}};
+    json = {{"kind", name_of(v.kind)}};
+    for_each_field(v, [&](const char *name, const auto &field) { json[name] = field; });
+    if (v.call) json["call"] = *v.call;
 }
 
 void from_json(const nlohmann::json &json, Verdict &v) {
     const std::string kind = json.at("kind");
     const auto found = std::find(names.begin(), names.end(), kind);
     v.kind = found == names.end() ? Kind::no_verdict : static_cast<Kind>(found - names.begin());
-    json.at("exercise").get_to(v.exercise);
-    json.at("test").get_to(v.test);
-    json.at("sentence").get_to(v.sentence);
-    json.at("accepted").get_to(v.accepted);
-    json.at("label").get_to(v.label);
-    json.at("got").get_to(v.got);
-    json.at("want").get_to(v.want);
-    json.at("tolerance").get_to(v.tolerance);
-    json.at("file").get_to(v.file);
-    json.at("line").get_to(v.line);
-    json.at("printed").get_to(v.printed);
-    json.at("printed_more").get_to(v.printed_more);
-    v.needs = json.value("needs", "");
-    if (const auto call = json.find("call"); call != json.end())
-        v.call = Call{call->at("function"), call->at("arguments"), call->at("before"), call->at("answer")};
+    for_each_field(v, [&](const char *name, auto &field) { json.at(name).get_to(field); });
+    if (const auto call = json.find("call"); call != json.end()) v.call = call->get<Call>();
 }
 
 namespace {
