@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <functional>
 #include <limits>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -139,14 +140,48 @@ TEST_CASE("got and want are told apart at as many digits as that takes") {
 
 namespace {
 
+std::vector<std::string> describe_one(const ExerciseLine &, std::string_view bytes) {
+    wire::Reader reader{bytes};
+    return {"x = " + describe(reader.take<double>())};
+}
+std::string describe_half(const ExerciseLine &, std::string_view bytes) {
+    wire::Reader reader{bytes};
+    return describe(reader.take<double>(), "m");
+}
+const ExerciseLine half{"1.1", "core", "half", "x [m]", "m", describe_one, describe_half, 0};
+
+/// A session that the matchers speak to while it lives. Its subject behaves like `mode`: see hostile_subject.cpp.
+struct OwnSession : Session {
+    explicit OwnSession(const std::string &mode, Patience limits = {}, const char *path = HOSTILE)
+        : Session{path, limits, mode} {
+        static const bool once = (exercise_lines().push_back(&half), prepare_for_subjects(cores().front()), true);
+        static_cast<void>(once);
+        session() = this;
+    }
+    ~OwnSession() { session() = nullptr; }
+    OwnSession(const OwnSession &) = delete;
+    OwnSession &operator=(const OwnSession &) = delete;
+
+    /// The verdict on a case that asks for the half of five, and looks at the answer in this way.
+    Verdict half_of_five(
+        const std::function<void(double)> &look = [](double) {}, const char *exercise = "1.1") {
+        begin(exercise, "half of five");
+        try {
+            wire::Reader reader{call(half, bytes_of(5.0))};
+            const auto x = reader.take<double>();
+            if (!reader.finished()) answered_nonsense();
+            look(x);
+        } catch (const CaseOver &) {}
+        return end(true);
+    }
+};
+
 /// What a student reads where a check of a test fails like this.
 template <class Check> std::string shown_for(Check check) {
-    Session own{"/nowhere", Patience{}};
-    session() = &own;
+    OwnSession own{"answers"};
     own.begin("1.1", "a claim");
     CHECK_FALSE(check());
     own.fail(Kind::wrong, "", "", 0);
-    session() = nullptr;
     return explain(own.end(true), 0);
 }
 
@@ -168,8 +203,7 @@ TEST_CASE("what a test has computed is named in the verdict, with its unit") {
 }
 
 TEST_CASE("all input that should have been refused is listed in one verdict, whatever fails after it") {
-    Session own{"/nowhere", Patience{}};
-    session() = &own;
+    OwnSession own{"answers"};
     own.begin("1.1", "a claim");
     const auto refuses = [] { throw std::invalid_argument{"no"}; };
     const auto takes = [] {};
@@ -182,7 +216,6 @@ TEST_CASE("all input that should have been refused is listed in one verdict, wha
     CHECK(accepts(takes, "start.x", "infinity"));
     CHECK(accepts(takes, "start.x", "-infinity"));
     own.fail(Kind::too_long, "an answer that never came", "a.cpp", 4);
-    session() = nullptr;
     const Verdict verdict = own.end(true);
     CHECK(verdict.kind == Kind::wrong);
     CHECK(explain(nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>(), 0)
@@ -251,63 +284,18 @@ TEST_CASE("a failed check of a library is said in words, and on one line") {
           == std::vector<std::string>{"DenseCoeffsBase.h:408: Assertion `index >= 0 && index < size()' failed."});
 }
 
-namespace {
-
-std::vector<std::string> describe_one(const ExerciseLine &, std::string_view bytes) {
-    wire::Reader reader{bytes};
-    return {"x = " + describe(reader.take<double>())};
-}
-std::string describe_half(const ExerciseLine &, std::string_view bytes) {
-    wire::Reader reader{bytes};
-    return describe(reader.take<double>(), "m");
-}
-const ExerciseLine half{"1.1", "core", "half", "x [m]", "m", describe_one, describe_half, 0};
-
-void know_half() {
-    static const bool once = (exercise_lines().push_back(&half), prepare_for_subjects(cores().front()), true);
-    static_cast<void>(once);
-}
-
-Verdict ask(const std::string &mode) {
-    know_half();
-    Session own{std::string{HOSTILE} + mode, Patience{1, 5, 1}};
-    session() = &own;
-    own.begin("1.1", "half of five");
-    try {
-        const std::string_view answer = own.call(half, bytes_of(5.0));
-        wire::Reader reader{answer};
-        reader.take<double>();
-        if (!reader.finished()) own.answered_nonsense();
-    } catch (const CaseOver &) {}
-    session() = nullptr;
-    return own.end(true);
-}
-
-} // namespace
-
 TEST_CASE("a value that is not the answer of the last call has to be named") {
-    know_half();
-    Session own{HOSTILE "answers", Patience{1, 5}};
-    session() = &own;
-    const auto kind_for = [&](auto &&check) {
-        own.begin("1.1", "half of five");
-        try {
-            const std::string_view answer = own.call(half, bytes_of(5.0));
-            wire::Reader reader{answer};
-            check(reader.take<double>());
-        } catch (const CaseOver &) {}
-        return own.end(true).kind;
-    };
+    OwnSession own{"answers"};
+    const auto kind_for = [&](const std::function<void(double)> &check) { return own.half_of_five(check).kind; };
     CHECK(kind_for([](double answer) { is_near(answer, answer, 0, {}); }) == Kind::passed);
     CHECK(kind_for([](double answer) { is_near(answer + 1, answer + 1, 0, {}); }) == Kind::no_verdict);
     CHECK(kind_for([](double answer) { is_near(answer + 1, answer + 1, 0, {"one more", "m"}); }) == Kind::passed);
     CHECK(kind_for([](double) { has_size(std::vector{1}, 1, {}); }) == Kind::no_verdict);
     own.begin("1.1", "before any call");
     CHECK(is_near(1.0, 1.0, 0, {}));
-    session() = nullptr;
 }
 
-TEST_CASE("a process that answers properly passes") { CHECK(ask("answers").kind == Kind::passed); }
+TEST_CASE("a process that answers properly passes") { CHECK(OwnSession{"answers"}.half_of_five().passed()); }
 
 TEST_CASE("a process that breaks the protocol fails that call, quickly, and no other") {
     const auto [mode, kind] = GENERATE(table<std::string, Kind>({
@@ -325,7 +313,7 @@ TEST_CASE("a process that breaks the protocol fails that call, quickly, and no o
     }));
     CAPTURE(mode);
     const auto start = Clock::now();
-    CHECK(name_of(ask(mode).kind) == name_of(kind));
+    CHECK(name_of(OwnSession{mode, {1, 5, 1}}.half_of_five().kind) == name_of(kind));
     CHECK(Clock::now() - start < std::chrono::seconds{4});
 }
 
@@ -360,71 +348,46 @@ class BusyMachine {
 } // namespace
 
 TEST_CASE("on a busy machine an answer is waited for until the subject has had its time of the processor") {
-    know_half();
     const BusyMachine busy;
-    Session own{HOSTILE "computes", Patience{0.25, 5}}; // for 0.2 s, of which it gets a half at most
-    session() = &own;
+    OwnSession own{"computes", {0.25, 5}}; // for 0.2 s, of which it gets a half at most
     own.begin("1.1", "half of five");
     const auto start = Clock::now();
     CHECK(own.call(half, bytes_of(5.0)) == bytes_of(2.5));
     CHECK(std::chrono::duration<double>(Clock::now() - start).count() > 0.25); // beyond its deadline
-    session() = nullptr;
 }
 #endif
 
 TEST_CASE("an exercise that has hung once gets little time for its other cases, and another exercise gets all") {
-    know_half();
-    Session own{HOSTILE "drips", Patience{1, 5}};
-    session() = &own;
+    OwnSession own{"drips", {1, 5}};
     const auto time_of_a_hang = [&](const char *exercise) {
         const auto start = Clock::now();
-        own.begin(exercise, "a claim");
-        try {
-            own.call(half, bytes_of(5.0));
-        } catch (const CaseOver &) {}
-        CHECK(own.end(true).kind == Kind::too_long);
+        CHECK(own.half_of_five([](double) {}, exercise).kind == Kind::too_long);
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
     CHECK(time_of_a_hang("1.1") > 0.9);
     CHECK(time_of_a_hang("1.1") < 0.7);
     CHECK(time_of_a_hang("1.2") > 0.7);
-    session() = nullptr;
 }
 
 TEST_CASE("starting a subject has an allowance of its own, and all starts together one more") {
-    know_half();
-    const auto case_of = [](Session &own) {
-        session() = &own;
-        own.begin("1.1", "a claim");
-        try {
-            own.call(half, bytes_of(5.0));
-        } catch (const CaseOver &) {}
-        session() = nullptr;
-        return own.end(true);
-    };
-    const std::string slow = HOSTILE "starts_slowly"; // in 0.3 s
-    Session patient{slow, Patience{0.2, 5}}, hasty{slow, Patience{1, 5, 0.1}}, tired{slow, Patience{1, 0.5}};
-    CHECK(case_of(patient).passed());
-    CHECK(case_of(hasty).kind == Kind::too_long);
-    CHECK(case_of(tired).passed());
-    CHECK(case_of(tired).passed());
-    CHECK(case_of(tired).sentence.starts_with("Starting your code has taken 0.6"));
+    const std::string slow = "starts_slowly"; // in 0.3 s
+    OwnSession patient{slow, {0.2, 5}}, hasty{slow, {1, 5, 0.1}}, tired{slow, {1, 0.5}};
+    CHECK(patient.half_of_five().passed());
     CHECK(patient.trouble().empty());
+    CHECK(hasty.half_of_five().kind == Kind::too_long);
+    CHECK(tired.half_of_five().passed());
+    CHECK(tired.half_of_five().passed());
+    CHECK(tired.half_of_five().sentence.starts_with("Starting your code has taken 0.6"));
 }
 
 TEST_CASE("a program that this machine cannot start is the machine's trouble") {
-    know_half();
-    Session own{"/nowhere", Patience{}};
-    session() = &own;
-    own.begin("1.1", "a claim");
-    CHECK_THROWS_AS(own.call(half, bytes_of(5.0)), CaseOver);
-    session() = nullptr;
-    CHECK(own.end(true).kind == Kind::no_verdict);
+    OwnSession own{"", {}, "/nowhere"};
+    CHECK(own.half_of_five().kind == Kind::no_verdict);
     CHECK_FALSE(own.trouble().empty());
 }
 
 TEST_CASE("a session notes the first failure of a case, and a case without assertions is one") {
-    Session own{"/nowhere", Patience{}};
+    OwnSession own{"answers"};
     own.begin("1.1", "two failures");
     own.fail(Kind::wrong, "first", "a.cpp", 1);
     own.fail(Kind::crashed, "second", "b.cpp", 2);
