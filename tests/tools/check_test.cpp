@@ -1,9 +1,7 @@
 // `course check` as a command: one exercise alone; with --watch again whenever the file changes, again at Enter, and
 // gone at q. What it says of a file is in tests/verdicts.
 
-#include "ground/files.hpp"
-#include "ground/process.hpp"
-#include "own_folder.hpp"
+#include "small_course.hpp"
 #include "whole_answer.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -32,14 +30,19 @@ fs::path checked() { return fs::path{COURSE_BUILD} / ("checked_" + std::to_strin
 std::vector<std::string> check_command(const std::string &what, const std::string &file, const fs::path &build) {
     const fs::path root = COURSE_ROOT;
     course::write_file(checked(), whole_answer(root / file, root / "tests/verdicts/rest.hpp"));
-    return {"env", "NO_COLOR=1", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" + build.string(), COURSE_TOOL, "check",
-            what,  "--file",     checked().string()};
+    return course::course_command({root, build}, {"check", what, "--file", checked().string()});
 }
 
 course::Finished check(const std::string &what, const std::string &file) {
     auto done = course::run(check_command(what, file, COURSE_BUILD));
     fs::remove(checked());
     return done;
+}
+
+/// `./course check words`, in this course or with another build folder of it.
+course::Finished check(std::vector<std::string> words, const fs::path &build = COURSE_BUILD) {
+    words.insert(words.begin(), "check");
+    return course::run(course::course_command({COURSE_ROOT, build}, words), {.deadline = 30});
 }
 
 /// A build folder that is this one, but for its compiler and an empty folder to work in.
@@ -120,8 +123,7 @@ TEST_CASE("an answer with nothing to complain of is compiled by Clang, where it 
     const auto gcc_compiles = [&](const std::string &added) {
         course::write_file(answer, ours + added);
         fs::remove(calls);
-        const auto done = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" + build.folder.string(),
-                                       COURSE_TOOL, "check", "7.2", "--file", answer.string()});
+        const auto done = check({"7.2", "--file", answer.string()}, build.folder);
         CHECK_THAT(done.out, ContainsSubstring("✓ 7.2"));
         return count(course::read_file(calls), " -c "); // it always links
     };
@@ -141,8 +143,7 @@ TEST_CASE("what is never reached is told of a file that does not link, too") {
     const fs::path answer = own.path / "answer.cpp";
     course::write_file(answer, course::read_file(fs::path{COURSE_ROOT} / our_answer)
                                    + "double nowhere();\ndouble half() {\n    return nowhere();\n    nowhere();\n}\n");
-    const auto done = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
-                                   "check", "7", "--file", answer.string()});
+    const auto done = check({"7", "--file", answer.string()});
     CHECK_THAT(done.out, ContainsSubstring("does not link") && ContainsSubstring("is never reached: move it up"));
 }
 
@@ -197,9 +198,7 @@ TEST_CASE("check --file takes a file of any name, and says what is wrong with on
     const course::OwnFolder own;
     const fs::path &folder = own.path;
     const auto said = [](const fs::path &file) {
-        const auto done = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
-                                       "check", "7.2", "--file", file.string()},
-                                      {.deadline = 30});
+        const auto done = check({"7.2", "--file", file.string()});
         return done.out + done.err + "code " + std::to_string(done.code);
     };
     const fs::path solution = fs::path{COURSE_ROOT} / "solutions/07_segment_intersection.cpp";
@@ -224,10 +223,7 @@ TEST_CASE("an option or a section that is empty is an error, not one that was no
     const std::vector<std::string> words =
         GENERATE(std::vector<std::string>{"7", "--file", ""}, std::vector<std::string>{"7", "--file="},
                  std::vector<std::string>{"7", "--junit", ""}, std::vector<std::string>{""});
-    std::vector<std::string> line{"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL,
-                                  "check"};
-    line.insert(line.end(), words.begin(), words.end());
-    const auto done = course::run(line);
+    const auto done = check(words);
     CAPTURE(words, done.err);
     CHECK(done.code == 2);
     CHECK(done.out.empty());
@@ -240,8 +236,7 @@ TEST_CASE(
     const course::OwnFolder own;
     const fs::path &folder = own.path;
     const auto check_into = [](const fs::path &junit, const std::string &file) {
-        return course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, COURSE_TOOL, "check",
-                            "7.2", "--file", COURSE_ROOT "/" + file, "--junit", junit.string()});
+        return check({"7.2", "--file", COURSE_ROOT "/" + file, "--junit", junit.string()});
     };
     course::write_file(folder / "old.xml", "an earlier one");
     CHECK(check_into(folder / "old.xml", "not/there.cpp").code == 2);

@@ -7,6 +7,7 @@
 
 #include "ground/files.hpp"
 #include "ground/process.hpp"
+#include "ground/text.hpp"
 #include "verdict/tests/shut_in.hpp"
 #include "whole_answer.hpp"
 
@@ -14,7 +15,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <regex>
 #include <sstream>
 #include <unistd.h>
 
@@ -22,20 +22,9 @@
 #include <sys/prctl.h>
 #endif
 
-/// Where a check stands in its file may change, and each libstdc++ has its own lines: the verdict is the same.
-std::string without_lines(const std::string &text) {
-    static const std::regex line{R"((see   tests/\w+\.cpp|\| [\w.]+(?=:\d+: Assertion)):\d+)"};
-    return std::regex_replace(text, line, "$1:…");
-}
-
 namespace fs = std::filesystem;
 
 constexpr int skipped = 77; // see SKIP_RETURN_CODE
-
-void replace_all(std::string &text, const std::string &what, const std::string &with) {
-    for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += with.size())
-        text.replace(at, what.size(), with);
-}
 
 /// Everything that a student's file may not change: files of the course with size and date, and shared memory.
 std::string state(const fs::path &root, const fs::path &build) {
@@ -98,8 +87,9 @@ int main(int argc, char **argv) try {
     const auto result = course::run(command);
     const std::string left = left_running(), changed = difference(before, state(root, build));
     std::string said = result.out + result.err;
-    replace_all(said, checked.string(), given.string());
-    replace_all(said, checked.lexically_relative(root).string(), given.string()); // as it is called in the checkout
+    course::replace_all(said, checked.string(), given.string());
+    course::replace_all(said, checked.lexically_relative(root).string(),
+                        given.string()); // as it is called in the checkout
     const std::string now = without_lines(said) + "exit code " + std::to_string(result.code) + '\n';
     if (const char *write = std::getenv("COURSE_GOLDEN"); write != nullptr && std::string_view{write} == "write") {
         course::write_file(argv[1], now);

@@ -34,16 +34,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Runs a command on a terminal of its own, types what is given once something stands there, and returns all of it.
-Finished on_terminal(std::vector<std::string> command, const std::string &typed) {
+Finished on_terminal(const std::vector<std::string> &command, const std::string &typed) {
     int terminal = -1;
     const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
-    if (child == 0) {
-        std::vector<char *> arguments;
-        for (std::string &word : command) arguments.push_back(word.data());
-        arguments.push_back(nullptr);
-        ::execvp(arguments[0], arguments.data());
-        ::_exit(127);
-    }
+    if (child == 0) become(command);
     Finished finished;
     char part[4096];
     std::string left = typed;
@@ -59,17 +53,13 @@ Finished on_terminal(std::vector<std::string> command, const std::string &typed)
 }
 
 /// Starts a command, sends it a signal as soon as `ready` holds, and returns its exit code.
-template <class Ready> int stopped(std::vector<std::string> command, int signal, Ready ready) {
+template <class Ready> int stopped(const std::vector<std::string> &command, int signal, Ready ready) {
     const pid_t child = ::fork();
     if (child == 0) {
         ::setpgid(0, 0);
         const int nowhere = ::open("/dev/null", O_RDWR);
         for (int stream : {0, 1, 2}) ::dup2(nowhere, stream);
-        std::vector<char *> arguments;
-        for (std::string &word : command) arguments.push_back(word.data());
-        arguments.push_back(nullptr);
-        ::execvp(arguments[0], arguments.data());
-        ::_exit(127);
+        become(command);
     }
     for (int tries = 0; tries < 500 && !ready(); ++tries) std::this_thread::sleep_for(10ms);
     ::kill(child, signal);
@@ -622,8 +612,7 @@ TEST_CASE("run passes the program's output on unchanged, and says elsewhere wher
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
     const fs::path program = course.tree.build / "chapters" / "07_wall_meeting";
-    course.write(program, "#!/bin/sh\nprintf 'a  \\r\\n\\tb'; echo $# $1 >&2\n");
-    fs::permissions(program, fs::perms::all);
+    course.write_program(program, "printf 'a  \\r\\n\\tb'; echo $# $1 >&2");
 
     const Finished done = course({"run", "7"}, {path});
     CHECK(done.code == 0);
@@ -631,7 +620,7 @@ TEST_CASE("run passes the program's output on unchanged, and says elsewhere wher
     CHECK_THAT(done.err,
                StartsWith("2 --out\n") && ContainsSubstring("traces") && ContainsSubstring(course.tree.build.string()));
 
-    course.write(program, "#!/bin/sh\necho one; exit 4\n");
+    course.write_program(program, "echo one; exit 4");
     const Finished broken = course({"run", "7"}, {path});
     CHECK(broken.code == 3);
     CHECK(broken.out == "one\n");
@@ -642,10 +631,8 @@ TEST_CASE("run hands the name of a part to the program, and an unknown one is an
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
     for (const std::string folder : {"chapters", "mine"}) {
-        const fs::path program = course.tree.build / folder / "07_wall_meeting";
-        course.write(program, "#!/bin/sh\n[ $1 = walls ] || { echo 'no such part; its parts are walls' >&2; exit 2; }\n"
-                              "echo $1 $2\n");
-        fs::permissions(program, fs::perms::all);
+        course.write_program(course.tree.build / folder / "07_wall_meeting",
+                             "[ $1 = walls ] || { echo 'no such part; its parts are walls' >&2; exit 2; }\necho $1 $2");
         std::vector<std::string> run{"run", "7", "walls"}, misspelt{"run", "7", "wals"};
         if (folder == "mine") run.push_back("--mine"), misspelt.push_back("--mine");
 
@@ -663,9 +650,7 @@ TEST_CASE("run hands the name of a part to the program, and an unknown one is an
 TEST_CASE("a student's program that fails exits with 1: there is something to do") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
-    const fs::path program = course.tree.build / "mine" / "07_wall_meeting";
-    course.write(program, "#!/bin/sh\necho 6; kill -SEGV $$\n");
-    fs::permissions(program, fs::perms::all);
+    course.write_program(course.tree.build / "mine" / "07_wall_meeting", "echo 6; kill -SEGV $$");
     const Finished done = course({"run", "7", "--mine"}, {path});
     CHECK(done.code == 1);
     CHECK(done.out == "6\n");

@@ -187,13 +187,8 @@ TEST_CASE("new, killed at any moment, has done nothing, or is finished by the ne
         const auto before = sections(course);
         const pid_t child = ::fork();
         if (child == 0) {
-            std::vector<std::string> words = course.command({"new", "13_springs"});
-            std::vector<char *> arguments;
-            for (std::string &word : words) arguments.push_back(word.data());
-            arguments.push_back(nullptr);
             ::close(STDOUT_FILENO);
-            ::execvp(arguments[0], arguments.data());
-            ::_exit(127);
+            become(course.command({"new", "13_springs"}));
         }
         std::this_thread::sleep_for(std::chrono::microseconds{std::uniform_int_distribution<>{0, 60'000}(chance)});
         ::kill(child, SIGKILL);
@@ -274,11 +269,7 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
         if (!std::set<std::string>{"build", ".git", ".course"}.contains(entry.path().filename().string()))
             REQUIRE(run({"cp", "-a", entry.path().string(), copy.root.string()}).code == 0);
     const std::string path = place.instead_of("gdb", "exit 0");
-    const auto course = [&](std::vector<std::string> words) {
-        words.insert(words.begin(), {"env", path, "COURSE_ROOT=" + copy.root.string(),
-                                     "COURSE_BUILD=" + copy.build.string(), COURSE_TOOL});
-        return run(words);
-    };
+    const auto course = [&](const std::vector<std::string> &words) { return run(course_command(copy, words, {path})); };
     const auto succeeds = [](const Finished &done) {
         INFO(done.out << done.err);
         REQUIRE(done.code == 0);

@@ -1,6 +1,5 @@
-#include "ground/files.hpp"
-#include "ground/process.hpp"
-#include "own_folder.hpp"
+#include "small_course.hpp"
+#include "whole_answer.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -26,19 +25,13 @@ std::vector<std::string> all_chapters() {
     return names;
 }
 
-/// Where a check stands in its file may change: the verdict has not.
-std::string without_lines(const std::string &text) {
-    return std::regex_replace(text, std::regex{R"((see   tests/\w+\.cpp):\d+)"}, "$1:…");
-}
-
 /// What `./course check` says of a student's file: of an exercise or a section.
 std::string verdict_on(const std::string &attempt, const std::string &what = "1.1") {
     const course::OwnFolder folder;
     const std::filesystem::path file = folder.path / "first attempt.cpp";
     course::write_file(file, attempt);
-    const auto said = course::run({"env", "COURSE_ROOT=" COURSE_ROOT, "COURSE_BUILD=" COURSE_BUILD, "NO_COLOR=1",
-                                   COURSE_TOOL, "check", what, "--file", file.string()});
-    return without_lines(said.out);
+    return without_lines(
+        course::run(course::course_command({root, COURSE_BUILD}, {"check", what, "--file", file.string()})).out);
 }
 
 /// The stub of section 1 with code in the place of the `throw` of each of these exercises.

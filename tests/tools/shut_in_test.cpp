@@ -3,7 +3,9 @@
 
 #ifdef __linux__ // elsewhere nothing shuts a subject in
 #include "ground/complaint.hpp"
+#include "ground/files.hpp"
 #include "ground/hidden.hpp"
+#include "own_folder.hpp"
 #include "verdict/tests/subject.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -29,23 +31,11 @@ bool prepared() {
     return once;
 }
 
-/// A file that is ours to write and read, for one attack.
-struct Victim {
-    Victim() {
-        std::string name = (fs::temp_directory_path() / "victim.XXXXXX").string();
-        ::close(::mkstemp(name.data()));
-        path = name;
-    }
-    ~Victim() {
-        fs::remove(path);
-        fs::remove(path + ".folder");
-    }
-    std::string path;
-};
-
 std::string attack(const std::string &what, Protection protection) {
-    const Victim victim;
-    Subject subject{ATTACK, what + ':' + victim.path, protection};
+    const OwnFolder folder;
+    const fs::path victim = folder.path / "victim"; // a file that is ours to write and read
+    write_file(victim, "");
+    Subject subject{ATTACK, what + ':' + victim.string(), protection};
     subject.finish(Clock::now() + 5s);
     return subject.printed();
 }

@@ -16,6 +16,31 @@
 
 namespace course {
 
+/// The command `./course words` for this tree. `environment` is more of it, as {"NO_COLOR=1"}.
+inline std::vector<std::string> course_command(const Tree &tree, const std::vector<std::string> &words,
+                                               const std::vector<std::string> &environment = {}) {
+    std::vector<std::string> line{"env",
+                                  "-u",
+                                  "COURSE_LOCKED",
+                                  "-u",
+                                  "NO_COLOR",
+                                  "COURSE_ROOT=" + tree.root.string(),
+                                  "COURSE_BUILD=" + tree.build.string()};
+    line.insert(line.end(), environment.begin(), environment.end());
+    line.push_back(COURSE_TOOL);
+    line.insert(line.end(), words.begin(), words.end());
+    return line;
+}
+
+/// For a child: goes on as this command.
+[[noreturn]] inline void become(std::vector<std::string> command) {
+    std::vector<char *> arguments;
+    for (std::string &word : command) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    ::execvp(arguments[0], arguments.data());
+    ::_exit(127);
+}
+
 struct SmallCourse {
     explicit SmallCourse(const std::string &like = "a course XXXXXX") : folder{like} {
         tree.root = folder.path;
@@ -25,8 +50,8 @@ struct SmallCourse {
             write(tree.stub(section), "// " + section.name + ", nothing done yet\n");
             write(tree.exercise(section), "// " + section.name + ", nothing done yet\n");
             write(tree.build / "catalogue" / (section.name + ".json"),
-                  R"({"exercises": [)" + exercise(section, "1", "core", "first")
-                      + ", " + exercise(section, "2", "stretch", "second") + "]}");
+                  R"({"exercises": [)" + exercise(section, "1", "core", "first") + ", "
+                      + exercise(section, "2", "stretch", "second") + "]}");
         }
         write("book.md", "| | section |\n|--:|:--|\n| 8 | n–t collisions | *to come* |\n");
         write("chapters/06_reflection/README.md", "# 6 Reflection\n");
@@ -36,34 +61,29 @@ struct SmallCourse {
               "//> Solution 7.2: two\nint second() { return two(); }\n//>\n");
     }
 
-    /// `./course words`, without a terminal. `environment` is more of it, as {"NO_COLOR=1"}.
+    /// `./course words`, without a terminal.
     Finished operator()(const std::vector<std::string> &words, const std::vector<std::string> &environment = {}) const {
         return run(command(words, environment));
     }
 
     std::vector<std::string> command(const std::vector<std::string> &words,
                                      const std::vector<std::string> &environment = {}) const {
-        std::vector<std::string> line{"env",
-                                      "-u",
-                                      "COURSE_LOCKED",
-                                      "-u",
-                                      "NO_COLOR",
-                                      "COURSE_ROOT=" + tree.root.string(),
-                                      "COURSE_BUILD=" + tree.build.string()};
-        line.insert(line.end(), environment.begin(), environment.end());
-        line.push_back(COURSE_TOOL);
-        line.insert(line.end(), words.begin(), words.end());
-        return line;
+        return course_command(tree, words, environment);
     }
 
     void write(const std::filesystem::path &file, const std::string &text) const { write_file(tree.root / file, text); }
     std::string read(const std::filesystem::path &file) const { return read_file(tree.root / file); }
     bool has(const std::filesystem::path &file) const { return std::filesystem::exists(tree.root / file); }
 
+    /// Writes a program, which is a shell script.
+    void write_program(const std::filesystem::path &file, const std::string &script) const {
+        write(file, "#!/bin/sh\n" + script + '\n');
+        std::filesystem::permissions(tree.root / file, std::filesystem::perms::all);
+    }
+
     /// Puts a shell script in the place of a program, and returns the environment in which it is found.
     std::string instead_of(const std::string &program, const std::string &script) const {
-        write("bin/" + program, "#!/bin/sh\n" + script + '\n');
-        std::filesystem::permissions(tree.root / "bin" / program, std::filesystem::perms::all);
+        write_program("bin/" + program, script);
         return "PATH=" + (tree.root / "bin").string() + ":" + std::getenv("PATH");
     }
 
@@ -84,8 +104,7 @@ struct SmallCourse {
     static std::string exercise(const Section &section, const std::string &n, const std::string &tier,
                                 const char *name) {
         return R"({"number": ")" + section.short_number() + "." + n + R"(", "tier": ")" + tier + R"(", "function": ")"
-               + (section.number() == 6 ? std::string{name} + "_bounce" : name)
-               + R"("})";
+               + (section.number() == 6 ? std::string{name} + "_bounce" : name) + R"("})";
     }
 
     static constexpr const char *chapter = R"(# 7 Walls that meet
