@@ -1,6 +1,7 @@
 #include "loop/programs.hpp"
 
 #include "ground/complaint.hpp"
+#include "ground/hidden.hpp"
 #include "ground/lines.hpp"
 #include "ground/plain.hpp"
 #include "ground/text.hpp"
@@ -118,12 +119,9 @@ void empty_folder(const fs::path &folder) {
 }
 
 /// Starts what follows with limits, so that a runaway function cannot bring the machine down: no core file, files
-/// of 100 MB, 4 GB of memory. (An address sanitizer reserves more than there is, and must not be limited.)
-#if defined(__SANITIZE_ADDRESS__)
-constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; exec \"$@\"";
-#else
-constexpr const char *limited = "ulimit -c 0; ulimit -f 200000; ulimit -v 4000000 2>/dev/null; exec \"$@\"";
-#endif
+/// of 100 MB, 4 GB of memory.
+constexpr const char *limited = sanitized ? "ulimit -c 0; ulimit -f 200000; exec \"$@\""
+                                          : "ulimit -c 0; ulimit -f 200000; ulimit -v 4000000 2>/dev/null; exec \"$@\"";
 
 Ran run_student(const Tree &tree, const Section &section, const fs::path &traces, const std::string &part,
                 double deadline) {

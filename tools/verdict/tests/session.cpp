@@ -350,9 +350,4 @@ bool is_last_result(std::string_view bytes) {
 void refuse_nameless() { session()->refuse_nameless(); }
 std::string_view last_unit() { return session()->last_exercise->unit; }
 
-std::vector<const ExerciseLine *> &exercise_lines() {
-    static std::vector<const ExerciseLine *> all;
-    return all;
-}
-
 } // namespace course

@@ -49,13 +49,6 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t soft, rlim_t hard) {
 }
 void limit(decltype(RLIMIT_CPU) what, rlim_t most) { limit(what, most, most); }
 
-constexpr bool sanitized =
-#ifdef __SANITIZE_ADDRESS__
-    true; // reserves terabytes of addresses
-#else
-    false;
-#endif
-
 void set_limits() {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, 120, 122); // [s] for whatever escapes everything else; SIGXCPU says why, SIGKILL would not
