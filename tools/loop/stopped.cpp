@@ -2,6 +2,7 @@
 
 #include "ground/complaint.hpp"
 #include "ground/lines.hpp"
+#include "ground/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,20 +11,18 @@
 namespace course {
 namespace {
 
-bool has(std::string_view text, std::string_view words) { return text.find(words) != text.npos; }
-
-template <class List> bool has_any(std::string_view text, const List &list) {
-    return std::any_of(list.begin(), list.end(), [&](const char *words) { return has(text, words); });
+template <class List> bool contains_any(std::string_view text, const List &list) {
+    return std::any_of(list.begin(), list.end(), [&](const char *words) { return contains(text, words); });
 }
 
 /// Whether something is wrong with the code, whatever else happened: then a file cannot blame the machine by choosing
 /// the words of its errors.
 bool blames_the_code(std::string_view line) {
     constexpr std::array marks{": error: ", ": fatal error: ", ": Error: "};
-    if (has(line, "undefined reference to") || has(line, "multiple definition of")) return true;
+    if (contains(line, "undefined reference to") || contains(line, "multiple definition of")) return true;
     return std::any_of(marks.begin(), marks.end(), [&](std::string_view mark) {
         const std::size_t at = line.find(mark);
-        return at != line.npos && at > 0 && line[at - 1] >= '0' && line[at - 1] <= '9'; // file:12: error:
+        return at != line.npos && at > 0 && is_digit(line[at - 1]); // file:12: error:
     });
 }
 
@@ -58,20 +57,20 @@ std::string stopped_by_a_limit(const Finished &finished, const std::string &said
         return {};
 
     const int signal = finished.code - 128;
-    if (signal == SIGXCPU || has(said, "CPU time limit exceeded"))
+    if (signal == SIGXCPU || contains(said, "CPU time limit exceeded"))
         return "The compiler was stopped after " + std::to_string(compiler_limits.processor_time)
                + " s of computing: does a template or a constexpr function never end?";
-    if (signal == SIGXFSZ || has_any(said, wrote_too_much))
+    if (signal == SIGXFSZ || contains_any(said, wrote_too_much))
         return "The compiler was stopped when the program grew beyond "
                + std::to_string(compiler_limits.file_size >> 20) + " MB: does an array have gigabytes?";
-    if (has_any(said, ran_out_of_memory))
+    if (contains_any(said, ran_out_of_memory))
         return "The compiler was stopped when it wanted more than " + std::to_string(compiler_limits.memory >> 30)
                + " GB of memory: does an array have gigabytes, or a template no end?";
-    if (disk_full || has(said, "No space left on device") || has(said, "Disk quota exceeded"))
+    if (disk_full || contains(said, "No space left on device") || contains(said, "Disk quota exceeded"))
         throw MachineTrouble{"the compiler found the disk full; make some room and try again. Nothing was judged"};
     if (signal == SIGKILL || signal == SIGTERM || signal == SIGHUP
         || std::any_of(lines.begin(), lines.end(), [](const Line &line) {
-               return has(line.text, " signal terminated program ") && has_any(line.text, killed);
+               return contains(line.text, " signal terminated program ") && contains_any(line.text, killed);
            }))
         throw MachineTrouble{"the compiler was killed from outside: has the machine run out of memory? Close some "
                              "programs and try again. Nothing was judged"};
