@@ -9,25 +9,15 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <memory>
 #include <regex>
-#include <sstream>
 #include <unistd.h>
 
 namespace course {
 namespace fs = std::filesystem;
 namespace {
-
-bool in_path(const std::string &program) {
-    const char *path = std::getenv("PATH");
-    std::istringstream folders{path ? path : ""};
-    for (std::string folder; std::getline(folders, folder, ':');)
-        if (::access((fs::path{folder} / program).c_str(), X_OK) == 0) return true;
-    return false;
-}
 
 /// The debugger on our tests; for one exercise: on its tests, and stopping where its function begins.
 std::vector<std::string> debugger(const fs::path &program, const std::string &function, const std::string &tag) {

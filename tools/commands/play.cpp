@@ -13,13 +13,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fmt/format.h>
+#include <fmt/ranges.h> // join
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <memory>
 #include <regex>
 #include <thread>
+#include <unistd.h>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -56,29 +57,23 @@ void need_compiler(const Tree &tree, bool yes) {
     std::ifstream list{tree.root / "tools" / "setup" / "needs_of_pages"};
     const std::vector<std::string> packages{std::istream_iterator<std::string>{list}, {}};
     std::vector<std::string> command{"apt-get", "install", "--no-install-recommends"};
-    const bool is_root = run({"id", "-u"}).out == "0\n";
-    if (!is_root) command.insert(command.begin(), "sudo");
-    std::string typed;
-    for (const std::string &word : command) typed += word + ' ';
-    for (const std::string &package : packages) typed += package + ' ';
-    typed.pop_back();
-
+    command.insert(command.end(), packages.begin(), packages.end());
     const std::string why = "a browser runs your functions as WebAssembly, and this machine has no compiler for that";
-    std::vector<std::string> trial{"apt-get", "install", "--no-install-recommends", "--assume-no"};
-    trial.insert(trial.end(), packages.begin(), packages.end());
-    const bool has_apt = run({"sh", "-c", "command -v apt-get"}).code == 0;
-    const std::string printed = has_apt ? run(trial, {.environment = {"LC_ALL=C"}}).out : "";
-    if (!has_apt || sizes(printed).empty())
+    std::vector<std::string> trial = command;
+    trial.push_back("--assume-no");
+    const std::string printed = in_path("apt-get") ? run(trial, {.environment = {"LC_ALL=C"}}).out : "";
+    if (sizes(printed).empty())
         throw Complaint{why
                         + "; it is Clang 14 with the packages wasi-libc and libc++-14-dev-wasm32 of Debian 12, "
                           "which are not to be had here. Without --mine the demo runs on ours"};
-    std::cout << "To play with your code: " << why << ".\nDebian has one" << sizes(printed) << ":\n  " << typed << '\n'
+    if (::geteuid() != 0) command.insert(command.begin(), "sudo");
+    std::cout << "To play with your code: " << why << ".\nDebian has one" << sizes(printed) << ":\n  "
+              << fmt::format("{}", fmt::join(command, " ")) << '\n'
               << std::flush;
     if (!yes && !(can_ask() && ask("Install it now? [y/N] ")))
         throw Complaint{"nothing was installed; type the line above, then ./course play again. Without --mine the demo "
                         "runs on ours"};
     command.push_back("--yes");
-    command.insert(command.end(), packages.begin(), packages.end());
     if (run(command, {.quiet = false}).code != 0) throw Complaint{"apt-get could not install it; it says why above"};
     run({"cmake", tree.build.string()});
     if (!can_compile_demos(tree))

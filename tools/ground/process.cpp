@@ -12,6 +12,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
+#include <sstream>
 #include <string_view>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -181,6 +182,14 @@ Undisturbed::Undisturbed() {
 }
 
 Undisturbed::~Undisturbed() { ::sigprocmask(SIG_SETMASK, &before, nullptr); }
+
+bool in_path(const std::string &program) {
+    const char *path = std::getenv("PATH");
+    std::istringstream folders{path ? path : ""};
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (::access((std::filesystem::path{folder} / program).c_str(), X_OK) == 0) return true;
+    return false;
+}
 
 void catch_signals() {
     struct sigaction action {};

@@ -38,6 +38,9 @@ struct Interrupted {
 ///         the program has ended.
 Finished run(const std::vector<std::string> &command, const RunOptions &options = {});
 
+/// Whether there is a program of this name in PATH.
+bool in_path(const std::string &program);
+
 /// Called once, by main: from here on Ctrl-C ends a running program and then us, with 130.
 void catch_signals();
 
