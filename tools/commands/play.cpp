@@ -70,7 +70,7 @@ void need_compiler(const Tree &tree, bool yes) {
     std::cout << "To play with your code: " << why << ".\nDebian has one" << sizes(printed) << ":\n  "
               << fmt::format("{}", fmt::join(command, " ")) << '\n'
               << std::flush;
-    if (!yes && !(can_ask() && ask("Install it now? [y/N] ")))
+    if (!yes && !(can_ask() && ask("Install it now?")))
         throw Complaint{"nothing was installed; type the line above, then ./course play again. Without --mine the demo "
                         "runs on ours"};
     command.push_back("--yes");
