@@ -7,12 +7,13 @@
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "loop/programs.hpp"
+#include "loop/toolbox.hpp"
 #include "site/demos.hpp"
+#include "site/own_site.hpp"
 
 #include <iostream>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -35,20 +36,25 @@ Example: ./course publish --check)";
 
 // Demos
 
+/// Builds a target of the section's demo. @return false if it has no demo
+bool build_demo(const Tree &tree, const Section &section, const char *target) {
+    if (!fs::exists(tree.chapter(section).parent_path() / "demo.cpp")) return false;
+    if (const Finished built = build_target(tree, section.name + target); built.code != 0)
+        throw Complaint{"the demo of section " + section.short_number()
+                        + " cannot be compiled: " + first_error(built.out + built.err)};
+    return true;
+}
+
 /// Sections whose demo is compiled and is not the one that is kept; none without a compiler for pages.
 std::vector<Section> changed_demos(const Tree &tree, const std::vector<Section> &sections) {
     std::vector<Section> changed;
-    if (!fs::exists(tree.build / "play" / "can_compile")) return changed;
-    const std::string node = nlohmann::json::parse(read_file(tree.build / "course.json")).at("node");
+    if (!can_compile_demos(tree)) return changed;
     for (const Section &section : sections) {
-        if (!fs::exists(tree.chapter(section).parent_path() / "demo.cpp")) continue;
-        if (const Finished built = build_target(tree, section.name + "_play"); built.code != 0)
-            throw Complaint{"the demo of section " + section.short_number()
-                            + " cannot be compiled: " + first_error(built.out + built.err)};
+        if (!build_demo(tree, section, "_play")) continue;
         const fs::path kept = tree.root / demo_file(section);
         if (!fs::exists(kept)
-            || run({node, (tree.root / "tools/play/pack.cjs").string(), "--same", compiled_demo(tree, section).string(),
-                    kept.string()})
+            || run({toolbox(tree, section).node, (tree.root / "tools/play/pack.cjs").string(), "--same",
+                    compiled_demo(tree, section).string(), kept.string()})
                        .code
                    != 0)
             changed.push_back(section);
@@ -58,10 +64,7 @@ std::vector<Section> changed_demos(const Tree &tree, const std::vector<Section> 
 
 /// The still pictures of the section's demo, as SVGs, by the files in which they are kept; none without a demo.
 std::map<fs::path, std::string> draw_demo(const Tree &tree, const Section &section) {
-    if (!fs::exists(tree.chapter(section).parent_path() / "demo.cpp")) return {};
-    if (const Finished built = build_target(tree, section.name + "_demo"); built.code != 0)
-        throw Complaint{"the demo of section " + section.short_number()
-                        + " cannot be compiled: " + first_error(built.out + built.err)};
+    if (!build_demo(tree, section, "_demo")) return {};
     const std::string name = "the demo of section " + section.short_number();
     const Colours colours = read_colours(read_file(tree.root / "plots" / "style.gp"));
     const std::vector<std::string> starts = demo_starts(demo_marks(read_file(tree.chapter(section))));

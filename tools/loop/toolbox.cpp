@@ -38,6 +38,7 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
         }
         w.cmake = json.at("cmake");
         w.nm = json.at("nm");
+        w.node = json.at("node");
         w.link = json.at("link");
         w.assembler = json.at("assembler");
         for (const auto &folder : json.at("includes")) w.includes.emplace_back(folder.get<std::string>());
