@@ -15,11 +15,7 @@ const bool nothing_is_started = [] {
 /// Serves a function that is known when the program runs.
 template <class Result, class... Arguments> struct Chosen {
     static inline Result (*function)(Arguments...) = nullptr;
-    static void serve(Reader &in, Writer &out) {
-        std::tuple<std::decay_t<Arguments>...> arguments{
-            in.take<std::decay_t<Arguments>>()...}; // braces: left to right
-        out.put(std::apply(function, arguments));
-    }
+    static void serve(Reader &in, Writer &out) { ::serve(function, in, out); }
 };
 
 struct Answer {

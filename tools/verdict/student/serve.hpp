@@ -12,17 +12,11 @@ Serve served[64];
 std::uint32_t exercises = 0;
 
 /// Reads the arguments, calls the student's function, writes its result.
-template <class Result, class... Arguments> struct Server {
-    template <Result (*F)(Arguments...)> static void serve(Reader &in, Writer &out) {
-        std::tuple<std::decay_t<Arguments>...> arguments{
-            in.take<std::decay_t<Arguments>>()...}; // braces: left to right
-        out.put(std::apply(F, arguments));
-    }
-};
-template <class Result, class... Arguments, Result (*F)(Arguments...)>
-constexpr Serve serve_function(std::integral_constant<Result (*)(Arguments...), F>) {
-    return &Server<Result, Arguments...>::template serve<F>;
+template <class Result, class... Arguments> void serve(Result (*function)(Arguments...), Reader &in, Writer &out) {
+    std::tuple<std::decay_t<Arguments>...> arguments{in.take<std::decay_t<Arguments>>()...}; // braces: left to right
+    out.put(std::apply(function, arguments));
 }
+template <auto F> void serve_function(Reader &in, Writer &out) { serve(F, in, out); }
 
 struct Served {
     explicit Served(Serve serve) { served[exercises++] = serve; }
@@ -32,6 +26,5 @@ struct Served {
 
 #undef COURSE_EXERCISE // it meant nothing in the headers of earlier sections
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
-    static const ::Served function##_served{                                                                           \
-        ::serve_function(std::integral_constant<decltype(&section::function), &section::function>{})};
+    static const ::Served function##_served{&::serve_function<&section::function>};
 #include COURSE_SECTION
