@@ -15,6 +15,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// CMake breaks its lines anywhere.
+std::string on_one_line(const course::Finished &said) {
+    std::string text;
+    for (const char c : said.err)
+        if (c != '\n' && c != ' ') text += c;
+        else if (!text.empty() && text.back() != ' ') text += ' ';
+    return text;
+}
+
 /// A copy of this course's files, in a folder with blanks, configured but never built.
 struct Copy {
     Copy() {
@@ -30,36 +39,29 @@ struct Copy {
         return course::run(command);
     }
 
+    void is_refused(const std::string &sentence, const std::vector<std::string> &options = {}) const {
+        const auto said = configure(options);
+        CHECK(said.code != 0);
+        CHECK_THAT(on_one_line(said), ContainsSubstring(sentence));
+    }
+
     const course::OwnFolder folder;
     const fs::path &root = folder.path;
 };
-
-/// CMake breaks its lines anywhere.
-std::string on_one_line(const course::Finished &said) {
-    std::string text;
-    for (const char c : said.err)
-        if (c != '\n' && c != ' ') text += c;
-        else if (!text.empty() && text.back() != ' ') text += ' ';
-    return text;
-}
 
 } // namespace
 
 TEST_CASE("a section without its solution is a configure error that names the file", "[configure]") {
     const Copy copy;
     fs::remove(copy.root / "solutions/07_segment_intersection.cpp");
-    const auto said = copy.configure();
-    CHECK(said.code != 0);
-    CHECK_THAT(on_one_line(said), ContainsSubstring("needs solutions/07_segment_intersection.cpp, which is not there"));
+    copy.is_refused("needs solutions/07_segment_intersection.cpp, which is not there");
 }
 
 TEST_CASE("a file of no section is a configure error that names it", "[configure]") {
     const Copy copy;
     const std::string stray = GENERATE("solutions/07_segments.cpp", "tests/07_segments.cpp", "tests/stubs/07_old.cpp");
     course::write_file(copy.root / stray, "");
-    const auto said = copy.configure();
-    CHECK(said.code != 0);
-    CHECK_THAT(on_one_line(said), ContainsSubstring(stray + " belongs to no section"));
+    copy.is_refused(stray + " belongs to no section");
 }
 
 TEST_CASE("what else a student keeps in exercises/ is no concern of the course", "[configure]") {
@@ -100,18 +102,14 @@ TEST_CASE("a section builds on earlier sections only", "[configure]") {
         text.replace(at, text.find('\n', at) - at, line);
     }
     course::write_file(list, text);
-    const auto said = copy.configure();
-    CHECK(said.code != 0);
-    CHECK_THAT(on_one_line(said), ContainsSubstring(complaint));
+    copy.is_refused(complaint);
 }
 
 TEST_CASE("a section without a figure is a configure error", "[configure]") {
     const Copy copy;
     for (const auto &entry : fs::directory_iterator{copy.root / "plots"})
         if (entry.path().extension() == ".gp" && entry.path().stem() != "style") fs::remove(entry.path());
-    const auto said = copy.configure();
-    CHECK(said.code != 0);
-    CHECK_THAT(on_one_line(said), ContainsSubstring("has no figure: write plots/"));
+    copy.is_refused("has no figure: write plots/");
 }
 
 TEST_CASE("the packages that peers need are asked for all at once, and only if peers are wanted", "[configure]") {
@@ -119,10 +117,8 @@ TEST_CASE("the packages that peers need are asked for all at once, and only if p
     for (const std::string section : {"01_motion", "11_particles"})
         course::write_file(copy.root / "tests/peers" / (section + ".cpp"),
                            "// needs No" + section + " no::no libno-" + section + "-dev\n");
-    const auto said = copy.configure({"-DCOURSE_PEERS=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_CGAL=ON"});
-    CHECK(said.code != 0);
-    CHECK_THAT(on_one_line(said),
-               ContainsSubstring("sudo apt install libno-01_motion-dev libcgal-dev libno-11_particles-dev"));
+    copy.is_refused("sudo apt install libno-01_motion-dev libcgal-dev libno-11_particles-dev",
+                    {"-DCOURSE_PEERS=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_CGAL=ON"});
     CHECK(copy.configure({"-DCOURSE_PEERS=OFF"}).code == 0);
 }
 
@@ -131,7 +127,5 @@ TEST_CASE("a peer is named as its section, and says in its first line what it ne
     const auto [name, head] = GENERATE(table<std::string, std::string>(
         {{"07_segments", "// needs CGAL CGAL::CGAL libcgal-dev\n"}, {"01_motion", "// needs CGAL\n"}}));
     course::write_file(copy.root / "tests/peers" / (name + ".cpp"), head);
-    const auto said = copy.configure({"-DCOURSE_PEERS=ON"});
-    CHECK(said.code != 0);
-    CHECK_THAT(on_one_line(said), ContainsSubstring("tests/peers/" + name + ".cpp must be named as a section is"));
+    copy.is_refused("tests/peers/" + name + ".cpp must be named as a section is", {"-DCOURSE_PEERS=ON"});
 }
