@@ -3,6 +3,7 @@
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "ground/terminal.hpp"
+#include "loop/catalogue.hpp"
 #include "loop/memory.hpp"
 #include "site/progress_script.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 void reset(const Tree &tree, const std::string &words, bool yes) {
     const Section section = tree.section(words);
     const std::string file = tree.shown(tree.exercise(section)), number = section.short_number();
-    if (words.find('.') != std::string::npos && words.find_first_not_of("0123456789.") == std::string::npos)
+    if (is_number_of_exercise(words))
         throw Complaint{"`reset` brings back a whole section, not one exercise of it: ./course reset " + number};
 
     const std::string empty = read_file(tree.stub(section));
