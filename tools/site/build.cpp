@@ -4,14 +4,15 @@
 #include "ground/files.hpp"
 #include "ground/process.hpp"
 #include "site/addresses.hpp"
+#include "site/book_parts.hpp"
 #include "site/demos.hpp"
 #include "site/doxygen_page.hpp"
 #include "site/draft.hpp"
+#include "site/front.hpp"
 #include "site/page_template.hpp"
 #include "site/progress_script.hpp"
 #include "site/reachable.hpp"
 #include "site/search.hpp"
-#include "site/written_pages.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,6 +22,24 @@
 namespace course {
 namespace fs = std::filesystem;
 namespace {
+
+/// A page of the site that is written as Markdown.
+struct WrittenPage {
+    std::string name; ///< without ".html"
+    fs::path file;    ///< which its links are seen from, and its lines counted in
+    std::string text;
+};
+
+/// The front page, the parts of book.md, the chapters, the other files beside book.md, and the page with all demos.
+std::vector<WrittenPage> written_pages(const Tree &tree) {
+    const fs::path book = tree.root / "book.md";
+    std::vector<WrittenPage> pages{{"index", tree.root / "docs" / "front.md", front_page(tree)}};
+    for (const BookPart &part : book_parts(read_file(book))) pages.push_back({part.name, book, part.text});
+    for (const fs::path &file : markdown_pages(tree))
+        if (file != book) pages.push_back({page_name(tree, file), file, read_file(file)});
+    if (const std::string all = play_page(tree); !all.empty()) pages.push_back({"play", book, all});
+    return pages;
+}
 
 class Builder {
   public:
