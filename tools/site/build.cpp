@@ -11,7 +11,6 @@
 #include "site/front.hpp"
 #include "site/page_template.hpp"
 #include "site/progress_script.hpp"
-#include "site/reachable.hpp"
 #include "site/search.hpp"
 
 #include <nlohmann/json.hpp>
@@ -57,7 +56,7 @@ class Builder {
         add_pages(files, typeset);
         add_assets(files);
         keep_reachable(files);
-        write(files);
+        write_site(site_folder(tree), files);
     }
 
   private:
@@ -196,17 +195,6 @@ class Builder {
                     files["fonts/" + entry.path().filename().string()] = read_file(entry.path());
     }
 
-    /// Writes what has changed, and removes what is no longer a part of the site.
-    void write(const SiteFiles &files) const {
-        const fs::path folder = site_folder(tree);
-        for (const auto &[name, text] : files) write_file(folder / name, text);
-        std::vector<fs::path> old;
-        for (const auto &entry : fs::recursive_directory_iterator{folder})
-            if (entry.is_regular_file() && !files.contains(entry.path().lexically_relative(folder).generic_string()))
-                old.push_back(entry.path());
-        for (const fs::path &file : old) fs::remove(file);
-    }
-
     const Tree &tree;
     const SiteTools &tools;
     const fs::path work = tree.build / "site.work";
@@ -218,5 +206,14 @@ class Builder {
 } // namespace
 
 void build_site(const Tree &tree, const SiteTools &tools) { Builder{tree, tools}.build(); }
+
+void write_site(const fs::path &folder, const SiteFiles &files) {
+    for (const auto &[name, text] : files) write_file(folder / name, text);
+    std::vector<fs::path> old;
+    for (const auto &entry : fs::recursive_directory_iterator{folder})
+        if (entry.is_regular_file() && !files.contains(entry.path().lexically_relative(folder).generic_string()))
+            old.push_back(entry.path());
+    for (const fs::path &file : old) fs::remove(file);
+}
 
 } // namespace course

@@ -1,5 +1,6 @@
 #pragma once
 #include "ground/tree.hpp"
+#include "site/reachable.hpp"
 
 #include <filesystem>
 #include <string>
@@ -22,5 +23,8 @@ inline std::filesystem::path own_site_folder(const Tree &tree) { return tree.bui
 /// Makes the whole site anew; files that stay the same keep their date.
 /// @throws Complaint naming what is wrong and where: a formula that cannot be read, a warning of Doxygen's, a dead link.
 void build_site(const Tree &tree, const SiteTools &tools);
+
+/// Writes what has changed of a site, and removes what is no longer a part of it.
+void write_site(const std::filesystem::path &folder, const SiteFiles &files);
 
 } // namespace course

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <regex>
-#include <set>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -189,23 +188,18 @@ std::string renew_own_section(const Tree &tree, const Section &section) {
 
 void copy_own_site(const Tree &tree) {
     const fs::path from = site_folder(tree), to = own_site_folder(tree);
-    std::set<fs::path> known;
+    SiteFiles files;
     for (const auto &entry : fs::recursive_directory_iterator{from}) {
         if (!entry.is_regular_file()) continue;
         const fs::path name = entry.path().lexically_relative(from);
-        write_file(to / name, own_copy(tree, name));
-        known.insert(name);
+        files[name.generic_string()] = own_copy(tree, name);
     }
     for (const Section &section : tree.sections()) {
         if (!has_demo(tree, section)) continue;
-        known.insert(own_demo_file(section));
-        if (!fs::exists(to / own_demo_file(section))) write_own_demo(tree, section, "");
+        const fs::path script = to / own_demo_file(section);
+        files[own_demo_file(section)] = fs::exists(script) ? read_file(script) : "";
     }
-    std::vector<fs::path> old;
-    for (const auto &entry : fs::recursive_directory_iterator{to})
-        if (entry.is_regular_file() && !known.contains(entry.path().lexically_relative(to)))
-            old.push_back(entry.path());
-    for (const fs::path &file : old) fs::remove(file);
+    write_site(to, files);
 }
 
 } // namespace course
