@@ -9,27 +9,24 @@ namespace {
 using namespace std::string_view_literals;
 
 const std::map<std::string_view, std::string_view> symbols{
-    {"cdot", " · "},       {"times", " × "},      {"pm", " ± "},        {"le", " ≤ "},       {"leq", " ≤ "},
-    {"ge", " ≥ "},         {"geq", " ≥ "},        {"ne", " ≠ "},        {"neq", " ≠ "},      {"approx", " ≈ "},
-    {"to", " → "},         {"infty", "∞"},        {"in", " ∈ "},        {"dots", "…"},       {"ldots", "…"},
-    {"cdots", "…"},        {"circ", "°"},         {"lvert", "|"},       {"rvert", "|"},      {"mid", "|"},
-    {"quad", "  "},        {"qquad", "  "},       {"perp", " ⊥ "},      {"parallel", " ∥ "}, {"sum", "∑"},
-    {"prime", "'"},        {"partial", "∂"},      {"ll", " ≪ "},        {"gg", " ≫ "},       {"iff", " ⇔ "},
-    {"Rightarrow", " ⇒ "}, {"rightarrow", " → "}, {"mapsto", " ↦ "},    {"lVert", "‖"},      {"rVert", "‖"},
-    {"alpha", "α"},        {"beta", "β"},         {"gamma", "γ"},       {"delta", "δ"},      {"epsilon", "ε"},
-    {"varepsilon", "ε"},   {"theta", "θ"},        {"lambda", "λ"},      {"mu", "μ"},         {"pi", "π"},
-    {"rho", "ρ"},          {"sigma", "σ"},        {"tau", "τ"},         {"phi", "φ"},        {"varphi", "φ"},
-    {"omega", "ω"},        {"Delta", "Δ"},        {"Sigma", "Σ"},       {"Omega", "Ω"},      {"sin", "sin"},
-    {"cos", "cos"},        {"tan", "tan"},        {"arctan", "arctan"}, {"max", "max"},      {"min", "min"},
-    {"det", "det"},        {"ln", "ln"},          {"log", "log"},       {"exp", "exp"},      {"lim", "lim"},
+    {"cdot", " · "},       {"times", " × "},      {"pm", " ± "},     {"le", " ≤ "},       {"leq", " ≤ "},
+    {"ge", " ≥ "},         {"geq", " ≥ "},        {"ne", " ≠ "},     {"neq", " ≠ "},      {"approx", " ≈ "},
+    {"to", " → "},         {"infty", "∞"},        {"in", " ∈ "},     {"dots", "…"},       {"ldots", "…"},
+    {"cdots", "…"},        {"circ", "°"},         {"lvert", "|"},    {"rvert", "|"},      {"mid", "|"},
+    {"quad", "  "},        {"qquad", "  "},       {"perp", " ⊥ "},   {"parallel", " ∥ "}, {"sum", "∑"},
+    {"prime", "'"},        {"partial", "∂"},      {"ll", " ≪ "},     {"gg", " ≫ "},       {"iff", " ⇔ "},
+    {"Rightarrow", " ⇒ "}, {"rightarrow", " → "}, {"mapsto", " ↦ "}, {"lVert", "‖"},      {"rVert", "‖"},
+    {"alpha", "α"},        {"beta", "β"},         {"gamma", "γ"},    {"delta", "δ"},      {"epsilon", "ε"},
+    {"varepsilon", "ε"},   {"theta", "θ"},        {"lambda", "λ"},   {"mu", "μ"},         {"pi", "π"},
+    {"rho", "ρ"},          {"sigma", "σ"},        {"tau", "τ"},      {"phi", "φ"},        {"varphi", "φ"},
+    {"omega", "ω"},        {"Delta", "Δ"},        {"Sigma", "Σ"},    {"Omega", "Ω"},
 };
 
 /// Only their argument matters, or nothing at all: fonts, sizes of brackets.
 bool is_dress(std::string_view command) {
     for (const std::string_view name :
-         {"mathbf"sv, "mathrm"sv, "mathit"sv,       "boldsymbol"sv, "text"sv, "operatorname"sv, "vec"sv,
-          "hat"sv,    "left"sv,   "right"sv,        "big"sv,        "Big"sv,  "bigl"sv,         "bigr"sv,
-          "Bigl"sv,   "Bigr"sv,   "displaystyle"sv, "begin"sv,      "end"sv,  "limits"sv})
+         {"mathbf"sv, "mathrm"sv, "mathit"sv, "boldsymbol"sv, "text"sv, "operatorname"sv, "vec"sv, "hat"sv, "left"sv,
+          "right"sv, "big"sv, "Big"sv, "bigl"sv, "bigr"sv, "Bigl"sv, "Bigr"sv, "displaystyle"sv, "limits"sv})
         if (command == name) return true;
     return false;
 }
@@ -100,9 +97,8 @@ struct Reader {
         if (name == "begin" || name == "end") return argument(), "";
         if (is_dress(name)) return "";
         const auto symbol = symbols.find(name);
-        if (symbol == symbols.end() || std::isalpha(static_cast<unsigned char>(symbol->second.front())))
-            return std::string{name};
-        while (rest.starts_with(' ')) take(); // `\Delta x` is one name
+        if (symbol == symbols.end()) return std::string{name}; // `\sin`
+        while (rest.starts_with(' ')) take();                  // `\Delta x` is one name
         return std::string{symbol->second};
     }
 
