@@ -37,12 +37,6 @@ std::string coloured(std::string_view colours, std::string_view code) {
            + std::string{html_begins};
 }
 
-std::string joined(std::vector<std::string>::const_iterator line, std::vector<std::string>::const_iterator end) {
-    std::string text;
-    for (; line != end; ++line) (text += *line) += '\n';
-    return text;
-}
-
 /// A path that may break into the next line after a slash.
 std::string breakable(const std::string &path) {
     static const std::regex slash{"/"};
@@ -238,11 +232,7 @@ class PageWriter {
                 inlines(node, line);
                 link(node);
                 break;
-            case CMARK_NODE_IMAGE: {
-                cmark_node *picture = raw(CMARK_NODE_CUSTOM_INLINE, image(node));
-                replace(node, picture);
-                break;
-            }
+            case CMARK_NODE_IMAGE: replace(node, raw(CMARK_NODE_CUSTOM_INLINE, image(node, alternative(node)))); break;
             case CMARK_NODE_CODE: code(node); break;
             default: inlines(node, line);
             }
@@ -321,10 +311,6 @@ class PageWriter {
                             + ": the site cannot show the picture " + url + "; give it as an SVG or PNG of the course"};
         return "<img src=\"" + escaped(*to) + "\" alt=\"" + escaped(alt) + "\"" + size_of(tree.root / *to) + ">";
     }
-    std::string image(cmark_node *node) {
-        const std::string alt = alternative(node);
-        return image(node, alt);
-    }
 
     /// Width and height, so that the page knows them before the picture is there.
     static std::string size_of(const fs::path &svg) {
@@ -349,23 +335,15 @@ class PageWriter {
     // Listings
 
     void listing(cmark_node *node) {
-        const std::string language = cmark_node_get_fence_info(node), code = literal(node);
-        const std::vector<std::string> content = content_of(code);
-        const auto title = content.empty() ? std::nullopt : mark_title(content.front());
-        const auto chunk = title ? chunks.find(*title) : chunks.end();
-        std::string text;
-        if (chunk == chunks.end()) text = "<figure class=\"listing\">" + block_of(language, code) + "</figure>";
-        else
-            text = "<figure class=\"listing\">" + caption_of(chunk->second)
-                   + block_of(language, joined(content.begin() + 1, content.end())) + "</figure>";
+        std::string code = literal(node), caption;
+        const auto title = mark_title(code.substr(0, code.find('\n')));
+        if (const auto chunk = title ? chunks.find(*title) : chunks.end(); chunk != chunks.end()) {
+            caption = caption_of(chunk->second);
+            code.erase(0, code.find('\n') + 1);
+        }
+        const std::string language = cmark_node_get_fence_info(node);
         replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, listing_mark(listings.size())));
-        listings.push_back(text);
-    }
-
-    static std::vector<std::string> content_of(const std::string &code) {
-        std::vector<std::string> content;
-        for (const Line &line : lines_of(code)) content.emplace_back(line.text);
-        return content;
+        listings.push_back("<figure class=\"listing\">" + caption + block_of(language, code) + "</figure>");
     }
 
     /// Title, file and line: that of the first line that is shown, below the mark.
@@ -422,10 +400,9 @@ class PageWriter {
     /// A demo's place; nothing if its section keeps none in demos/.
     std::string demo(const DemoMark &mark, int line) {
         if (!all_demos) all_demos = demos(tree);
-        for (const Demo &one : *all_demos) {
-            if (one.mark.name != mark.name) continue;
-            return demo_figure(one, demo_id(mark, demos_so_far++), mark, markdown(mark.task, line));
-        }
+        for (const Demo &one : *all_demos)
+            if (one.mark.name == mark.name)
+                return demo_figure(one, demo_id(mark, demos_so_far++), mark, markdown(mark.task, line));
         return "";
     }
 
