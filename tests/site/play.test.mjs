@@ -4,28 +4,14 @@ import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
+import { browser, open, root, site, wrong } from './browser.mjs';
 
-const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
-const build = path.resolve(process.env.COURSE_BUILD ?? path.join(root, 'build/default'));
-const wrong = path.join(build, 'play/wrong'); // compiled only where there is a compiler for pages
-const shelf = pathToFileURL(path.join(build, 'site/play.html')).href;
 const seven = '07_segment_intersection', eleven = '11_particles', first = '01_motion';
 
-let browser;
-before(async () => (browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu'] })));
-after(() => browser.close());
-
-// A demo on the page with all of them, and what one does with it.
-async function open(name, { width = 1280, touch = false, mine = null, ...more } = {}) {
-  const context = await browser.newContext({ viewport: { width, height: 900 }, hasTouch: touch, isMobile: touch, ...more });
-  const page = await context.newPage(), troubles = [];
-  page.on('console', (message) => troubles.push(message.text()));
-  page.on('pageerror', (error) => troubles.push(error.message));
-  page.on('request', (request) => /^(file|data|about|blob):/.test(request.url()) || troubles.push(`asks for ${request.url()}`));
-  if (mine) await page.addInitScript(mine);
-  await page.goto(shelf);
+// A demo on the page with all of them, where nothing may go wrong, and what one does with it.
+async function openDemo(t, name, { touch = false, ...more } = {}) {
+  const { page, context, troubles } = await open(t, 'play.html', { hasTouch: touch, isMobile: touch, ...more });
+  t.after(() => assert.deepEqual(troubles, []));
   const figure = page.locator(`.play[data-demo="${name}"][data-ready]`);
   await figure.waitFor();
   const canvas = figure.locator('canvas');
@@ -70,18 +56,14 @@ async function open(name, { width = 1280, touch = false, mine = null, ...more } 
       await page.mouse.move(...(await demo.at(...to)), { steps: 3 });
       await page.mouse.up();
     },
-    done: async () => {
-      assert.deepEqual(troubles, []);
-      await context.close();
-    },
   };
   return demo;
 }
 const room = (x, y) => [x, y + 0.5, [12, 8]]; // from metres in the room of section 7 to what `at` wants
 
 describe('a demo', { concurrency: 2 }, () => {
-  test('starts by itself, pauses, steps, goes on and is reset', async () => {
-    const demo = await open(seven), first = await demo.picture();
+  test('starts by itself, pauses, steps, goes on and is reset', async (t) => {
+    const demo = await openDemo(t, seven), first = await demo.picture();
     await demo.wait(400);
     assert.notEqual(await demo.picture(), first, 'it moves');
     await demo.still();
@@ -97,11 +79,10 @@ describe('a demo', { concurrency: 2 }, () => {
     await demo.button('Play').click();
     await demo.wait(300);
     assert.notEqual(await demo.picture(), start);
-    await demo.done();
   });
 
-  test('is played with keys alone', async () => {
-    const demo = await open(seven), press = (key) => demo.page.keyboard.press(key);
+  test('is played with keys alone', async (t) => {
+    const demo = await openDemo(t, seven), press = (key) => demo.page.keyboard.press(key);
     await demo.canvas.focus();
     await press(' ');
     const paused = await demo.picture();
@@ -121,11 +102,10 @@ describe('a demo', { concurrency: 2 }, () => {
     await press('r');
     await demo.wait(100);
     assert.notEqual(await demo.picture(), turned, 'r resets');
-    await demo.done();
   });
 
-  test('is dragged by the mouse, and by a finger while the page stays where it is', async () => {
-    const demo = await open(seven);
+  test('is dragged by the mouse, and by a finger while the page stays where it is', async (t) => {
+    const demo = await openDemo(t, seven);
     await demo.still();
     const before = await demo.picture();
     await demo.page.mouse.move(...(await demo.at(...room(4, 7))));
@@ -135,30 +115,27 @@ describe('a demo', { concurrency: 2 }, () => {
     await demo.page.mouse.up();
     const dragged = await demo.picture();
     assert.notEqual(dragged, before);
-    await demo.done();
 
-    const phone = await open(seven, { width: 390, touch: true, deviceScaleFactor: 2 });
+    const phone = await openDemo(t, seven, { width: 390, touch: true, deviceScaleFactor: 2 });
     await phone.still();
     const first = await phone.picture(), scrolled = await phone.page.evaluate(() => scrollY);
     const [x, y] = await phone.at(...room(4, 7));
     await phone.stroke([x + 5, y], [x + 5, y + 20]);
     assert.notEqual(await phone.picture(), first);
     assert.equal(await phone.page.evaluate(() => scrollY), scrolled);
-    await phone.done();
   });
 
-  test('starts paused for readers who want less motion', async () => {
-    const demo = await open(seven, { reducedMotion: 'reduce' }), first = await demo.picture();
+  test('starts paused for readers who want less motion', async (t) => {
+    const demo = await openDemo(t, seven, { reducedMotion: 'reduce' }), first = await demo.picture();
     await demo.wait(300);
     assert.equal(await demo.picture(), first);
     await demo.button('Play').click();
     await demo.wait(300);
     assert.notEqual(await demo.picture(), first);
-    await demo.done();
   });
 
-  test('stands still out of sight, and goes on without a jump', async () => {
-    const demo = await open(eleven);
+  test('stands still out of sight, and goes on without a jump', async (t) => {
+    const demo = await openDemo(t, eleven);
     await demo.wait(300);
     await demo.page.evaluate(() => scrollTo(0, 0));
     await demo.wait(200);
@@ -169,11 +146,10 @@ describe('a demo', { concurrency: 2 }, () => {
     await demo.wait(300);
     const later = await demo.read('time');
     assert.ok(later > time && later < time + 2, `${time} s, then ${later} s`);
-    await demo.done();
   });
 
-  test('takes the colours of the page, and those of paper in print', async () => {
-    const demo = await open(seven, { colorScheme: 'dark', reducedMotion: 'reduce' });
+  test('takes the colours of the page, and those of paper in print', async (t) => {
+    const demo = await openDemo(t, seven, { colorScheme: 'dark', reducedMotion: 'reduce' });
     const dark = await demo.picture();
     await demo.page.evaluate(() => dispatchEvent(new Event('beforeprint')));
     const paper = await demo.picture();
@@ -183,11 +159,10 @@ describe('a demo', { concurrency: 2 }, () => {
     await demo.page.locator('#site-theme').click();
     await demo.wait(100);
     assert.equal(await demo.picture(), paper);
-    await demo.done();
   });
 
-  test('draws a frame in time', async () => {
-    const demo = await open(eleven);
+  test('draws a frame in time', async (t) => {
+    const demo = await openDemo(t, eleven);
     for (let i = 0; i < 6; i++) await demo.button('Burst').click();
     const times = await demo.page.evaluate(() => new Promise((done) => {
       const between = [];
@@ -200,13 +175,12 @@ describe('a demo', { concurrency: 2 }, () => {
       });
     }));
     assert.ok(times[45] < 40, `a frame takes ${times[45].toFixed(1)} ms at the median`);
-    await demo.done();
   });
 });
 
 describe('07, the room', { concurrency: 2 }, () => {
-  test('asked once a frame, a fast ball goes through walls that stay dark; asked 7.2, through none', async () => {
-    const demo = await open(seven);
+  test('asked once a frame, a fast ball goes through walls that stay dark; asked 7.2, through none', async (t) => {
+    const demo = await openDemo(t, seven);
     await demo.throwAt(5.6, 4.7);
     const speed = await demo.read('speed'); // of an arrow of 4 m in a tenth of a second, drawn to a pixel
     assert.ok(Math.abs(speed - 39.8) < 1, `${speed} m/s`);
@@ -225,11 +199,10 @@ describe('07, the room', { concurrency: 2 }, () => {
     await demo.wait(2000);
     assert.equal(await demo.read('walls missed'), 0);
     assert.ok((await demo.read('walls noticed')) > 0);
-    await demo.done();
   });
 
-  test('one bounce a frame is enough as long as there is time for no more: then 7.4 is elsewhere', async () => {
-    const demo = await open(seven);
+  test('one bounce a frame is enough as long as there is time for no more: then 7.4 is elsewhere', async (t) => {
+    const demo = await openDemo(t, seven);
     await demo.slide('frames per second', 5);
     const after = async (game, steps) => {
       await demo.choose(game);
@@ -240,11 +213,10 @@ describe('07, the room', { concurrency: 2 }, () => {
     assert.equal(await after('bounces once a frame', 0), await after('bounces (7.4)', 0));
     assert.notEqual(await after('bounces once a frame', 10), await after('bounces (7.4)', 10));
     assert.equal(await demo.said(), '');
-    await demo.done();
   });
 
-  test('with 7.4 and with 7.5 the ball stays in its room, also when it is large', async () => {
-    const demo = await open(seven);
+  test('with 7.4 and with 7.5 the ball stays in its room, also when it is large', async (t) => {
+    const demo = await openDemo(t, seven);
     for (const game of ['bounces (7.4)', 'has a size (7.5)']) {
       await demo.choose(game);
       const radius = demo.figure.locator('.controls > label', { hasText: 'radius' });
@@ -256,11 +228,10 @@ describe('07, the room', { concurrency: 2 }, () => {
       assert.ok((await demo.read('walls noticed')) > 5, game);
       assert.equal(await demo.said(), '');
     }
-    await demo.done();
   });
 
-  test('asked 7.1, the next wall is so many arrows away', async () => {
-    const demo = await open(seven);
+  test('asked 7.1, the next wall is so many arrows away', async (t) => {
+    const demo = await openDemo(t, seven);
     await demo.choose('asks 7.1');
     await demo.throwAt(2.36, 3.17);
     const far = await demo.read('t at the next wall');
@@ -268,11 +239,10 @@ describe('07, the room', { concurrency: 2 }, () => {
     for (let i = 0; i < 10; i++) await demo.button('Step').click();
     const near = await demo.read('t at the next wall');
     assert.ok(Math.abs(far - near - 10 / 30 / 0.1) < 0.02, `an arrow is a tenth of a second, ten frames are a third: ${far}, ${near}`);
-    await demo.done();
   });
 
-  test('two segments have a piece, a point or nothing in common; the ends keep to whole metres', async () => {
-    const demo = await open(seven), far = room(11, 1);
+  test('two segments have a piece, a point or nothing in common; the ends keep to whole metres', async (t) => {
+    const demo = await openDemo(t, seven), far = room(11, 1);
     await demo.choose('two segments (7.3)');
     assert.equal(await demo.button('Turn the ball').isVisible(), false, 'there is no ball');
     assert.equal(await demo.read('points in common'), 2);
@@ -284,23 +254,21 @@ describe('07, the room', { concurrency: 2 }, () => {
     await demo.button('Reset').click();
     await demo.wait(100);
     assert.equal(await demo.read('points in common'), 2);
-    await demo.done();
   });
 
-  test('the ball turns to where one presses, and keeps its speed', async () => {
-    const demo = await open(seven);
+  test('the ball turns to where one presses, and keeps its speed', async (t) => {
+    const demo = await openDemo(t, seven);
     await demo.choose('asks 7.1');
     await demo.throwAt(2.36, 3.17);
     const speed = await demo.read('speed');
     await demo.page.mouse.click(...(await demo.at(...room(2, 6)))); // straight up, where the next wall leans, at (2, 6)
     assert.equal(await demo.read('speed'), speed);
-    const t = await demo.read('t at the next wall');
-    assert.ok(Math.abs(t * speed * 0.1 - 3) < 0.1, `3 m away: ${t}`);
-    await demo.done();
+    const arrows = await demo.read('t at the next wall');
+    assert.ok(Math.abs(arrows * speed * 0.1 - 3) < 0.1, `3 m away: ${arrows}`);
   });
 
-  test('a finger that scrolls the page turns nothing, one that taps does', async () => {
-    const phone = await open(seven, { width: 390, touch: true });
+  test('a finger that scrolls the page turns nothing, one that taps does', async (t) => {
+    const phone = await openDemo(t, seven, { width: 390, touch: true });
     await phone.still();
     const first = await phone.picture(), place = await phone.page.evaluate(() => scrollY);
     const [x, y] = await phone.at(...room(8, 2));
@@ -309,24 +277,22 @@ describe('07, the room', { concurrency: 2 }, () => {
     assert.equal(await phone.picture(), first);
     await phone.page.touchscreen.tap(...(await phone.at(...room(8, 2))));
     assert.notEqual(await phone.picture(), first);
-    await phone.done();
   });
 
-  test('7.6 cannot tell the side of two arrows that rounding has to the left; one that is turned points to a side', async () => {
-    const demo = await open(seven);
+  test('7.6 cannot tell the side of two arrows that rounding has to the left; one that is turned points to a side', async (t) => {
+    const demo = await openDemo(t, seven);
     await demo.choose('left or right (7.6)');
     assert.deepEqual([await demo.read('7.6 says'), await demo.read('rounded sign')], [0, 1]);
     await demo.drag(room(8.2, 5.3), room(5, 6.5));
     assert.deepEqual([await demo.read('7.6 says'), await demo.read('rounded sign')], [1, 1]);
     await demo.drag(room(5, 6.5), room(8, 2));
     assert.deepEqual([await demo.read('7.6 says'), await demo.read('rounded sign')], [-1, -1]);
-    await demo.done();
   });
 });
 
 describe('11, fireworks', { concurrency: 2 }, () => {
-  test('a click is a burst where it was; three sparks are three; a full pool stays as large', async () => {
-    const demo = await open(eleven), centre = await demo.at(12, 9, [24, 14]);
+  test('a click is a burst where it was; three sparks are three; a full pool stays as large', async (t) => {
+    const demo = await openDemo(t, eleven), centre = await demo.at(12, 9, [24, 14]);
     await demo.choose('none');
     await demo.page.mouse.move(...centre);
     await demo.wait(3000); // the show's last sparks go out
@@ -343,11 +309,10 @@ describe('11, fireworks', { concurrency: 2 }, () => {
     assert.equal(await demo.read('free'), 0);
     assert.equal((await demo.read('alive')) + (await demo.read('free')), 500);
     assert.equal(await demo.said(), '');
-    await demo.done();
   });
 
-  test('sparks outlast a change of the loop, and the pool keeps its size', async () => {
-    const demo = await open(eleven);
+  test('sparks outlast a change of the loop, and the pool keeps its size', async (t) => {
+    const demo = await openDemo(t, eleven);
     await demo.choose('none');
     await demo.page.mouse.move(...(await demo.at(12, 9, [24, 14])));
     await demo.wait(3000);
@@ -365,11 +330,10 @@ describe('11, fireworks', { concurrency: 2 }, () => {
     await demo.wait(3000);
     assert.equal(await demo.read('alive'), 0, 'all went out');
     assert.equal(await demo.said(), '');
-    await demo.done();
   });
 
-  test('a floor keeps sparks that would have fallen out of the picture', async () => {
-    const demo = await open(eleven);
+  test('a floor keeps sparks that would have fallen out of the picture', async (t) => {
+    const demo = await openDemo(t, eleven);
     await demo.choose('none');
     await demo.page.mouse.move(...(await demo.at(8, 3, [24, 14])));
     await demo.wait(3000);
@@ -384,11 +348,10 @@ describe('11, fireworks', { concurrency: 2 }, () => {
     };
     const fallen = await left('open sky'), kept = await left('with walls');
     assert.ok(kept > fallen, `${fallen} and ${kept}`);
-    await demo.done();
   });
 
-  test('with 11.7 the trail is as dense with 10 frames per second as with 144', async () => {
-    const demo = await open(eleven);
+  test('with 11.7 the trail is as dense with 10 frames per second as with 144', async (t) => {
+    const demo = await openDemo(t, eleven);
     await demo.page.mouse.move(...(await demo.at(12, 9, [24, 14]))); // so that it bursts no more
     const alive = [];
     for (const frames of [10, 144]) {
@@ -400,7 +363,6 @@ describe('11, fireworks', { concurrency: 2 }, () => {
     await demo.choose('one a frame');
     await demo.wait(3000);
     assert.ok((await demo.read('alive')) > 35, 'one a frame is many, at 144 frames per second');
-    await demo.done();
   });
 });
 
@@ -409,7 +371,7 @@ describe('the site from a server', () => {
   let server, address;
   before(() => new Promise((done) => {
     server = http.createServer(({ url }, answer) => {
-      const file = path.join(build, 'site', new URL(url, 'http://localhost').pathname);
+      const file = path.join(site, new URL(url, 'http://localhost').pathname);
       if (!fs.existsSync(file)) return answer.writeHead(404).end();
       answer.writeHead(200, { 'Content-Type': kinds[path.extname(file).slice(1)] ?? 'application/octet-stream' }).end(fs.readFileSync(file));
     }).listen(0, '127.0.0.1', () => (address = `http://127.0.0.1:${server.address().port}/`, done()));
@@ -438,10 +400,8 @@ describe('the site from a server', () => {
 
 describe('demos in their chapters', { concurrency: 2 }, () => {
   for (const name of [first, seven, eleven])
-    test(`${name}: each begins as its place says, and one that could be the reader's says how`, async () => {
-      const page = await browser.newPage(), troubles = [];
-      page.on('pageerror', (error) => troubles.push(error.message));
-      await page.goto(pathToFileURL(path.join(build, `site/chapter_${name}.html`)).href);
+    test(`${name}: each begins as its place says, and one that could be the reader's says how`, async (t) => {
+      const { page, troubles } = await open(t, `chapter_${name}.html`);
       const figures = page.locator('.play');
       await page.waitForFunction(() => [...document.querySelectorAll('.play')].every(({ dataset }) => 'ready' in dataset));
       for (const figure of await figures.all())
@@ -456,13 +416,12 @@ describe('demos in their chapters', { concurrency: 2 }, () => {
         assert.equal((await figure.locator('.answers').textContent()).includes(command), (await figure.getAttribute('data-mine')) !== null);
       }
       assert.deepEqual(troubles, []);
-      await page.close();
     });
 });
 
 describe('01, flight', { concurrency: 2 }, () => {
-  test('the helicopter keeps its speed, the missile gains speed while its engine runs, and breaks', async () => {
-    const demo = await open(first);
+  test('the helicopter keeps its speed, the missile gains speed while its engine runs, and breaks', async (t) => {
+    const demo = await openDemo(t, first);
     await demo.still();
     await demo.button('Start the helicopter').click();
     await demo.button('Fire the missile').click();
@@ -491,11 +450,10 @@ describe('01, flight', { concurrency: 2 }, () => {
     assert.equal(await demo.read('thrust'), 580);
     for (let i = 0; i < 30; i++) await demo.button('Less thrust').click();
     assert.equal(await demo.read('thrust'), 0);
-    await demo.done();
   });
 
-  test('the missile of the printed table is at 55 m after a second, and begins anew when it is fired', async () => {
-    const demo = await open(first);
+  test('the missile of the printed table is at 55 m after a second, and begins anew when it is fired', async (t) => {
+    const demo = await openDemo(t, first);
     await demo.choose('the printed table');
     await demo.still();
     assert.equal(await demo.button('Break the missile').isVisible(), false, 'there is none to break');
@@ -507,11 +465,10 @@ describe('01, flight', { concurrency: 2 }, () => {
     assert.deepEqual([await demo.read('time'), await demo.read('missile')], [1, 55]);
     await demo.button('Fire the missile').click();
     assert.equal(await demo.read('missile'), 50);
-    await demo.done();
   });
 
-  test('three integrators separate at long steps, and hardly at short ones', async () => {
-    const demo = await open(first);
+  test('three integrators separate at long steps, and hardly at short ones', async (t) => {
+    const demo = await openDemo(t, first);
     await demo.choose('three integrators');
     await demo.still();
     const after = async (step) => {
@@ -523,11 +480,10 @@ describe('01, flight', { concurrency: 2 }, () => {
     };
     assert.deepEqual(await after(1), [140, 240, 190]); // from 20 px at 120 px/s, with 100 px/s²
     assert.deepEqual(await after(0.5), [165, 215, 190]);
-    await demo.done();
   });
 
-  test('a plate balances where 1.6 says, and a corner that is dragged moves that point and the mean', async () => {
-    const demo = await open(first), sky = (x, y) => [x, y, [640, 200]];
+  test('a plate balances where 1.6 says, and a corner that is dragged moves that point and the mean', async (t) => {
+    const demo = await openDemo(t, first), sky = (x, y) => [x, y, [640, 200]];
     const points = async () => [await demo.read('centroid, x'), await demo.read('centroid, y'), await demo.read('mean, x'), await demo.read('mean, y')];
     await demo.choose('a plate (1.6)');
     assert.equal(await demo.button('Fire the missile').isVisible(), false, 'nothing flies');
@@ -535,11 +491,10 @@ describe('01, flight', { concurrency: 2 }, () => {
     await demo.drag(sky(470, 75), sky(570, 175)); // the inner corner goes outside: a square of 3 m
     const [x, y] = await points();
     assert.ok(Math.abs(x - 1.5) < 0.1 && Math.abs(y - 1.5) < 0.1, `${x}, ${y}`);
-    await demo.done();
   });
 
-  test('1.7 finds the motion through three sightings, which keep their order', async () => {
-    const demo = await open(first), at = (t, x) => [20 + 100 * t, 36 + 5 * x, [640, 200]];
+  test('1.7 finds the motion through three sightings, which keep their order', async (t) => {
+    const demo = await openDemo(t, first), at = (t, x) => [20 + 100 * t, 36 + 5 * x, [640, 200]];
     const motion = async () => [await demo.read('position at 0 s'), await demo.read('velocity at 0 s'), await demo.read('acceleration')];
     await demo.choose('three sightings (1.7)');
     assert.deepEqual(await motion(), [3, 2, 2]);
@@ -548,16 +503,15 @@ describe('01, flight', { concurrency: 2 }, () => {
     assert.ok(Math.abs(x - 1) < 0.4 && Math.abs(v - 5) < 0.4 && Math.abs(a) < 0.2, `${x}, ${v}, ${a}`);
     await demo.drag(at(1, 6), at(5, 6));
     assert.equal(await demo.said(), '', 'two times are never equal');
-    await demo.done();
   });
 });
 
 describe('your code in the page', { concurrency: 2, skip: !fs.existsSync(wrong) && 'there is no compiler for pages here' }, () => {
   const files = fs.existsSync(wrong) ? fs.readdirSync(path.join(root, 'tests/play', seven)).map((name) => name.replace('.cpp', '')) : [];
   for (const name of files)
-    test(name, async () => {
+    test(name, async (t) => {
       const expected = /^\/\/ the page says: ?(.*)/.exec(fs.readFileSync(path.join(root, 'tests/play', seven, `${name}.cpp`), 'utf8'))[1];
-      const demo = await open(seven, { mine: fs.readFileSync(path.join(wrong, `${name}.js`), 'utf8') });
+      const demo = await openDemo(t, seven, { script: fs.readFileSync(path.join(wrong, `${name}.js`), 'utf8') });
       await demo.choose('bounces (7.4)');
       await demo.button('Yours').click();
       if (!expected) await demo.wait(1500);
@@ -577,6 +531,5 @@ describe('your code in the page', { concurrency: 2, skip: !fs.existsSync(wrong) 
       await demo.button('Ours').click();
       await demo.wait(300);
       assert.equal(await demo.said(), '');
-      await demo.done();
     });
 });

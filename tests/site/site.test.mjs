@@ -2,40 +2,12 @@
 // The build has checked links already; this is what only a browser knows.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import { createRequire } from 'node:module';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
+import { address, browser, inaccessible, open, openIn, root, site } from './browser.mjs';
 
-const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
-const site = path.resolve(process.env.COURSE_BUILD ?? path.join(root, 'build/default'), 'site');
-const axe = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const pages = fs.readdirSync(site).filter((name) => name.endsWith('.html')).sort();
 const chapters = pages.filter((name) => name.startsWith('chapter_'));
-const address = (name) => pathToFileURL(path.join(site, name)).href;
-
-let browser;
-before(async () => {
-  browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--disable-gpu'],
-  });
-});
-after(() => browser.close());
-
-// A page, and what went wrong on it: errors of scripts, and requests that are not for files.
-async function open(name, { width = 1280, colours = 'light', context = null, ...more } = {}) {
-  const own = context ?? (await browser.newContext({ viewport: { width, height: 900 }, colorScheme: colours, ...more }));
-  const page = await own.newPage();
-  const troubles = [];
-  page.on('console', (message) => message.type() === 'error' && troubles.push(message.text()));
-  page.on('pageerror', (error) => troubles.push(error.message));
-  page.on('request', (request) => /^(file|data|about):/.test(request.url()) || troubles.push(`asks for ${request.url()}`));
-  page.on('requestfailed', (request) => troubles.push(`cannot read ${request.url()}`));
-  await page.goto(address(name));
-  return { page, troubles, context: own };
-}
 
 // In the page: what reaches beyond its edge, and cannot be scrolled to; or is cut off where it stands.
 function overflowing() {
@@ -72,17 +44,6 @@ function leftRaw() {
 // what other pages have, too, and are looked at once.
 const forAxe = (name, width) => name.startsWith('source_') ? name === 'source_chapters_course_hpp.html' : width === 1280 || !/^(struct|class)/.test(name);
 
-// What axe finds wrong, with the first elements for each.
-async function inaccessible(page, part = 'html') {
-  await page.evaluate(axe);
-  const { violations } = await page.evaluate((where) => window.axe.run(where, {
-    preload: false,
-    resultTypes: ['violations'],
-    rules: { 'empty-table-header': { enabled: false } }, // it does not see a formula, and the site writes empty cells as td
-  }), part);
-  return violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => node.html).join(' | ')}`);
-}
-
 // All pages on a phone by night and on a desk by day, and these two the other way round as well.
 const looked = (name, width, colours) => (width === 390) === (colours === 'dark') || ['index.html', chapters[0]].includes(name);
 for (const width of [390, 1280])
@@ -95,7 +56,7 @@ for (const width of [390, 1280])
       after(() => context.close());
       for (const name of pages.filter((name) => looked(name, width, colours)))
         test(name, async () => {
-          const { page, troubles } = await open(name, { context });
+          const { page, troubles } = await openIn(context, address(name));
           assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), colours);
           await page.evaluate(() => document.querySelectorAll('details').forEach((fold) => (fold.open = true)));
           assert.deepEqual(await page.evaluate(overflowing), []);
@@ -108,8 +69,8 @@ for (const width of [390, 1280])
 
 describe('listings', () => {
   for (const name of chapters)
-    test(`${name} shows what stands in the files, at the lines that it names`, async () => {
-      const { page, context } = await open(name);
+    test(`${name} shows what stands in the files, at the lines that it names`, async (t) => {
+      const { page } = await open(t, name);
       const listings = await page.$$eval('figure.listing:has(.from)', (all) =>
         all.map((one) => [one.querySelector('.from').textContent, one.querySelector('pre').textContent]));
       assert.ok(listings.length > 0);
@@ -119,44 +80,40 @@ describe('listings', () => {
         const lines = text.replace(/\n$/, '').split('\n');
         assert.deepEqual(lines, source.slice(0, lines.length), place);
       }
-      await context.close();
     });
 
-  test('the pages of code show whole files', async () => {
-    const { page, context } = await open('index.html');
+  test('the pages of code show whole files', async (t) => {
+    const { page } = await open(t, 'index.html');
     for (const name of pages.filter((one) => one.startsWith('source_'))) {
       await page.goto(address(name));
       const file = await page.textContent('h1');
       assert.equal((await page.textContent('pre')).trimEnd(), fs.readFileSync(path.join(root, file.trim()), 'utf8').trimEnd());
     }
-    await context.close();
   });
 
-  test('a listing can be copied', async () => {
-    const { page, context } = await open(chapters[0]);
+  test('a listing can be copied', async (t) => {
+    const { page, context } = await open(t, chapters[0]);
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     const listing = page.locator('figure.listing').first();
     await listing.locator('.copy').click();
     await listing.getByText('Copied').waitFor();
     assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await listing.locator('pre').textContent());
-    await context.close();
   });
 
-  test('a name in a listing leads to its description', async () => {
-    const { page, context } = await open(chapters[0]);
+  test('a name in a listing leads to its description', async (t) => {
+    const { page } = await open(t, chapters[0]);
     const name = page.locator('pre a.code').first();
     const word = await name.textContent();
     await name.click();
     await page.waitForLoadState();
     assert.match(page.url(), /\/(namespace|struct|class)\w+\.html/);
     assert.ok((await page.textContent('main')).includes(word));
-    await context.close();
   });
 });
 
 describe('reading', () => {
-  test('from page to page, forwards and back', async () => {
-    const { page, context } = await open('index.html');
+  test('from page to page, forwards and back', async (t) => {
+    const { page } = await open(t, 'index.html');
     const order = await page.$$eval('.card a', (links) => links.map((link) => link.getAttribute('href')));
     const turn = async (rel) => {
       const way = [];
@@ -172,11 +129,10 @@ describe('reading', () => {
     await page.goto(address(book[1]));
     assert.deepEqual(await turn('next'), book.slice(2));
     assert.deepEqual(await turn('prev'), book.reverse().slice(1));
-    await context.close();
   });
 
-  test('the front page begins the first section, and has a card for each', async () => {
-    const { page, context } = await open('index.html');
+  test('the front page begins the first section, and has a card for each', async (t) => {
+    const { page } = await open(t, 'index.html');
     assert.match(await page.textContent('.begin'), /^Begin with 1 Motion \d+\u00a0min$/);
     for (const card of await page.locator('.card').all()) {
       assert.match(await card.textContent(), /^\d+ [\s\S]+\d+ \+ \d+\u00a0minutes\s*$/);
@@ -196,21 +152,21 @@ describe('reading', () => {
     await page.goto(address('index.html'));
     await page.locator('.begin').click();
     await page.waitForURL(new RegExp(`${chapters[0]}$`));
-    await context.close();
   });
 
-  test('a chapter says how long it takes, and its entry is the one that is marked', async () => {
+  test('a chapter says how long it takes, and its entry is the one that is marked', async (t) => {
+    const { page } = await open(t, 'index.html');
     for (const name of chapters) {
-      const { page, context } = await open(name);
+      await page.goto(address(name));
       assert.match(await page.textContent('.above'), /^\d+ minutes(, and \d+ for the other exercises)?$/);
       assert.equal(await page.getAttribute('#site-contents [aria-current=page]', 'href'), name);
-      await context.close();
     }
   });
 
-  test('folds open and close; a link into one opens it', async () => {
+  test('folds open and close; a link into one opens it', async (t) => {
+    const { page } = await open(t, 'index.html');
     for (const name of chapters) {
-      const { page, context } = await open(name);
+      await page.goto(address(name));
       const folds = page.locator('details');
       const number = await folds.count();
       assert.ok(number > 0);
@@ -229,12 +185,11 @@ describe('reading', () => {
         location.hash = '#within';
       });
       await page.locator('#within').waitFor({ state: 'visible' });
-      await context.close();
     }
   });
 
-  test('the choice of colours is remembered, on the next page as well; pictures follow', async () => {
-    const { page, context } = await open(chapters[0]);
+  test('the choice of colours is remembered, on the next page as well; pictures follow', async (t) => {
+    const { page } = await open(t, chapters[0]);
     const look = () => page.evaluate(() => [document.documentElement.dataset.theme, getComputedStyle(document.body).backgroundColor]);
     const picture = async () => {
       const png = await page.locator('.picture img').first().screenshot();
@@ -261,11 +216,10 @@ describe('reading', () => {
     await page.goto(address('index.html'));
     assert.deepEqual(await look(), dark);
     assert.equal(await page.getAttribute('#site-theme', 'aria-pressed'), 'true');
-    await context.close();
   });
 
-  test('on a phone, the contents come and go', async () => {
-    const { page, context } = await open('index.html', { width: 390 });
+  test('on a phone, the contents come and go', async (t) => {
+    const { page } = await open(t, 'index.html', { width: 390 });
     const contents = page.locator('#site-contents');
     assert.equal(await contents.isVisible(), false);
     await page.getByRole('button', { name: 'Contents' }).click();
@@ -281,11 +235,10 @@ describe('reading', () => {
     await contents.getByRole('link', { name: 'Errata' }).click();
     await page.waitForURL(/\/errata\.html$/);
     assert.equal(await contents.isVisible(), false);
-    await context.close();
   });
 
-  test('the contents mark the part that is being read', async () => {
-    const { page, context } = await open(chapters[0]);
+  test('the contents mark the part that is being read', async (t) => {
+    const { page } = await open(t, chapters[0]);
     assert.equal(await page.locator('.parts [aria-current]').count(), 0);
     for (const at of [2, 1]) {
       const link = page.locator('#site-contents .parts a').nth(at);
@@ -298,11 +251,10 @@ describe('reading', () => {
     await page.waitForFunction(() => [...document.querySelectorAll('#site-contents .parts a')].at(-1).matches('[aria-current=location]'));
     await page.evaluate(() => scrollTo(0, 0));
     await page.waitForFunction(() => !document.querySelector('.parts [aria-current]'));
-    await context.close();
   });
 
-  test('the contents list what is in the part that is being read, and on a phone the bar names that part', async () => {
-    const { page, context } = await open(chapters[0], { width: 390 });
+  test('the contents list what is in the part that is being read, and on a phone the bar names that part', async (t) => {
+    const { page } = await open(t, chapters[0], { width: 390 });
     const bar = page.locator('#site-part'), home = page.locator('.book-name');
     assert.equal(await home.isVisible(), true);
     const part = page.locator('#site-contents .parts > li:has(ul)').nth(1), inside = part.locator('ul a');
@@ -315,11 +267,10 @@ describe('reading', () => {
     assert.equal(await inside.first().isVisible(), true);
     assert.equal(await page.locator('#site-contents .parts > li:has(ul)').first().locator('ul a').first().isVisible(), false, 'of other parts nothing');
     assert.ok((await page.$$eval('#site-contents .parts li', (items) => items.map(({ textContent }) => textContent))).every((words) => !/minutes/.test(words)));
-    await context.close();
   });
 
-  test('no line begins with the comma behind a formula', async () => {
-    const { page, context } = await open(chapters[1], { width: 390 });
+  test('no line begins with the comma behind a formula', async (t) => {
+    const { page } = await open(t, chapters[1], { width: 390 });
     const [all, torn] = await page.evaluate(() => {
       document.querySelectorAll('details').forEach((fold) => (fold.open = true));
       const marks = [...document.querySelectorAll('.katex .mark')];
@@ -329,12 +280,12 @@ describe('reading', () => {
     assert.equal(torn, 0);
     const heard = await page.$$eval('.katex:has(.mark)', (formulas) => formulas.map((formula) => [formula.querySelector('.katex-mathml').textContent.slice(-1), formula.querySelector('.mark').textContent.slice(-1)]));
     assert.ok(heard.every(([last, mark]) => last === mark), 'a screen reader reads it, too');
-    await context.close();
   });
 
-  test('numbers and their unit are on one line', async () => {
+  test('numbers and their unit are on one line', async (t) => {
+    const { page } = await open(t, 'index.html', { width: 390 });
     for (const chapter of chapters) {
-      const { page, context } = await open(chapter, { width: 390 });
+      await page.goto(address(chapter));
       const [all, torn] = await page.evaluate(() => {
         document.querySelectorAll('details').forEach((fold) => (fold.open = true));
         const words = document.createTreeWalker(document.querySelector('#site-text'), NodeFilter.SHOW_TEXT), found = [];
@@ -349,30 +300,27 @@ describe('reading', () => {
       });
       assert.ok(all > 10, `${all} in ${chapter}`);
       assert.deepEqual(torn, [], chapter);
-      await context.close();
     }
   });
 
-  test('a name that is a link many times is one stop of the key Tab', async () => {
-    const { page, context } = await open(chapters[0]);
+  test('a name that is a link many times is one stop of the key Tab', async (t) => {
+    const { page } = await open(t, chapters[0]);
     const stops = await page.$$eval('pre a.code', (links) => links.filter((link) => link.tabIndex === 0).map((link) => link.href));
     assert.ok(stops.length > 0);
     assert.equal(new Set(stops).size, stops.length);
-    await context.close();
   });
 
-  test('the first key leads past the contents', async () => {
-    const { page, context } = await open(chapters[0]);
+  test('the first key leads past the contents', async (t) => {
+    const { page } = await open(t, chapters[0]);
     await page.keyboard.press('Tab');
     assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Skip to the text');
     await page.keyboard.press('Enter');
     assert.equal(await page.evaluate(() => document.activeElement.id), 'site-text');
-    await context.close();
   });
 
-  test('without scripts all can be read', async () => {
+  test('without scripts all can be read', async (t) => {
     for (const width of [390, 1280]) {
-      const { page, context } = await open(chapters[0], { width, javaScriptEnabled: false });
+      const { page } = await open(t, chapters[0], { width, javaScriptEnabled: false });
       assert.equal(await page.locator('#site-contents').isVisible(), true);
       assert.equal(await page.locator('.katex').first().isVisible(), true);
       await page.emulateMedia({ colorScheme: 'dark' });
@@ -381,20 +329,19 @@ describe('reading', () => {
       await page.goto(address('index.html'));
       const top = async (what) => (await page.locator(what).boundingBox()).y;
       assert.ok((await top('main')) < (await top('#site-contents')) && (await top('#site-contents')) < (await top('footer')), 'the contents are above the footer');
-      await context.close();
     }
   });
 
-  test('an exercise is in a box, the remark on the printed book beside the text', async () => {
+  test('an exercise is in a box, the remark on the printed book beside the text', async (t) => {
+    const { page } = await open(t, 'index.html');
     let boxes = 0, remarks = 0;
     for (const name of chapters) {
-      const { page, context } = await open(name);
+      await page.goto(address(name));
       assert.equal(await page.locator('blockquote').filter({ hasText: /^\s*(Your turn|In print, and in truth)/ }).count(), 0, name);
       for (const heading of await page.locator('.turn > :first-child').all()) assert.match(await heading.textContent(), /^\s*Your turn: /);
       for (const remark of await page.locator('aside').all()) assert.match(await remark.textContent(), /^\s*In print, and in truth\./);
       boxes += await page.locator('article.turn').count();
       remarks += await page.locator('aside.remark').count();
-      await context.close();
     }
     assert.ok(boxes > 0 && remarks > 0);
   });
@@ -414,8 +361,8 @@ describe('reading', () => {
     }));
   });
 
-  test('two switches unfold all code and all solutions, by mouse and by keys, and are remembered', async () => {
-    const { page, context } = await open(chapters[0]);
+  test('two switches unfold all code and all solutions, by mouse and by keys, and are remembered', async (t) => {
+    const { page } = await open(t, chapters[0]);
     const code = page.getByRole('button', { name: 'Unfold all code' }), solutions = page.getByRole('button', { name: 'Unfold all solutions' });
     assert.deepEqual(await openFolds(page), { code: 'none', solutions: 'none', hints: 'none' });
     await code.click();
@@ -435,11 +382,10 @@ describe('reading', () => {
     assert.deepEqual(await openFolds(page), { code: 'none', solutions: 'none', hints: 'none' });
     await page.goto(address('index.html'));
     assert.equal(await page.locator('.switches').isVisible(), false, 'where nothing is folded');
-    await context.close();
   });
 
-  test('on a phone the switches are in the menu', async () => {
-    const { page, context } = await open(chapters[0], { width: 390 });
+  test('on a phone the switches are in the menu', async (t) => {
+    const { page } = await open(t, chapters[0], { width: 390 });
     await page.getByRole('button', { name: 'Contents' }).click();
     const code = page.getByRole('button', { name: 'Unfold all code' });
     assert.ok(await page.$eval('#site-contents', (menu) => menu.scrollHeight > menu.clientHeight && menu.getBoundingClientRect().bottom <= innerHeight));
@@ -447,21 +393,19 @@ describe('reading', () => {
     await code.click();
     assert.equal((await openFolds(page)).code, 'all');
     assert.equal(await page.locator('#site-contents').isVisible(), true);
-    await context.close();
   });
 
-  test('without scripts a fold opens, and there are no switches', async () => {
-    const { page, context } = await open(chapters[0], { javaScriptEnabled: false });
+  test('without scripts a fold opens, and there are no switches', async (t) => {
+    const { page } = await open(t, chapters[0], { javaScriptEnabled: false });
     assert.equal(await page.locator('.switches').isVisible(), false);
     const fold = page.locator('main details').first(), inside = fold.locator(':scope > :not(summary)').first();
     assert.equal(await inside.isVisible(), false);
     await fold.locator('summary').click();
     assert.equal(await inside.isVisible(), true);
-    await context.close();
   });
 
-  test('a line that is too long fades at the edge until one has scrolled to its end, and can be wrapped', async () => {
-    const { page, context } = await open(chapters[0], { width: 390 });
+  test('a line that is too long fades at the edge until one has scrolled to its end, and can be wrapped', async (t) => {
+    const { page } = await open(t, chapters[0], { width: 390 });
     const listing = page.locator('main > figure.listing:has(pre.goes-on)').first();
     await page.evaluate(() => document.querySelectorAll('figure.listing').forEach((one, number) => (one.dataset.number = number)));
     const same = page.locator(`[data-number="${await listing.getAttribute('data-number')}"]`), code = same.locator('pre');
@@ -481,11 +425,10 @@ describe('reading', () => {
     // Where all lines fit, there is nothing to wrap.
     for (const short of await page.locator('main > figure.listing:not(:has(pre.goes-on))').all())
       assert.equal(await short.locator('.wrap').isVisible(), false);
-    await context.close();
   });
 
-  test('on paper there is what is unfolded, and nothing that paper cannot do', async () => {
-    const { page, context } = await open(chapters[0], { colours: 'dark' });
+  test('on paper there is what is unfolded, and nothing that paper cannot do', async (t) => {
+    const { page } = await open(t, chapters[0], { colorScheme: 'dark' });
     const pages = async () => (await page.pdf({ preferCSSPageSize: true })).toString('latin1').match(/\/Type\s*\/Page\b/g).length;
     const folded = await pages();
     await page.getByRole('button', { name: 'Unfold all code' }).click();
@@ -497,7 +440,6 @@ describe('reading', () => {
     for (const gone of ['.bar', '#site-contents', '.turning', '.tools'])
       assert.equal(await page.locator(gone).first().isVisible(), false, gone);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(255, 255, 255)');
-    await context.close();
   });
 });
 
@@ -509,8 +451,8 @@ describe('search', () => {
     return page.$$eval('#site-results a', (links) => links.map((link) => link.getAttribute('href')));
   };
 
-  test('finds words inside each part of each chapter', async () => {
-    const { page, troubles, context } = await open('index.html');
+  test('finds words inside each part of each chapter', async (t) => {
+    const { page, troubles } = await open(t, 'index.html');
     for (const name of chapters) {
       await page.goto(address(name));
       // Of each part, up to the next heading, be it in a box: the longest words of its prose, whatever the part is about.
@@ -528,11 +470,10 @@ describe('search', () => {
       }
     }
     assert.deepEqual(troubles, []);
-    await context.close();
   });
 
-  test('forgives an ending, a half-written word and a slip of the pen, and asks for all words', async () => {
-    const { page, context } = await open('index.html');
+  test('forgives an ending, a half-written word and a slip of the pen, and asks for all words', async (t) => {
+    const { page } = await open(t, 'index.html');
     const errata = (found) => found.includes('errata.html');
     assert.deepEqual((await search(page, 'erratum'))[0], 'errata.html');
     assert.ok(errata(await search(page, 'errat')));
@@ -546,7 +487,6 @@ describe('search', () => {
     const both = await search(page, 'LaMothe joules');
     for (const place of ['notation_and_units.html', 'preface.html']) assert.ok(both.includes(place), `one of the two words: ${place}`);
     assert.match((await search(page, 'require_range'))[0], /^namespacecourse\.html#/, 'a function of an interface');
-    await context.close();
   });
 
   // What readers type, and the place that must come first: a part, by the beginning of its address.
@@ -608,19 +548,18 @@ describe('search', () => {
     'swap and pop': 'chapter_11_particles.html#a-pool-that-never-searches',
     'smoke behind a rocket': 'chapter_11_particles.html#a-trail',
   };
-  test('answers what readers ask in their own words', async () => {
-    const { page, context } = await open('index.html');
+  test('answers what readers ask in their own words', async (t) => {
+    const { page } = await open(t, 'index.html');
     const wrong = [];
     for (const [question, place] of Object.entries(questions)) {
       const found = await search(page, question);
       if (!found[0]?.startsWith(place)) wrong.push(`"${question}" leads to ${found.slice(0, 3)}`);
     }
     assert.deepEqual(wrong, []);
-    await context.close();
   });
 
-  test('works with the keyboard alone, and shows the words found', async () => {
-    const { page, context } = await open('index.html', { width: 390 });
+  test('works with the keyboard alone, and shows the words found', async (t) => {
+    const { page } = await open(t, 'index.html', { width: 390 });
     assert.deepEqual(await search(page, 'lamothe'), ['preface.html']);
     assert.equal(await page.textContent('#site-results mark'), 'LaMothe');
     assert.deepEqual(await inaccessible(page, 'dialog'), []);
@@ -638,6 +577,5 @@ describe('search', () => {
     await page.keyboard.press('Enter');
     await page.waitForURL(/\/preface\.html$/);
     assert.equal(await page.locator('#site-search').isVisible(), false);
-    await context.close();
   });
 });
