@@ -63,12 +63,15 @@ std::string refusal(const std::function<void()> &action) {
     return "nothing was refused";
 }
 
-/// What is said of the figure when its script ends in this curve.
-std::string said_of_script(const std::string &curve) {
+/// What is said of the figure when this is its script.
+std::string said_of_script(const std::string &script) {
     const Place place;
-    place.write("plots/07_lines_rise.gp", Place::script(curve));
+    place.write("plots/07_lines_rise.gp", script);
     return refusal([&] { draw(place.figure()); });
 }
+
+/// The same of a script that ends in this curve.
+std::string said_of_curve(const std::string &curve) { return said_of_script(Place::script(curve)); }
 
 std::string said_of_trace(const std::string &trace) {
     return refusal([&] { parse_trace(trace, "x.tsv"); });
@@ -137,9 +140,9 @@ TEST_CASE("words without a colour of their own are ink, not black") {
 }
 
 TEST_CASE("a colour without a counterpart for dark pages is refused") {
-    CHECK_THAT(said_of_script("using 1:2 with lines lc rgb '#00ff00'"),
+    CHECK_THAT(said_of_curve("using 1:2 with lines lc rgb '#00ff00'"),
                ContainsSubstring("07_lines_rise.gp draws in #00ff00"));
-    CHECK_THAT(said_of_script("using 1:2 with lines lc 'white'"), ContainsSubstring("draws in #ffffff"));
+    CHECK_THAT(said_of_curve("using 1:2 with lines lc 'white'"), ContainsSubstring("draws in #ffffff"));
 }
 
 TEST_CASE("a colour of the style without its twin is refused") {
@@ -149,27 +152,24 @@ TEST_CASE("a colour of the style without its twin is refused") {
 }
 
 TEST_CASE("a curve without a point inside the axes is refused, though its sample in the key is drawn") {
-    CHECK_THAT(said_of_script("using ($1 + 100):2 with lines title 'far'"),
+    CHECK_THAT(said_of_curve("using ($1 + 100):2 with lines title 'far'"),
                ContainsSubstring("\"far\"") && ContainsSubstring("none of its 4"));
-    CHECK_THAT(said_of_script("using 1:2 with lines title 'rise', NaN title 'nothing'"),
+    CHECK_THAT(said_of_curve("using 1:2 with lines title 'rise', NaN title 'nothing'"),
                ContainsSubstring("\"nothing\""));
-    CHECK_THAT(said_of_script("using ($1 + 100):2 with lines notitle"), ContainsSubstring("blank"));
-    CHECK_THAT(said_of_script("using 1:2 with lines title 'rise', NaN notitle"), Equals("nothing was refused"));
+    CHECK_THAT(said_of_curve("using ($1 + 100):2 with lines notitle"), ContainsSubstring("blank"));
+    CHECK_THAT(said_of_curve("using 1:2 with lines title 'rise', NaN notitle"), Equals("nothing was refused"));
 }
 
 TEST_CASE("a script that plots nothing is refused") {
-    const Place place;
-    place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\nset output ARG2\n");
-    CHECK_THAT(refusal([&] { draw(place.figure()); }),
+    CHECK_THAT(said_of_script("#> Figure: x\nload 'style.gp'\nset output ARG2\n"),
                ContainsSubstring("plots/07_lines_rise.gp") && ContainsSubstring("blank"));
 }
 
 TEST_CASE("a figure wider than all others is refused: its letters would be too small on a phone") {
-    const Place place;
-    place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\nset terminal svg size 640,400\n"
-                                          "set output ARG2\nplot ARG1 using 1:2 with lines notitle\n");
-    CHECK_THAT(refusal([&] { draw(place.figure()); }),
+    CHECK_THAT(said_of_script("#> Figure: x\nload 'style.gp'\nset terminal svg size 640,400\n"
+                              "set output ARG2\nplot ARG1 using 1:2 with lines notitle\n"),
                ContainsSubstring("plots/07_lines_rise.gp is 640 px wide, and all figures are 480"));
+    const Place place;
     place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\neval canvas(200)\n"
                                           "set output ARG2\nplot ARG1 using 1:2 with lines notitle\n");
     CHECK_THAT(draw(place.figure()), ContainsSubstring("width=\"480\" height=\"200\""));
@@ -177,9 +177,9 @@ TEST_CASE("a figure wider than all others is refused: its letters would be too s
 
 TEST_CASE("a column that the trace doesn't have is named, with the line of the script and the columns that there are") {
     CHECK_THAT(
-        said_of_script("using 1:3 with lines"),
+        said_of_curve("using 1:3 with lines"),
         Equals("plots/07_lines_rise.gp, line 5: column 3 is drawn, but 07_lines_rise.tsv has only 1 t[s], 2 x[m]"));
-    CHECK_THAT(said_of_script("using 1:($2 > 0 ? $4 : NaN) with lines"), ContainsSubstring("column 4"));
+    CHECK_THAT(said_of_curve("using 1:($2 > 0 ? $4 : NaN) with lines"), ContainsSubstring("column 4"));
 }
 
 TEST_CASE("columns are found in expressions, after modifiers, in macros and continued lines, not in comments") {
@@ -200,27 +200,24 @@ TEST_CASE("columns are found in expressions, after modifiers, in macros and cont
 
 TEST_CASE("any word of gnuplot's is a failure, with file and line") {
     CHECK_THAT(
-        said_of_script("using 1:2 with lines title 'rise', no_such_function(x)"),
+        said_of_curve("using 1:2 with lines title 'rise', no_such_function(x)"),
         ContainsSubstring("plots/07_lines_rise.gp, line 5: gnuplot says \"undefined function: no_such_function"));
-    CHECK_THAT(said_of_script("using 1:2 with lines notitle, 'gone.tsv' using 1:2 notitle"),
+    CHECK_THAT(said_of_curve("using 1:2 with lines notitle, 'gone.tsv' using 1:2 notitle"),
                ContainsSubstring("gone.tsv"));
-    CHECK_THAT(said_of_script("using 1:2 with lines title 'rise'; print 'a word'"),
+    CHECK_THAT(said_of_curve("using 1:2 with lines title 'rise'; print 'a word'"),
                ContainsSubstring("gnuplot says \"a word\""));
 }
 
 TEST_CASE("a script that doesn't say what it shows is refused") {
-    const Place place;
-    place.write("plots/07_lines_rise.gp", "load 'style.gp'\nset output ARG2\nplot ARG1 using 1:2\n");
-    CHECK_THAT(refusal([&] { draw(place.figure()); }), ContainsSubstring("#> Figure: "));
+    CHECK_THAT(said_of_script("load 'style.gp'\nset output ARG2\nplot ARG1 using 1:2\n"),
+               ContainsSubstring("#> Figure: "));
 }
 
 TEST_CASE("a script that forgets its output or its style is refused") {
-    const Place place;
-    place.write("plots/07_lines_rise.gp", "#> Figure: x\nload 'style.gp'\nplot ARG1 using 1:2 with lines\n");
-    CHECK_THAT(refusal([&] { draw(place.figure()); }), ContainsSubstring("set output ARG2"));
-    place.write("plots/07_lines_rise.gp",
-                "#> Figure: x\nset terminal png\nset output ARG2\nplot ARG1 using 1:2 with lines\n");
-    CHECK_THAT(refusal([&] { draw(place.figure()); }), ContainsSubstring("load 'style.gp'"));
+    CHECK_THAT(said_of_script("#> Figure: x\nload 'style.gp'\nplot ARG1 using 1:2 with lines\n"),
+               ContainsSubstring("set output ARG2"));
+    CHECK_THAT(said_of_script("#> Figure: x\nset terminal png\nset output ARG2\nplot ARG1 using 1:2 with lines\n"),
+               ContainsSubstring("load 'style.gp'"));
 }
 
 TEST_CASE("without gnuplot one sentence says how to get it") {
@@ -418,18 +415,24 @@ TEST_CASE("files in plots/ without a section or without a script are found") {
 
 namespace {
 
+/// A place with a student's program that does this.
+struct StudentPlace : Place {
+    explicit StudentPlace(const std::string &program, const std::string &cmake = "exit 0") {
+        command("bin/cmake", cmake);
+        command("build/mine/07_lines", program);
+        write("exercises/07_lines.cpp", "");
+    }
+    void command(const fs::path &name, const std::string &script) const {
+        write(name, "#!/bin/sh\n" + script + '\n');
+        fs::permissions(tree.root / name, fs::perms::owner_all);
+    }
+    OnlyPath path{(tree.root / "bin").string() + ":/usr/bin:/bin"};
+};
+
 /// What is said of a student's program that does this.
 Ran ran(const std::string &program, const std::string &cmake = "exit 0") {
-    const Place place;
-    const auto command = [&](const fs::path &name, const std::string &script) {
-        place.write(name, "#!/bin/sh\n" + script + '\n');
-        fs::permissions(place.tree.root / name, fs::perms::owner_all);
-    };
-    command("bin/cmake", cmake);
-    command("build/mine/07_lines", program);
-    place.write("exercises/07_lines.cpp", "");
+    const StudentPlace place{program, cmake};
     place.write("build/mine/traces/07_lines/old.tsv", "");
-    const OnlyPath path{(place.tree.root / "bin").string() + ":/usr/bin:/bin"};
     const fs::path traces = student_traces(place.tree, place.section);
     const Ran result = run_program(place.tree, place.section, Whose::student, traces, "", 0.6);
     CHECK(fs::exists(traces / "old.tsv") != result.started); // no trace of an earlier run survives
@@ -500,7 +503,7 @@ namespace {
 /// @param second  the name of another figure, if there is one
 /// @param curve   what it draws of the student's
 std::string plotted(const std::string &program, const std::string &second = "", const std::string &curve = ", @yours") {
-    const Place place;
+    const StudentPlace place{program};
     const std::string yours = "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n";
     const std::string ours = "plot ARG1 using 1:2 with lines title 'reference'";
     for (const auto &[name, of_student] :
@@ -509,13 +512,7 @@ std::string plotted(const std::string &program, const std::string &second = "", 
             place.write("plots/" + name + ".gp",
                         "#> Figure: x\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange [0:5]\n"
                             + (of_student.empty() ? "" : yours) + ours + of_student + '\n');
-    place.write("exercises/07_lines.cpp", "");
     place.write("build/plots/mine/07_lines_rise.svg", "of yesterday");
-    place.write("bin/cmake", "#!/bin/sh\n");
-    place.write("build/mine/07_lines", "#!/bin/sh\n" + program + '\n');
-    for (const char *name : {"bin/cmake", "build/mine/07_lines"})
-        fs::permissions(place.tree.root / name, fs::perms::owner_all);
-    const OnlyPath path{(place.tree.root / "bin").string() + ":/usr/bin:/bin"};
 
     CLI::App app;
     add_plot(app, place.tree);

@@ -318,8 +318,9 @@ TEST_CASE("a chunk that no chapter shows is found") {
 
 TEST_CASE("a chunk of each kind of file must be shown") {
     const Book book;
-    const std::string file = GENERATE("chapters/07_wall/wall.hpp", "chapters/07_wall/main.cpp", "solutions/07_wall.cpp",
-                                      "tests/07_wall.cpp", "plots/07_wall_path.gp", "tests/peers/07_wall.txt");
+    const std::string file =
+        GENERATE("chapters/07_wall/wall.hpp", "chapters/07_wall/main.cpp", "chapters/07_wall/bench.cpp",
+                 "solutions/07_wall.cpp", "tests/07_wall.cpp", "plots/07_wall_path.gp", "tests/peers/07_wall.txt");
     const bool is_code = file.ends_with("pp");
     book.put(file, (fs::exists(book.tree.root / file) ? book.text(file) : "")
                        + (is_code ? "//> New\nint x;\n" : "#> New\nreset\n"));
@@ -367,12 +368,6 @@ TEST_CASE("a mark without a title, a title given twice, and a chunk without code
         book.edit("chapters/07_wall/main.cpp", "//> Main\n", "//> Nothing\n\n//> Main\n");
         CHECK_THAT(book.check().text, ContainsSubstring("main.cpp:3: the chunk \"Nothing\" is empty;"));
     }
-}
-
-TEST_CASE("a benchmark beside the program is shown in the chapter as well") {
-    const Book book;
-    book.put("chapters/07_wall/bench.cpp", "//> What is measured\nint main() {}\n");
-    CHECK_THAT(book.check().text, ContainsSubstring("bench.cpp:1: the chunk \"What is measured\" is not shown"));
 }
 
 TEST_CASE("code above the first mark is found; includes, namespaces and comments do not count") {
