@@ -62,8 +62,8 @@ std::string with_entry(const std::string &book, const Section &section, const st
     for (std::size_t column = 2; column < entries.front().columns; ++column) row += " |";
     row += like.ends_with("\r\n") ? "\r\n" : "\n";
 
-    const auto same_or_later = std::find_if(entries.begin(), entries.end(),
-                                            [&](const Entry &entry) { return entry.number >= section.number(); });
+    const auto same_or_later = std::ranges::find_if(
+        entries, [&](int number) { return number >= section.number(); }, &Entry::number);
     const bool at_the_end = same_or_later == entries.end();
     const int line = at_the_end ? entries.back().line + 1 : same_or_later->line;
     const auto place = lines.begin() + line - 1;

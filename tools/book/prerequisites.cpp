@@ -21,7 +21,7 @@ std::optional<int> section_behind(const std::string &link) {
 }
 
 void add_need(std::vector<Prerequisite> &all, const Prerequisite &one) {
-    const auto known = std::find_if(all.begin(), all.end(), [&](const auto &p) { return p.section == one.section; });
+    const auto known = std::ranges::find(all, one.section, &Prerequisite::section);
     if (known == all.end()) all.push_back(one);
     else if (one.exercise.empty()) known->exercise.clear();
 }

@@ -1,7 +1,7 @@
 #include "figures/recolour.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <fmt/format.h>
 #include <pugixml.hpp>
 #include <regex>
 #include <set>
@@ -34,10 +34,8 @@ std::string as_hex(const std::string &colour) {
     static const std::regex triple{R"(rgb\(\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\))"};
     std::smatch found;
     if (!std::regex_match(colour, found, triple)) return colour;
-    char text[16];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", std::stoi(found[1]) & 255, std::stoi(found[2]) & 255,
-                  std::stoi(found[3]) & 255);
-    return text;
+    return fmt::format("#{:02x}{:02x}{:02x}", std::stoi(found[1]) & 255, std::stoi(found[2]) & 255,
+                       std::stoi(found[3]) & 255);
 }
 
 /// Brings one painting attribute to "#rrggbb" and notes it; black is ink.

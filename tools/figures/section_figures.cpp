@@ -105,8 +105,8 @@ std::vector<std::string> strays(const Tree &tree) {
         const std::string name = file.filename().string();
         if (name == "style.gp" || !(name.ends_with(".gp") || name.ends_with(".svg") || name.ends_with(".tsv")))
             continue;
-        const bool known = std::any_of(sections.begin(), sections.end(),
-                                       [&](const Section &section) { return name.starts_with(section.name + "_"); });
+        const bool known =
+            std::ranges::any_of(sections, [&](const Section &section) { return name.starts_with(section.name + "_"); });
         if (!known) found.push_back("plots/" + name + " belongs to no section: name it NN_slug_<figure>, or remove it");
         else if (!fs::exists(fs::path{file}.replace_extension(".gp")))
             found.push_back("plots/" + name + " has no script: write plots/" + file.stem().string()

@@ -41,8 +41,7 @@ std::string lifted(const std::vector<Line> &lines, const std::vector<BookHeading
                    std::size_t end) {
     std::string text(from - 1, '\n');
     for (std::size_t line = from; line < end; ++line) {
-        const bool heading =
-            std::any_of(headings.begin(), headings.end(), [&](const auto &h) { return h.line == line; });
+        const bool heading = std::ranges::find(headings, line, &BookHeading::line) != headings.end();
         text += lines[line - 1].text.substr(heading ? 1 : 0);
         text += '\n';
     }
@@ -78,8 +77,7 @@ std::vector<BookPart> book_parts(std::string_view book) {
 std::string book_address(std::string_view book, const std::string &anchor) {
     for (const BookPart &part : book_parts(book)) {
         if (part.anchors.front() == anchor) return part.name + ".html";
-        if (std::find(part.anchors.begin(), part.anchors.end(), anchor) != part.anchors.end())
-            return part.name + ".html#" + anchor;
+        if (std::ranges::find(part.anchors, anchor) != part.anchors.end()) return part.name + ".html#" + anchor;
     }
     return "index.html" + (anchor.empty() ? "" : '#' + anchor);
 }

@@ -107,13 +107,12 @@ class Builder {
         static const std::regex wanted{R"(source_.*|(namespace|struct|class|union).*)"};
         std::vector<fs::path> files;
         for (const auto &entry : fs::directory_iterator{work / "html"}) files.push_back(entry.path());
-        std::sort(files.begin(), files.end());
+        std::ranges::sort(files);
         for (const fs::path &file : files) {
             const std::string name = file.stem().string();
             const bool is_list = name == "namespaces" || name.starts_with("namespacemembers") || name == "classes"
                                  || name.ends_with("-members");
-            const bool own =
-                std::any_of(written.begin(), written.end(), [&](const auto &page) { return page.name == name; });
+            const bool own = std::ranges::find(written, name, &WrittenPage::name) != written.end();
             if (file.extension() == ".html" && !is_list && (own || std::regex_match(name, wanted)))
                 drafts.emplace_back(name, read_file(file));
         }

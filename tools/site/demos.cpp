@@ -18,7 +18,7 @@ namespace {
 
 /// The picture of the demo as it begins at this place, or else of its first.
 std::string picture_for(const Demo &demo, const DemoMark &mark) {
-    const auto start = std::find(demo.starts.begin(), demo.starts.end(), mark.start);
+    const auto start = std::ranges::find(demo.starts, mark.start);
     return demo_picture_file(demo.section, start == demo.starts.end() ? 0 : std::size_t(start - demo.starts.begin()));
 }
 
@@ -59,8 +59,7 @@ std::string play_page(const Tree &tree) {
     std::vector<Card> shelf;
     std::string demos;
     for (const Demo &demo : all) {
-        const auto row = std::find_if(rows.begin(), rows.end(),
-                                      [&](const Entry &one) { return one.number == demo.section.number(); });
+        const auto row = std::ranges::find(rows, demo.section.number(), &Entry::number);
         const std::string number = demo.section.short_number();
         const std::string title = row == rows.end() ? demo.section.slug() : row->title;
         const std::string words = number + ' ' + title;

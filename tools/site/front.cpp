@@ -23,7 +23,7 @@ std::string page_for(const Tree &tree, const Entry &entry) {
 std::string core_minutes(const Entry &entry) { return entry.minutes.substr(0, entry.minutes.find(" +")); }
 
 std::string begin_link(const Tree &tree, const std::vector<Entry> &entries) {
-    const auto first = std::find_if(entries.begin(), entries.end(), [](const Entry &e) { return !e.chapter.empty(); });
+    const auto first = std::ranges::find_if(entries, [](const Entry &e) { return !e.chapter.empty(); });
     if (first == entries.end()) return "";
     const std::string minutes = core_minutes(*first);
     return "<a class=\"begin\" href=\"" + page_for(tree, *first) + "\">Begin with " + std::to_string(first->number)
@@ -33,7 +33,7 @@ std::string begin_link(const Tree &tree, const std::vector<Entry> &entries) {
 
 /// The picture of the section's demo; "" if there is none.
 std::string picture_of(const std::vector<Demo> &all, int number) {
-    const auto demo = std::find_if(all.begin(), all.end(), [&](const Demo &d) { return d.section.number() == number; });
+    const auto demo = std::ranges::find_if(all, [&](const Demo &d) { return d.section.number() == number; });
     return demo == all.end() || demo->about.empty() ? "" : demo_picture_file(demo->section);
 }
 

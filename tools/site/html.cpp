@@ -117,7 +117,7 @@ void Html::replace(std::string_view piece, std::string words) {
 
 std::string Html::changed() const {
     std::vector<Change> sorted = changes;
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Change &a, const Change &b) { return a.at < b.at; });
+    std::ranges::stable_sort(sorted, {}, &Change::at);
     std::string out;
     std::size_t at = 0;
     for (const Change &change : sorted) {

@@ -76,10 +76,8 @@ std::string about_failures(const OwnFigures &own, bool any_drawn) {
 
 /// "3 figures show your curve; one figure waits for functions that are not started".
 std::string about_figures(const OwnFigures &own) {
-    const auto drawn =
-        std::count_if(own.figures.begin(), own.figures.end(), [](const auto &one) { return one.drawn(); });
-    const auto waiting =
-        std::count_if(own.figures.begin(), own.figures.end(), [](const auto &one) { return one.not_started; });
+    const auto drawn = std::ranges::count(own.figures, true, &OwnFigure::drawn);
+    const auto waiting = std::ranges::count(own.figures, true, &OwnFigure::not_started);
     const auto said = [](std::ptrdiff_t count, const char *one, const char *many) {
         return count == 0 ? "" : count_of(count, "figure") + (count == 1 ? one : many);
     };

@@ -49,7 +49,7 @@ std::string progress_script(const Tree &tree) {
         known["sections"].push_back(
             {{"number", section.short_number()}, {"page", page}, {"exercises", exercises_of(so_far)}});
         begun = begun || !when.empty();
-        const auto open = std::find_if_not(so_far.standings.begin(), so_far.standings.end(), is_done);
+        const auto open = std::ranges::find_if_not(so_far.standings, is_done);
         if (open == so_far.standings.end() || (!next.is_null() && when <= latest)) continue;
         latest = when;
         next = {{"number", open->exercise.number},

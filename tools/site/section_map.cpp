@@ -146,8 +146,7 @@ std::string section_map(const Tree &tree, const std::vector<Entry> &entries) {
         for (const auto &[from, in_part] : stop.joins)
             lines += line_between(columns.x(k - 1) + box_width / 2, columns.stop(from).y, left, stop.y, in_part);
         if (stop.section == 0) lines += line_between(left, stop.y, right, stop.y, stop.joins[0].in_part);
-        const auto entry = std::find_if(entries.begin(), entries.end(),
-                                        [&](const Entry &each) { return each.number == stop.section; });
+        const auto entry = std::ranges::find(entries, stop.section, &Entry::number);
         if (entry != entries.end()) boxes += box_of_section(tree, *entry, columns.x(k), stop.y);
     });
     return fmt::format(
