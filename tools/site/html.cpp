@@ -12,9 +12,7 @@ std::string_view view(const GumboStringPiece &piece) { return {piece.data, piece
 
 void append_text(const GumboNode *node, std::string &out) {
     if (is_element(node)) {
-        const GumboVector &children = node->v.element.children;
-        for (unsigned i = 0; i < children.length; ++i)
-            append_text(static_cast<const GumboNode *>(children.data[i]), out);
+        for (const GumboNode *child : Element{node}.nodes()) append_text(child, out);
     } else if (node->type != GUMBO_NODE_COMMENT && node->type != GUMBO_NODE_DOCUMENT) {
         out += node->v.text.text;
     }
@@ -24,8 +22,7 @@ void visit_all(const GumboNode *node, const std::function<bool(const Element &)>
     if (!is_element(node)) return;
     const bool has_source = node->v.element.original_tag.length > 0; // else the reader has added it
     if (has_source && !visit({node})) return;
-    const GumboVector &children = node->v.element.children;
-    for (unsigned i = 0; i < children.length; ++i) visit_all(static_cast<const GumboNode *>(children.data[i]), visit);
+    for (const GumboNode *child : Element{node}.nodes()) visit_all(child, visit);
 }
 
 } // namespace
@@ -78,21 +75,24 @@ std::string Element::text() const {
     return out;
 }
 
+std::vector<const GumboNode *> Element::nodes() const {
+    const GumboVector &all = node->v.element.children;
+    std::vector<const GumboNode *> result;
+    for (unsigned i = 0; i < all.length; ++i) result.push_back(static_cast<const GumboNode *>(all.data[i]));
+    return result;
+}
+
 std::vector<Element> Element::children() const {
     std::vector<Element> result;
-    const GumboVector &all = node->v.element.children;
-    for (unsigned i = 0; i < all.length; ++i)
-        if (const auto *child = static_cast<const GumboNode *>(all.data[i]); is_element(child))
-            result.push_back({child});
+    for (const GumboNode *child : nodes())
+        if (is_element(child)) result.push_back({child});
     return result;
 }
 
 std::vector<std::string_view> Element::own_texts() const {
     std::vector<std::string_view> result;
-    const GumboVector &all = node->v.element.children;
-    for (unsigned i = 0; i < all.length; ++i)
-        if (const auto *child = static_cast<const GumboNode *>(all.data[i]); child->type == GUMBO_NODE_TEXT)
-            result.push_back(view(child->v.text.original_text));
+    for (const GumboNode *child : nodes())
+        if (child->type == GUMBO_NODE_TEXT) result.push_back(view(child->v.text.original_text));
     return result;
 }
 

@@ -22,10 +22,11 @@ struct Element {
     std::string_view attribute(const char *name) const; ///< its value, without entities; "" without it
     bool has(const char *name) const;                   ///< the attribute
     bool has_class(std::string_view name) const;
-    std::string_view outer() const;   ///< from "<p>" to "</p>"
-    std::string_view inner() const;   ///< the text between its tags
-    std::string_view opening() const; ///< "<p>"
-    std::string text() const;         ///< its words, without entities
+    std::string_view outer() const;               ///< from "<p>" to "</p>"
+    std::string_view inner() const;               ///< the text between its tags
+    std::string_view opening() const;             ///< "<p>"
+    std::string text() const;                     ///< its words, without entities
+    std::vector<const GumboNode *> nodes() const; ///< all that it holds: elements, texts, comments
     std::vector<Element> children() const;
     std::vector<std::string_view> own_texts() const; ///< the pieces of text in it that are in no element within
 };
@@ -33,8 +34,6 @@ struct Element {
 class Html {
   public:
     explicit Html(std::string text_);
-
-    const std::string &text() const { return *source; }
 
     /// Visits the elements in the order of the text; `visit` returns whether those within it are visited too.
     void each(const std::function<bool(const Element &)> &visit) const;
@@ -44,7 +43,7 @@ class Html {
     /// The first element for which this holds; its node is null if there is none.
     Element first(const std::function<bool(const Element &)> &holds) const;
 
-    /// Replaces `piece`, a view into text(), by `words`. Pieces must not overlap.
+    /// Replaces `piece`, a view into the text, by `words`. Pieces must not overlap.
     void replace(std::string_view piece, std::string words);
 
     /// The text with all that was replaced.

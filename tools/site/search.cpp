@@ -56,16 +56,14 @@ class Reader {
         }
         if (element.has_class("math")) return say(plain_formula(element.text()));
         if ((element.name() == "h2" || element.name() == "h3") && element.has("id")) return heading(element);
-        for (unsigned i = 0; i < node->v.element.children.length; ++i)
-            walk(static_cast<const GumboNode *>(node->v.element.children.data[i]));
+        for (const GumboNode *child : element.nodes()) walk(child);
         if (ends_words(element.name())) say(" ");
     }
 
     void heading(const Element &element) {
         finish();
         text.clear();
-        for (unsigned i = 0; i < element.node->v.element.children.length; ++i)
-            walk(static_cast<const GumboNode *>(element.node->v.element.children.data[i]));
+        for (const GumboNode *child : element.nodes()) walk(child);
         std::string words = text;
         while (words.ends_with(' ')) words.pop_back();
         begin(std::string{element.attribute("id")}, words.substr(std::min(words.find_first_not_of(' '), words.size())));
