@@ -4,6 +4,7 @@
 #include "book/demo_places.hpp"
 #include "book/markdown.hpp"
 #include "ground/lines.hpp"
+#include "ground/text.hpp"
 
 #include <algorithm>
 #include <map>
@@ -12,8 +13,6 @@
 
 namespace course {
 namespace {
-
-bool has(std::string_view text, std::string_view words) { return text.find(words) != text.npos; }
 
 /// A line without what a quote puts before it.
 std::string_view unquoted(std::string_view line) {
@@ -33,8 +32,8 @@ int words_in(const std::string &line) {
 
 /// Whether the line asks the reader to do something: play, guess, or write code.
 bool is_task(std::string_view line) {
-    return has(line, "<!-- demo:") || has(line, "*Try it") || has(line, "**Pencil") || has(line, "Your turn:")
-           || has(line, "**Finish ");
+    return contains(line, "<!-- demo:") || contains(line, "*Try it") || contains(line, "**Pencil")
+           || contains(line, "Your turn:") || contains(line, "**Finish ");
 }
 
 /// Reads a chapter from line to line.
@@ -61,7 +60,7 @@ class Meter {
     void line(std::string_view text, int number) {
         if (text.starts_with("<details")) ++folds;
         const bool folded = folds > 0;
-        if (has(text, "</details>")) --folds;
+        if (contains(text, "</details>")) --folds;
         if (folded || text.empty()) return;
         if (text.starts_with("## ")) outputs = 0;
         if (is_task(text)) {
@@ -69,7 +68,7 @@ class Meter {
             end_reading();
             reading_from = number;
         }
-        if (text.starts_with("#") && has(text, "Your turn:") && first_box == 0) first_box = number;
+        if (text.starts_with("#") && contains(text, "Your turn:") && first_box == 0) first_box = number;
         minutes_in(text, number);
         if (text.starts_with("<!--") || stands_for_a_demo(text)) return;
         ++prose;
@@ -97,7 +96,7 @@ class Meter {
         listings += length;
         worst(longest_listing, length, fence.line);
         if (length == 0) return;
-        if (has(fence.content.front(), "$ ./course run")) worst(longest_output, outputs += length - 1, fence.line);
+        if (contains(fence.content.front(), "$ ./course run")) worst(longest_output, outputs += length - 1, fence.line);
         if (std::any_of(fence.content.begin(), fence.content.end(),
                         [](const auto &code) { return code.starts_with("TEST_CASE("); }))
             worst(tests, tests.value + length - 1, fence.line);
@@ -159,7 +158,7 @@ std::vector<Finding> exceeded_budgets(std::string_view chapter, const std::files
     int number = 0;
     for (const Line &line : lines_of(chapter)) {
         ++number;
-        if (!has(line.text, "<!-- budget:")) continue;
+        if (!contains(line.text, "<!-- budget:")) continue;
         std::match_results<std::string_view::const_iterator> found;
         if (std::regex_search(line.text.begin(), line.text.end(), found, stated))
             exceptions[found[1]] = {std::stoi(found[2]), number};

@@ -1,7 +1,7 @@
 #pragma once
+#include <compare>
 #include <filesystem>
 #include <string>
-#include <tuple>
 
 namespace course {
 
@@ -11,9 +11,7 @@ struct Finding {
     int line = 0; ///< from 1
     std::string message;
 
-    friend bool operator<(const Finding &a, const Finding &b) {
-        return std::tie(a.file, a.line, a.message) < std::tie(b.file, b.line, b.message);
-    }
+    friend auto operator<=>(const Finding &, const Finding &) = default;
 };
 
 } // namespace course
