@@ -7,6 +7,7 @@
 #include "book/prerequisites.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
+#include "ground/text.hpp"
 #include "loop/renamed.hpp"
 #include "own_folder.hpp"
 
@@ -223,7 +224,7 @@ class Book {
 };
 
 std::string replaced(std::string text, const std::string &was, const std::string &is) {
-    for (std::size_t at = 0; (at = text.find(was, at)) != text.npos; at += is.size()) text.replace(at, was.size(), is);
+    replace_all(text, was, is);
     return text;
 }
 

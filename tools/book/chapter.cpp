@@ -246,16 +246,6 @@ std::vector<Chunk> solution(const Tree &tree, const Section &section, std::strin
     return shown;
 }
 
-namespace {
-
-template <class Read> void each_match(std::string_view text, const std::regex &pattern, Read read) {
-    for (std::cregex_iterator found{text.data(), text.data() + text.size(), pattern}; found != std::cregex_iterator{};
-         ++found)
-        read(*found, 1 + static_cast<int>(std::count(text.data(), text.data() + found->position(), '\n')));
-}
-
-} // namespace
-
 std::vector<ListedExercise> exercise_table(std::string_view chapter) {
     static const std::regex number{R"(\d+\.\d+)"};
     std::vector<ListedExercise> exercises;
@@ -270,9 +260,11 @@ std::vector<ListedExercise> exercise_table(std::string_view chapter) {
 std::vector<ListedExercise> declared_exercises(std::string_view header) {
     static const std::regex declaration{R"re(COURSE_EXERCISE\(\s*"([^"]*)",\s*(\w+),\s*\w+,\s*(\w+))re"};
     std::vector<ListedExercise> exercises;
-    each_match(header, declaration, [&](const std::cmatch &found, int line) {
-        exercises.push_back({found[1], found[3], found[2], line});
-    });
+    const char *const begin = header.data();
+    for (std::cregex_iterator found{begin, begin + header.size(), declaration}, end; found != end; ++found) {
+        const auto above = std::count(begin, begin + found->position(), '\n');
+        exercises.push_back({(*found)[1], (*found)[3], (*found)[2], 1 + static_cast<int>(above)});
+    }
     return exercises;
 }
 

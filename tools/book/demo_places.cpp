@@ -47,8 +47,7 @@ std::string demo_picture_file(const Section &section, std::size_t start) {
 
 std::string picture_title(const fs::path &svg) {
     const std::string text = fs::exists(svg) ? read_file(svg) : "";
-    const auto from = text.find("<title>"), to = text.find("</title>");
-    return from == text.npos || to == text.npos ? "" : text.substr(from + 7, to - from - 7);
+    return std::string{between(text, "<title>", "</title>").value_or("")};
 }
 
 std::string picture_words(const std::string &title, const DemoMark &mark) {

@@ -1,6 +1,7 @@
 #include "figures/trace.hpp"
 
 #include "ground/files.hpp"
+#include "ground/lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,17 +14,13 @@ namespace {
 
 constexpr std::uintmax_t most_read = 64u << 20; // [bytes] a figure has thousands of rows, so a larger file is a mistake
 
-std::vector<std::string> split(std::string_view line, char at) {
+/// What is between the tabs.
+std::vector<std::string> between_tabs(std::string_view line) {
     std::vector<std::string> parts;
-    for (std::size_t end; (end = line.find(at)) != line.npos; line.remove_prefix(end + 1))
+    for (std::size_t end; (end = line.find('\t')) != line.npos; line.remove_prefix(end + 1))
         parts.emplace_back(line.substr(0, end));
     parts.emplace_back(line);
     return parts;
-}
-
-std::string_view without_return(std::string_view line) {
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
 }
 
 /// Whether a column's title is a name and a unit: "x[m]".
@@ -35,7 +32,7 @@ bool has_unit(std::string_view title) {
 
 std::vector<std::string> parse_header(std::string_view line, const std::string &name) {
     std::vector<std::string> columns;
-    if (line.starts_with("# ")) columns = split(line.substr(2), '\t');
+    if (line.starts_with("# ")) columns = between_tabs(line.substr(2));
     for (const std::string &title : columns)
         if (!has_unit(title))
             throw TraceFault{
@@ -65,7 +62,7 @@ double parse_number(const std::string &word, const std::string &column, const st
 Trace::Row parse_row(std::string_view line, std::size_t number, const Trace &trace, const std::string &name) {
     if (line.empty()) return {number, {}};
     const std::string where = fmt::format("{}, line {}", name, number);
-    const std::vector<std::string> words = split(line, '\t');
+    const std::vector<std::string> words = between_tabs(line);
     if (words.size() != trace.columns.size())
         throw TraceFault{
             TraceFault::malformed,
@@ -95,15 +92,14 @@ std::vector<double> largest_values(const Trace &trace) {
 } // namespace
 
 Trace parse_trace(std::string_view text, const std::string &name) {
-    std::vector<std::string> lines = split(text, '\n');
-    if (lines.back().empty()) lines.pop_back();
+    const std::vector<Line> lines = lines_of(text);
     if (lines.empty())
         throw TraceFault{TraceFault::empty, name + " is empty; a trace has a header and two rows or more"};
 
-    Trace trace{parse_header(without_return(lines.front()), name), {}};
+    Trace trace{parse_header(lines.front().text, name), {}};
     std::size_t filled = 0;
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        trace.rows.push_back(parse_row(without_return(lines[i]), i + 1, trace, name));
+        trace.rows.push_back(parse_row(lines[i].text, i + 1, trace, name));
         if (!trace.rows.back().values.empty()) ++filled;
     }
     if (filled < 2)

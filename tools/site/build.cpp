@@ -3,6 +3,7 @@
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/process.hpp"
+#include "ground/text.hpp"
 #include "site/addresses.hpp"
 #include "site/book_parts.hpp"
 #include "site/demos.hpp"
@@ -71,8 +72,7 @@ class Builder {
     }
 
     std::string without_root(std::string text) const {
-        for (const std::string &root : {work.string() + '/', tree.root.string() + '/'})
-            for (std::size_t at; (at = text.find(root)) != text.npos;) text.erase(at, root.size());
+        for (const std::string &root : {work.string() + '/', tree.root.string() + '/'}) replace_all(text, root, "");
         return text;
     }
 

@@ -7,6 +7,7 @@
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
+#include "ground/text.hpp"
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
 #include "site/html.hpp"
@@ -38,9 +39,9 @@ std::string coloured(std::string_view colours, std::string_view code) {
 }
 
 /// A path that may break into the next line after a slash.
-std::string breakable(const std::string &path) {
-    static const std::regex slash{"/"};
-    return std::regex_replace(path, slash, "/<wbr>");
+std::string breakable(std::string path) {
+    replace_all(path, "/", "/<wbr>");
+    return path;
 }
 
 /// The chunks that a page may show, by title.
@@ -86,9 +87,8 @@ class PageWriter {
     std::string write(const std::string &name) {
         const Document document = parse_markdown(taken.text, CMARK_OPT_SMART);
         blocks(document.get());
-        // Doxygen stops at this word wherever it is.
-        static const std::regex end{R"(\\endhtmlonly)"};
-        std::string html = std::regex_replace(rendered(document.get()), end, "&#92;endhtmlonly");
+        std::string html = rendered(document.get());
+        replace_all(html, "\\endhtmlonly", "&#92;endhtmlonly"); // Doxygen stops at this word wherever it is
         for (std::size_t at = 0; at < listings.size(); ++at) {
             const std::string mark = listing_mark(at);
             html.replace(html.find(mark), mark.size(), listings[at]);

@@ -1,5 +1,7 @@
 #include "site/html.hpp"
 
+#include "ground/text.hpp"
+
 #include <algorithm>
 #include <sstream>
 
@@ -28,14 +30,9 @@ void visit_all(const GumboNode *node, const std::function<bool(const Element &)>
 } // namespace
 
 std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else if (c == '>') out += "&gt;";
-        else if (c == '"') out += "&quot;";
-        else out += c;
-    }
+    std::string out{text};
+    for (const auto &[sign, entity] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
+        replace_all(out, sign, entity);
     return out;
 }
 
