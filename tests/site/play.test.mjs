@@ -276,7 +276,8 @@ describe('07, the room', { concurrency: 2 }, () => {
     assert.ok((await phone.page.evaluate(() => scrollY)) > place + 50);
     assert.equal(await phone.picture(), first);
     await phone.page.touchscreen.tap(...(await phone.at(...room(8, 2))));
-    assert.notEqual(await phone.picture(), first);
+    for (let waited = 0; waited < 2000 && (await phone.picture()) === first; waited += 50) await phone.wait(50);
+    assert.ok((await phone.picture()) !== first, 'it has turned');
   });
 
   test('7.6 cannot tell the side of two arrows that rounding has to the left; one that is turned points to a side', async (t) => {
