@@ -162,10 +162,12 @@ State next(State now, const Input &in) {
         if (now.game == pool) now.ball = cue;
     }
     const int angle_deg = now.angle_deg;
+    const Wall wall = now.wall;
     if (in.handle >= 0) drag(now, in);
     now.angle_deg += (in.key == "u") - (in.key == "d");
     if (now.game == off_wall || now.game == rough) now.angle_deg = std::clamp(now.angle_deg, -80, 80);
-    if (now.met && now.angle_deg != angle_deg) throw_ball(now, in); // it has not met this wall
+    const bool same_wall = now.angle_deg == angle_deg && now.wall.start == wall.start && now.wall.end == wall.end;
+    if (now.met && !same_wall) throw_ball(now, in); // it has not met this wall
     if (in.key == "f") roll(now, in);
     if (in.key == "l") { // two seconds in which nobody looks
         now.ball.position += 2 * now.ball.velocity;

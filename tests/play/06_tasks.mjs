@@ -38,6 +38,10 @@ for (const swapped of [false, true]) { // the ball bounces; with the ends swappe
   assert.equal(seen['normal, up'] < 0, swapped);
   assert.equal('after, up' in seen, !swapped);
 }
+{ // dragged after the meeting, this wall gets a new throw, too
+  const seen = demo.readouts(demo.values({ 'The game': 'two ends (6.3)', speed: 3 }), [...seconds(2), [0, -4, -1], ...seconds(2).slice(1)]);
+  assert.deepEqual(seen.map((each) => 'after, up' in each), [false, true, false, true]);
+}
 { // with restitution 1 the ball leaves along the normal from a mu_k of 0.4 on, with 0.5 from 0.6 on
   const values = { 'The game': 'rough wall (6.4)', speed: 3 };
   const out = (restitution, mu_k) => last({ ...values, restitution, mu_k }, seconds(2))['angle out'];
