@@ -1,0 +1,228 @@
+#include "loop/advice_rules.hpp"
+
+#include "ground/text.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <vector>
+
+namespace course {
+namespace {
+
+constexpr const char *answer_a_list = "A list needs braces: return {a}; for one value, return {}; for none.";
+constexpr const char *number_already = "That is a number already: it has no fields.";
+constexpr const char *other_list = "The lists hold different things: begin an empty one, and fill it with push_back.";
+constexpr const char *fields_in_braces =
+    "The braces hold the fields of the result, in the order of the header; a number is "
+    "a.mass, say, not the whole a.";
+constexpr const char *call_function = "That is a function: call it, with what it needs in parentheses.";
+constexpr const char *dot_is_number = "a.dot(b) is a number; a.dot(b) * b is a vector.";
+
+bool is_optional(std::string_view type) { return contains(type, "std::optional<"); }
+bool is_vector(std::string_view type) { return type.ends_with("Vec2") || type.ends_with("expression of Vec2s"); }
+
+/// A struct of the course or the student's own: State, as the compiler writes it; or else nothing.
+std::string struct_name(std::string_view type) {
+    for (const char *word : {"const ", "struct "})
+        if (type.starts_with(word)) type.remove_prefix(std::string_view{word}.size());
+    if (type.ends_with('&')) type.remove_suffix(1);
+    if (const std::size_t colon = type.rfind(':'); colon != type.npos) type.remove_prefix(colon + 1);
+    const bool is_name =
+        type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789") == type.npos;
+    if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2") return {};
+    return std::string{type};
+}
+
+/// What to do with a struct that was taken for a vector or a number.
+std::string about_fields(const std::string &name) {
+    const bool vowel = contains("AEIOU", name.substr(0, 1));
+    return (vowel ? "An " : "A ") + name + " is a struct: use its fields, one at a time.";
+}
+
+/// A field that a struct or a number does not have; or of a struct that an optional holds, asked of the optional.
+std::string about_member(const Said &said) {
+    const auto names = in_quotes(said.words);
+    const bool no_struct =
+        contains(said.words, "which is of non-class type '") || contains(said.words, "is not a structure or union");
+    if (no_struct && !names.empty() && is_number(names.back())) return number_already;
+    const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
+    if (names.size() < 2 || (!gcc && !clang)) return {};
+    const std::string &asked = gcc ? names[0] : names[1];
+    if (const std::string name = struct_name(asked); !name.empty() && !contains(said.words, "did you mean"))
+        return "Look up the fields of " + name + " in the header.";
+    if (is_vector(asked) && (gcc ? names[1] : names[0]) == "length") return length_of_vector;
+    if (!is_optional(asked)) return {};
+    return "It may be nothing: ask first, if (found), and then write found->" + (gcc ? names[1] : names[0]) + '.';
+}
+
+/// A struct where a list of numbers or vectors is to grow, or a number where a function wants the whole struct.
+std::string about_argument(const Said &said) {
+    std::vector<std::string> types = in_quotes(said.words); // GCC; of Clang's words the note says it
+    if (const auto note = between(said.notes, "no known conversion from ", "\n"); note && types.size() < 2)
+        types = in_quotes(*note);
+    const std::string pushed{between(said.words, "push_back(", ")").value_or(types.empty() ? "" : types.front())};
+    std::string list; // what it is a list of
+    for (const std::string &type : types)
+        if (list.empty()) list = between(type, "vector<", ">").value_or("");
+    if (contains(said.words, "push_back") && !struct_name(pushed).empty() && !list.empty() && struct_name(list).empty())
+        return about_fields(struct_name(pushed));
+    const bool gcc = said.words.starts_with("invalid initialization of reference of type '");
+    if ((!gcc && !said.words.starts_with("no matching function for call to '")) || types.size() < 2) return {};
+    const std::string &given = types[gcc ? 1 : 0];
+    const bool wants_vector = gcc ? types[0].ends_with("Vec2&") : is_vector(types[1]);
+    if (wants_vector && is_number(given)) return two_components;
+    if (wants_vector && !struct_name(given).empty()) return about_fields(struct_name(given));
+    const std::string whole = struct_name(gcc ? types.front() : types.back());
+    if (whole.empty()) return {};
+    if (is_number(given))
+        return "A whole " + whole
+               + " is wanted here, not a number: pass one that you have, a and not a.mass, or make one of its fields "
+                 "in braces, in the order of the header.";
+    return is_vector(given) || !struct_name(given).empty()
+               ? "A " + whole + " is wanted here: put its fields in braces, in the order of the header."
+               : "";
+}
+
+/// velocity.dot(2)
+std::string about_dot(const Said &said) {
+    return contains(said.words, "::dot(") || contains(said.words, "function for call to 'dot'")
+               ? "A dot product has a vector on each side: a.dot(b)."
+               : "";
+}
+
+/// std::abs(velocity)
+std::string about_absolute(const Said &said) {
+    const bool is_it = contains(said.words, "function for call to 'abs");
+    return is_it && contains(said.words + said.notes, "Vec2") ? length_of_vector : "";
+}
+
+/// Box.high: GCC points at the dot, Clang at the dot or at the type.
+std::string about_type_with_dot(const Said &said) {
+    bool is_it = false;
+    for (const char *words : {"before '.' token", "does not refer to a value", "dot operator on a type", "type name '"})
+        if (contains(said.words, words)) is_it = true;
+    std::size_t from = std::min(said.caret.find('^'), said.code.size());
+    while (from > 0 && is_in_a_name(said.code[from - 1])) --from;
+    const std::string_view code = std::string_view{said.code}.substr(from), type = first_word(code);
+    if (!is_it || type.empty() || type[0] < 'A' || type[0] > 'Z' || !code.substr(type.size()).starts_with('.'))
+        return {};
+    const std::string_view field = first_word(code.substr(type.size() + 1));
+    std::string own = type == "Vec2" ? "velocity" : std::string{type};
+    own[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(own[0])));
+    return std::string{type} + " is a type: before the dot, write the name of the parameter or variable, as in " + own
+           + '.' + std::string{field} + '.';
+}
+
+/// 2 * time_of_flight: the name of a function, which is not called.
+std::string about_function(const Said &said) {
+    bool takes_a_value = false;
+    for (const char *words : {"invalid operands", "cannot convert", "cannot initialize", "incompatible"})
+        if (contains(said.words, words)) takes_a_value = true;
+    for (const std::string &type : in_quotes(said.words))
+        if (takes_a_value && type.ends_with(')') && contains(type, "(") && !contains(type, "::)")) return call_function;
+    return {};
+}
+
+/// Two operands that do not go together.
+std::string about_operands(const Said &said) {
+    if ((contains(said.words, "operand type is '") || contains(said.words, "to unary expression"))
+        && contains(said.code, "=+"))
+        return "To add to a value, write += and not =+.";
+    const bool gcc = contains(said.words, "operand types are '") || contains(said.words, "invalid operands of types '");
+    if (!gcc && !contains(said.words, "invalid operands to binary expression (")) return {};
+    if (contains(said.words, "operator^") || (!gcc && contains(said.code, "^")))
+        return "^ is not a power: write t * t.";
+    const std::size_t caret = said.caret.find('^'); // below the operator
+    const std::string at_caret = caret < said.code.size() ? said.code.substr(caret, 1) : "";
+    if (contains(said.words, "operator%") || at_caret == "%") return "% is for whole numbers: make both an int.";
+    const auto names = in_quotes(said.words);
+    const bool operator_first = contains(said.words, "no match for '");
+    if (names.size() < (operator_first ? 3 : 2)) return {};
+    const std::string &left = names[operator_first ? 1 : 0], &right = names[operator_first ? 2 : 1];
+    const bool assigns = contains("operator= operator+= operator-= operator*= operator/= ", names[0] + ' ');
+    if (operator_first && assigns && left.starts_with("const ")) return copy_it;
+    if (is_optional(left) || is_optional(right))
+        return "An optional may be nothing: ask first, if (found), and then compare *found, or its field found->t.";
+    const std::string asked = gcc ? names[0] : said.code + said.notes; // Clang shows only the code
+    const bool asks_order = contains(asked, gcc ? "operator<" : " < ") || contains(asked, gcc ? "operator>" : " > ");
+    if (is_vector(left) && is_vector(right) && asks_order)
+        return "No vector is larger than another: compare their components, or their lengths.";
+    if (is_vector(left) && is_vector(right) && contains(asked, gcc ? "operator/" : " / "))
+        return "No vector can be divided by a vector: divide by its length, a / a.norm().";
+    const bool mixed = (is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right));
+    if (mixed && contains(said.code, ".dot(")) return dot_is_number;
+    if (mixed)
+        return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
+               "a.norm().";
+    const bool computes = !at_caret.empty() && contains("+-*/", at_caret);
+    for (const std::string &operand : {left, right})
+        if (const std::string name = struct_name(operand); computes && !name.empty()) return about_fields(name);
+    return {};
+}
+
+/// return {x, y}; where the answer may be nothing
+std::string about_optional_list(std::string_view optional) {
+    std::string inside{between(optional, "std::optional<", ">").value_or("Vec2")};
+    if (const std::size_t colon = inside.rfind(':'); colon != inside.npos) inside.erase(0, colon + 1);
+    return "Write its type before the braces, " + inside + "{…}; to answer nothing, write return {};";
+}
+
+/// A value of one type where another is wanted.
+std::string about_conversion(const Said &said) {
+    const auto names = in_quotes(said.words);
+    if (said.words.starts_with("no matching constructor for initialization of 'std::optional<")
+        && contains(said.code, "return {"))
+        return about_optional_list(names[0]);
+    if (names.size() < 2
+        || !(contains(said.words, "convert") || contains(said.words, "conversion")
+             || contains(said.words, "incompatible type")))
+        return {};
+    const bool clang_assigns = said.words.starts_with("assigning to '"); // 'double' from incompatible type 'Vec2'
+    const std::string &from = names[names.size() - (clang_assigns ? 1 : 2)],
+                      &to = names[names.size() - (clang_assigns ? 2 : 1)];
+    if (is_optional(to) && from.starts_with("<brace-enclosed")) return about_optional_list(to);
+    if (is_optional(to) && (is_number(from) || from == "bool" || contains(from, "nullptr_t"))) return answer_nothing;
+    if (to.starts_with("std::vector<") && contains(said.code, "return ") && !from.starts_with("<brace-enclosed")
+        && !contains(from, "std::vector<"))
+        return answer_a_list;
+    if (contains(from, "vector<") && contains(to, "vector<")) return other_list;
+    if (contains(said.code, "return {")
+        && ((from.starts_with("<brace-enclosed") && !struct_name(to).empty())
+            || (!struct_name(from).empty() && is_number(to))))
+        return fields_in_braces;
+    if (is_optional(from) && !is_optional(to))
+        return "It may be nothing: ask first, if (found), and then write *found.";
+    if (is_vector(from) && is_number(to))
+        return "A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().";
+    if (is_number(from) && is_vector(to)) {
+        if (contains(said.code, ".norm();")) return "a.norm() is a number; a / a.norm() is a vector of length 1.";
+        return contains(said.code, ".dot(") ? dot_is_number : two_components;
+    }
+    if (is_number(from) && !struct_name(to).empty())
+        return "A " + struct_name(to) + " is wanted here: put its fields in braces, in the order of the header.";
+    if (!struct_name(from).empty() && (is_vector(to) || is_number(to))) return about_fields(struct_name(from));
+    return {};
+}
+
+/// std::min(t, 1) and its like.
+std::string about_two_types(const Said &said) {
+    const bool is_it = contains(said.words, "call to 'min") || contains(said.words, "call to 'max")
+                       || contains(said.words, "call to 'clamp");
+    const auto types = between(said.notes, "deduced conflicting types", "\n");
+    if (!is_it || !types) return {};
+    if (contains(*types, "unsigned"))
+        return "All must be of one type: the size of a list as an int is int(list.size()).";
+    return contains(*types, "'double'") && contains(*types, "'int'") ? "All must be of one type: write 1.0, not 1."
+                                                                     : "";
+}
+
+} // namespace
+
+std::string advice_on_types(const Said &said) {
+    return first_of({about_member, about_argument, about_dot, about_absolute, about_type_with_dot, about_function,
+                     about_operands, about_conversion, about_two_types},
+                    said);
+}
+
+} // namespace course

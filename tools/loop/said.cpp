@@ -1,0 +1,81 @@
+#include "loop/said.hpp"
+
+#include "ground/text.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace course {
+namespace {
+
+/// Where a type that begins at `from` ends: behind the last of its angle brackets.
+std::size_t end_of_type(std::string_view text, std::size_t from) {
+    int open = 0;
+    for (std::size_t i = from; i < text.size(); ++i) {
+        if (text[i] == '<') ++open;
+        if (text[i] == '>' && --open == 0) return i + 1;
+        if (open == 0 && text[i] == '\'') return i;
+    }
+    return text.size();
+}
+
+/// 'Eigen::…::ReturnType' {aka 'double'}, what dot() returns, is 'double'.
+void name_doubles(std::string &text) {
+    for (const char *known : {"' {aka 'double'}", "' (aka 'double')"})
+        for (std::size_t at; (at = text.find(known)) != text.npos && at > 0;) {
+            const std::size_t begin = text.rfind('\'', at - 1);
+            if (begin == text.npos) return;
+            text.replace(begin, at + std::string_view{known}.size() - begin, "'double'");
+        }
+}
+
+} // namespace
+
+std::string with_short_names(std::string text) {
+    name_doubles(text);
+    erase_all(text, " {aka ", "}");
+    erase_all(text, " (aka '", "')");
+    erase_all(text, " [with ", "]");
+    for (const char *spelling : {"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Eigen::Matrix<double, 2, 1, 0>",
+                                 "Eigen::Matrix<double, 2, 1>", "course::Vec2"})
+        replace_all(text, spelling, "Vec2");
+    for (const char *type : {"Product<", "CwiseBinaryOp<", "CwiseUnaryOp<"})
+        replace_all(text, std::string{"Eigen::"} + type, type); // Clang leaves it out here and there
+    constexpr const char *product = "product of Vec2s";
+    for (const auto &[type, name] : {std::pair{"Product<", product},
+                                     {"CwiseBinaryOp<", "expression of Vec2s"},
+                                     {"CwiseUnaryOp<", "expression of Vec2s"}}) {
+        for (std::size_t at; (at = text.find(type)) != text.npos;) {
+            const std::size_t length = end_of_type(text, at) - at;
+            const bool has_product = contains(std::string_view{text}.substr(at, length), product);
+            text.replace(at, length, has_product ? product : name); // a product that is halved is the slip of a product
+        }
+        replace_all(text, std::string{"const "} + name, name);
+    }
+    replace_all(text, "<Vec2 >", "<Vec2>");
+    return text;
+}
+
+std::vector<std::string> in_quotes(std::string_view words) {
+    std::vector<std::string> found;
+    while (const auto next = between(words, "'", "'")) {
+        found.emplace_back(*next);
+        words.remove_prefix(static_cast<std::size_t>(next->data() + next->size() + 1 - words.data()));
+    }
+    return found;
+}
+
+bool is_number(std::string_view type) {
+    if (type.starts_with("const ")) type.remove_prefix(6);
+    return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int";
+}
+
+bool is_in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::string_view first_word(std::string_view code) {
+    const auto end = std::find_if_not(code.begin(), code.end(), is_in_a_name);
+    return code.substr(0, static_cast<std::size_t>(end - code.begin()));
+}
+
+} // namespace course

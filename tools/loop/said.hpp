@@ -1,0 +1,33 @@
+#pragma once
+// What compilers say, and the first steps of reading it.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// What a compiler says of one error or warning.
+struct Said {
+    std::string words; ///< with plain quotes and short names
+    std::string code;  ///< the line that it is about; empty if that is in another file than the student's
+    std::string caret; ///< the line below, whose ^ is where the compiler stood
+    std::string notes; ///< what follows, to the next error or warning, with plain quotes
+};
+
+/// `Vec2` for what a compiler calls it, Eigen::Matrix<double, 2, 1, 0, 2, 1>, and "expression of Vec2s" for the types that the
+/// library computes with; without what they are "also known as".
+std::string with_short_names(std::string text);
+
+/// Everything in plain quotes.
+std::vector<std::string> in_quotes(std::string_view words);
+
+/// Whether a type holds one number.
+bool is_number(std::string_view type);
+
+bool is_in_a_name(char c);
+
+/// A name or a number with which this begins; or nothing.
+std::string_view first_word(std::string_view code);
+
+} // namespace course
