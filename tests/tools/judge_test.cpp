@@ -1,6 +1,7 @@
 // Judging: one verdict for each test, what stopped a compiler, and whose fault it was.
 
 #include "ground/complaint.hpp"
+#include "ground/process.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/includes.hpp"
 #include "loop/judge.hpp"
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <csignal>
+#include <thread>
 
 using namespace course;
 using Catch::Matchers::ContainsSubstring;
@@ -78,6 +80,15 @@ TEST_CASE("what the machine did to a compiler is no verdict on the file") {
     CHECK_THROWS_AS(stopped("/x/07.cpp:1: fatal error: error writing to /tmp/cc.s: No space left on device\n"),
                     MachineTrouble);
     CHECK_THROWS_AS(stopped("as: x.o: No space left on device\n"), MachineTrouble);
+}
+
+TEST_CASE("what keeps the tests themselves from running is the machine's") {
+    if (std::thread::hardware_concurrency() < 2) SKIP("one process runs all tests here, and has the one file it needs");
+    const auto tested = run({"sh", "-c", "ulimit -n 4; exec \"$0\" /bin/true --json", // files: one is left for two
+                             COURSE_BUILD "/tests/07_segment_intersection"});
+    CHECK(tested.code == machine_trouble);
+    CHECK_THAT(tested.err, ContainsSubstring("cannot be kept"));
+    CHECK(tested.out.empty());
 }
 
 TEST_CASE("no file can put its own mistake down to the machine or to a limit") {

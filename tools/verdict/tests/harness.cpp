@@ -282,7 +282,12 @@ int main(int argc, char **argv) {
         return 0;
     }
     hide_from_other_processes();
-    if (json) return run_side_by_side(subject, seed);
+    if (json) try {
+            return run_side_by_side(subject, seed);
+        } catch (const MachineTrouble &trouble) {
+            std::cerr << trouble.what() << std::endl;
+            return machine_trouble;
+        }
     tell = print;
     prepare_for_subjects(cores().front());
     // In CI the machine may be slow; but a wrong one may well hang, and will be no less wrong after a minute.
