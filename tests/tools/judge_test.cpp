@@ -84,8 +84,9 @@ TEST_CASE("what the machine did to a compiler is no verdict on the file") {
 
 TEST_CASE("what keeps the tests themselves from running is the machine's") {
     if (std::thread::hardware_concurrency() < 2) SKIP("one process runs all tests here, and has the one file it needs");
-    const auto tested = run({"sh", "-c", "ulimit -n 4; exec \"$0\" /bin/true --json", // files: one is left for two
-                             COURSE_BUILD "/tests/07_segment_intersection"});
+    const auto tested =
+        run({"sh", "-c", "exec 3>&-; ulimit -n 4; exec \"$0\" /bin/true --json", // files: one is left for two
+             COURSE_BUILD "/tests/07_segment_intersection"});
     CHECK(tested.code == machine_trouble);
     CHECK_THAT(tested.err, ContainsSubstring("cannot be kept"));
     CHECK(tested.out.empty());
