@@ -1,6 +1,7 @@
 // Judging: one verdict for each test, what stopped a compiler, and whose fault it was.
 
 #include "ground/complaint.hpp"
+#include "ground/hidden.hpp"
 #include "ground/process.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/includes.hpp"
@@ -83,6 +84,7 @@ TEST_CASE("what the machine did to a compiler is no verdict on the file") {
 }
 
 TEST_CASE("what keeps the tests themselves from running is the machine's") {
+    if (sanitized) SKIP("a sanitizer needs files of its own");
     if (std::thread::hardware_concurrency() < 2) SKIP("one process runs all tests here, and has the one file it needs");
     const auto tested =
         run({"sh", "-c", "exec 3>&-; ulimit -n 4; exec \"$0\" /bin/true --json", // files: one is left for two
