@@ -270,10 +270,16 @@ describe('07, the room', { concurrency: 2 }, () => {
   test('a finger that scrolls the page turns nothing, one that taps does', async (t) => {
     const phone = await openDemo(t, seven, { width: 390, touch: true });
     await phone.still();
-    const first = await phone.picture(), place = await phone.page.evaluate(() => scrollY);
+    const scrolled = () => phone.page.evaluate(() => scrollY);
+    const first = await phone.picture(), place = await scrolled();
     const [x, y] = await phone.at(...room(8, 2));
     await phone.stroke([x, y], [x, y - 150]);
-    assert.ok((await phone.page.evaluate(() => scrollY)) > place + 50);
+    let before; // the page glides on, and a tap then would only stop it
+    do {
+      before = await scrolled();
+      await phone.wait(200);
+    } while ((await scrolled()) !== before);
+    assert.ok(before > place + 50);
     assert.equal(await phone.picture(), first);
     await phone.page.touchscreen.tap(...(await phone.at(...room(8, 2))));
     for (let waited = 0; waited < 2000 && (await phone.picture()) === first; waited += 50) await phone.wait(50);
