@@ -264,10 +264,7 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
           "[new][configure]") {
     const SmallCourse place; // for its folder
     const Tree copy{.root = place.tree.root / "copy", .build = place.tree.root / "copy's build"};
-    fs::create_directories(copy.root);
-    for (const auto &entry : fs::directory_iterator{COURSE_ROOT})
-        if (!std::set<std::string>{"build", ".git", ".course"}.contains(entry.path().filename().string()))
-            REQUIRE(run({"cp", "-a", entry.path().string(), copy.root.string()}).code == 0);
+    copy_course(copy.root);
     const std::string path = place.instead_of("gdb", "exit 0");
     const auto course = [&](const std::vector<std::string> &words) { return run(course_command(copy, words, {path})); };
     const auto succeeds = [](const Finished &done) {
@@ -285,7 +282,7 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
     CHECK_THAT(after.at("book.md"), ContainsSubstring("](chapters/13_springs/README.md)"));
 
     const auto settings = nlohmann::json::parse(read_file(fs::path{COURSE_BUILD} / "course.json"));
-    succeeds(run({"cmake", "-S", copy.root.string(), "-B", copy.build.string(), "-G", "Ninja",
+    succeeds(run({"cmake", "-S", copy.root.string(), "-B", copy.build.string(), "-G", "Ninja", "-DCOURSE_QUICK=OFF",
                   "-DCMAKE_CXX_COMPILER=" + settings.at("compiler").get<std::string>()}));
     std::vector<std::string> build{"cmake", "--build", copy.build.string(), "--target"};
     for (const char *target : {"13_springs", "13_springs_loop", "13_springs_subject_solution",
