@@ -9,7 +9,7 @@ set(COURSE_WARNINGS
     -Wall -Wextra
     -Wconversion # 0.5 in an int is a classic slip of a beginner
     -Wshadow)    # as is a second variable of the same name
-set(COURSE_OPTIMIZATION -O1) # compiles as fast as -O0: much of Eigen is gone before it is written out
+set(COURSE_OPTIMIZATION -O1 CACHE STRING "GCC compiles as fast with -O1 as with -O0: much of Eigen is gone before it is written out")
 set(COURSE_CODE_FLAGS
     -ffp-contract=off    # a * b + c is rounded twice on every machine
     -ftrivial-auto-var-init=pattern # an uninitialized number has a strange value, never the right one by luck

@@ -8,7 +8,7 @@
 # section(08_nt_collisions BUILDS_ON 07_segment_intersection): its header may include that of section 07, and all code of
 # section 08, a student's too, may call section 07's functions. Those are always our solution, never a student's answers.
 
-option(COURSE_WRONG_ANSWERS "Judge tests/wrong: what the tests reject depends on no compiler, so once is enough" ON)
+option(COURSE_THOROUGH "Judge tests/wrong, and solutions by all generated cases: neither depends on the compiler, so once is enough" ON)
 set(COURSE_SECTIONS "" CACHE INTERNAL "")
 add_custom_target(programs)
 add_custom_target(section-tests)
@@ -142,7 +142,10 @@ macro(section_tests)
   put_list_into_json(json earlier ${earlier_objects})
   set_property(GLOBAL PROPERTY course_json_${section} "${json}")
 
-  set(all_cases --all-cases) # of what is generated; the others are judged as a student's check is
+  set(all_cases)
+  if(COURSE_THOROUGH)
+    set(all_cases --all-cases) # of what is generated; the others are judged as a student's check is
+  endif()
   add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
   set(all_cases)
   add_subject(stub none $<TARGET_OBJECTS:${section}_stub>)
@@ -175,7 +178,7 @@ endmacro()
 # All of tests/wrong and tests/right in one program, which is told by name which answer it is to be.
 macro(section_answers)
   set(kinds right)
-  if(COURSE_WRONG_ANSWERS)
+  if(COURSE_THOROUGH)
     list(APPEND kinds wrong)
   endif()
   set(answers)
