@@ -397,7 +397,7 @@
       event.preventDefault();
     });
 
-    new IntersectionObserver(([entry]) => (visible = entry.isIntersecting) && run(running)).observe(canvas);
+    new IntersectionObserver((changes) => (visible = changes.at(-1).isIntersecting) && run(running)).observe(canvas);
     new ResizeObserver(draw).observe(canvas);
     const restyle = () => (palette = null, draw());
     new MutationObserver(restyle).observe(document.documentElement, { attributeFilter: ['data-theme'] });

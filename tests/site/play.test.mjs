@@ -134,6 +134,16 @@ describe('a demo', { concurrency: 2 }, () => {
     assert.notEqual(await demo.picture(), first);
   });
 
+  test('moves if it came into sight while the page was busy, and hears of that and of an earlier change at once', async (t) => {
+    const observer = `window.IntersectionObserver = class {
+      constructor(tell) { this.tell = tell; }
+      observe() { setTimeout(() => this.tell([{ isIntersecting: false }, { isIntersecting: true }])); }
+    }`;
+    const demo = await openDemo(t, seven, { script: observer }), first = await demo.picture();
+    await demo.wait(400);
+    assert.notEqual(await demo.picture(), first);
+  });
+
   test('stands still out of sight, and goes on without a jump', async (t) => {
     const demo = await openDemo(t, eleven);
     await demo.wait(300);
