@@ -15,7 +15,13 @@ export const address = (name, folder = site) => pathToFileURL(path.join(folder, 
 const axe = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 export let browser;
-before(async () => (browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu'] })));
+before(async () => {
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell',
+    // Without a crash reporter the headless shell does not outlive the endless recursion of a demo, as Chromium does.
+    args: ['--no-sandbox', '--disable-gpu', '--enable-crash-reporter'],
+  });
+});
 after(() => browser.close());
 
 // A page of this context, and what goes wrong on it: what scripts say, and requests that fail, or are not for files.
