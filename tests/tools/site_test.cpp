@@ -605,6 +605,40 @@ TEST_CASE("play says what it needs before it builds anything") {
     CHECK_THAT(without_compiler.err, ContainsSubstring("Without --mine the demo runs on ours"));
 }
 
+TEST_CASE("play --mine says what the compiler for pages takes, and installs it only when it is told to") {
+    const SmallBook book;
+    book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
+    book.write(book.chapter_file(), "# 7 Walls\n\n<!-- demo: room | Throw. -->\n");
+    book.write("tools/setup/needs_of_pages", "clang-14\nlld-14\n");
+    book.write_program("bin/sudo", "exec \"$@\"");
+    book.write_program("bin/cmake", R"(case $1 in --*) exit ;; esac
+[ ! -e "${0%/*}/installed" ] || { mkdir -p "$1/play" && : >"$1/play/can_compile"; })");
+    const std::string path = book.instead_of("apt-get", R"(echo "$*" >>"${0%/*}/asked"
+case $* in
+*--assume-no) echo 'Need to get 3,391 kB of archives.'
+    echo 'After this operation, 17.3 MB of additional disk space will be used.' ;;
+*--yes) [ -e "${0%/*}/refuses" ] || : >"${0%/*}/installed" ;;
+esac)");
+    const std::string install = "install --no-install-recommends clang-14 lld-14 ", trial = install + "--assume-no\n",
+                      done = install + "--yes\n";
+
+    const Finished asked = book({"play", "7", "--mine"}, {path});
+    CHECK(asked.code == 2);
+    CHECK_THAT(asked.out, ContainsSubstring("Debian has one (3,391 kB to download, 17.3 MB on the disk):\n  ")
+                              && ContainsSubstring("apt-get install --no-install-recommends clang-14 lld-14\n"));
+    CHECK_THAT(asked.err, ContainsSubstring("nothing was installed; type the line above"));
+    CHECK(book.read("bin/asked") == trial);
+
+    book.write("bin/refuses", "");
+    CHECK_THAT(book({"play", "7", "--mine", "--yes"}, {path}).err,
+               ContainsSubstring("is installed, but does not work"));
+    fs::remove(book.tree.root / "bin/refuses");
+    CHECK(book({"play", "7", "--mine", "--yes"}, {path}).err.find("is installed, but") == std::string::npos);
+    CHECK(book.read("bin/asked") == trial + trial + done + trial + done);
+    book({"play", "7", "--mine", "--yes"}, {path});
+    CHECK(book.read("bin/asked") == trial + trial + done + trial + done); // it is there now
+}
+
 // The map
 
 TEST_CASE("the map has each section behind all that it needs, and links to those that stand") {
