@@ -17,39 +17,26 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<fs::path> files_in(const fs::path &folder, std::string_view start, std::string_view end) {
-    std::vector<fs::path> files;
-    if (fs::is_directory(folder))
-        for (const auto &entry : fs::directory_iterator{folder})
-            if (const std::string name = entry.path().filename().string();
-                name.starts_with(start) && name.ends_with(end))
-                files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 std::vector<fs::path> figures(const Tree &tree, const Section &section) {
-    return files_in(tree.root / "plots", section.name + "_", ".gp");
+    return files_in(tree.root / "plots", ".gp", section.name + "_");
 }
 
 } // namespace
 
 Page page_of(const Tree &tree, const Section &section) {
     Page page{tree.chapter(section), {tree.header(section), tree.program(section), tree.solution(section)}, {}};
-    for (const fs::path &file : files_in(page.file.parent_path(), "", "pp")) // a benchmark, and what it measures
+    for (const fs::path &file : files_in(page.file.parent_path(), "pp")) // a benchmark, and what it measures
         if (std::find(page.code.begin(), page.code.end(), file) == page.code.end()) page.code.push_back(file);
     for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
     page.whole = page.code;
     page.code.push_back(tree.tests(section));
     for (const fs::path &peer :
-         files_in(tree.root / "tests" / "peers", section.name + ".", "")) // how far apart they are
+         files_in(tree.root / "tests" / "peers", "", section.name + ".")) // how far apart they are
         page.code.push_back(peer);
     return page;
 }
 
-Page page_of_book(const Tree &tree) {
-    return {tree.root / "book.md", files_in(tree.root / "chapters", "", ".hpp"), {}};
-}
+Page page_of_book(const Tree &tree) { return {tree.root / "book.md", files_in(tree.root / "chapters", ".hpp"), {}}; }
 
 namespace {
 

@@ -105,8 +105,7 @@ std::map<fs::path, std::string> files_of(const Tree &tree, const Section &sectio
 std::string default_title(const Section &section) {
     std::string title = section.slug();
     std::replace(title.begin(), title.end(), '_', ' ');
-    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-    return title;
+    return with_capital(title);
 }
 
 /// Where a new section is written, aside: it is complete as soon as it is there under its own name.

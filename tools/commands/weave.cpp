@@ -92,9 +92,9 @@ class Command {
 
     /// The links of the pages beside it.
     void root() {
-        for (const auto &entry : fs::directory_iterator{tree.root})
-            if (check && entry.path().extension() == ".md" && entry.path().filename() != "book.md")
-                add(dead_links(entry.path(), read_file(entry.path()), tree.root));
+        if (!check) return;
+        for (const fs::path &file : files_in(tree.root, ".md"))
+            if (file.filename() != "book.md") add(dead_links(file, read_file(file), tree.root));
     }
 
     void finish() {

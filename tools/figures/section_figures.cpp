@@ -11,13 +11,6 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<fs::path> files_in(const fs::path &folder) {
-    std::vector<fs::path> files;
-    for (const auto &entry : fs::directory_iterator{folder}) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 fs::path published(const Figure &figure, const char *kind) { return fs::path{figure.script}.replace_extension(kind); }
 
 std::string in_plots(const fs::path &file) { return "plots/" + file.filename().string(); }
@@ -49,9 +42,8 @@ fs::path trace_of(const Tree &tree, const Section &section, const fs::path &scri
 
 std::vector<Figure> figures_of(const Tree &tree, const Section &section) {
     std::vector<Figure> figures;
-    for (const fs::path &file : files_in(tree.root / "plots"))
-        if (file.extension() == ".gp" && file.filename().string().starts_with(section.name + "_"))
-            figures.push_back({file, trace_of(tree, section, file), {}});
+    for (const fs::path &file : files_in(tree.root / "plots", ".gp", section.name + "_"))
+        figures.push_back({file, trace_of(tree, section, file), {}});
     return figures;
 }
 

@@ -3,6 +3,7 @@
 #include "ground/complaint.hpp"
 #include "ground/process.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -23,6 +24,17 @@ std::string read_file(const fs::path &path) {
     while (file.read(part.data(), static_cast<std::streamsize>(part.size())), file.gcount() > 0)
         text.append(part, 0, static_cast<std::size_t>(file.gcount()));
     return text;
+}
+
+std::vector<fs::path> files_in(const fs::path &folder, std::string_view end, std::string_view start) {
+    std::vector<fs::path> files;
+    if (!fs::is_directory(folder)) return files;
+    for (const auto &entry : fs::directory_iterator{folder})
+        if (const std::string name = entry.path().filename().string();
+            name.starts_with(start) && name.ends_with(end) && entry.is_regular_file())
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 namespace {

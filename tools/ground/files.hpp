@@ -2,12 +2,19 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace course {
 
 /// The whole file, byte for byte.
 /// @throws Complaint naming the path, if it cannot be read.
 std::string read_file(const std::filesystem::path &path);
+
+/// The files that stand in the folder itself, sorted, and none if there is no such folder.
+/// @param end    what their names end with
+/// @param start  what they begin with
+std::vector<std::filesystem::path> files_in(const std::filesystem::path &folder, std::string_view end = "",
+                                            std::string_view start = "");
 
 /// Replaces the file, or makes it and its folders: at any moment either the whole old file is there or the whole new one.
 /// A file that has this text already is left alone, with its date. A draft that a kill leaves in the folder is removed

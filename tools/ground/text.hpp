@@ -25,6 +25,12 @@ inline std::string lower(std::string_view text) {
     return small;
 }
 
+/// With a capital letter first, in ASCII.
+inline std::string with_capital(std::string words) {
+    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return words;
+}
+
 /// The number that `text` begins with, if it begins with one that fits.
 inline std::optional<int> leading_number(std::string_view text) {
     int number = 0;

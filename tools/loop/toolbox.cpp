@@ -70,8 +70,7 @@ fs::file_time_type newest(const Tree &tree, const Section &section) {
     };
     for (const char *folder :
          {"chapters", "tools/verdict/shared", "tools/verdict/student", "tools/verdict/tests", "cmake"})
-        for (const auto &entry : fs::directory_iterator{tree.root / folder})
-            if (entry.is_regular_file()) look(entry.path());
+        for (const fs::path &file : files_in(tree.root / folder)) look(file);
     for (const auto &file :
          {tree.root / "CMakeLists.txt", tree.root / "tests/section_test.hpp", tree.tests(section), tree.stub(section)})
         look(file);

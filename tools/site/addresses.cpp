@@ -14,10 +14,8 @@ namespace fs = std::filesystem;
 std::vector<fs::path> markdown_pages(const Tree &tree) {
     std::vector<fs::path> pages{tree.root / "book.md"};
     for (const Section &section : tree.sections()) pages.push_back(tree.chapter(section));
-    std::set<fs::path> others;
-    for (const auto &entry : fs::directory_iterator{tree.root})
-        if (entry.path().extension() == ".md" && entry.path() != pages.front()) others.insert(entry.path());
-    pages.insert(pages.end(), others.begin(), others.end());
+    for (const fs::path &file : files_in(tree.root, ".md"))
+        if (file != pages.front()) pages.push_back(file);
     return pages;
 }
 

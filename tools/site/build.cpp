@@ -105,16 +105,12 @@ class Builder {
     /// The pages that Doxygen has written, without its index pages.
     void read_drafts() {
         static const std::regex wanted{R"(source_.*|(namespace|struct|class|union).*)"};
-        std::vector<fs::path> files;
-        for (const auto &entry : fs::directory_iterator{work / "html"}) files.push_back(entry.path());
-        std::ranges::sort(files);
-        for (const fs::path &file : files) {
+        for (const fs::path &file : files_in(work / "html", ".html")) {
             const std::string name = file.stem().string();
             const bool is_list = name == "namespaces" || name.starts_with("namespacemembers") || name == "classes"
                                  || name.ends_with("-members");
             const bool own = std::ranges::find(written, name, &WrittenPage::name) != written.end();
-            if (file.extension() == ".html" && !is_list && (own || std::regex_match(name, wanted)))
-                drafts.emplace_back(name, read_file(file));
+            if (!is_list && (own || std::regex_match(name, wanted))) drafts.emplace_back(name, read_file(file));
         }
     }
 
@@ -172,11 +168,10 @@ class Builder {
     }
 
     void add_assets(SiteFiles &files) {
-        for (const auto &entry : fs::directory_iterator{tree.root / "docs"})
-            if (const std::string kind = entry.path().extension().string(); kind == ".css" || kind == ".js")
-                files[entry.path().filename().string()] = read_file(entry.path());
-        for (const auto &entry : fs::directory_iterator{tree.root / "plots"})
-            if (entry.path().extension() == ".svg") files[tree.shown(entry.path())] = read_file(entry.path());
+        for (const char *kind : {".css", ".js"})
+            for (const fs::path &file : files_in(tree.root / "docs", kind))
+                files[file.filename().string()] = read_file(file);
+        for (const fs::path &file : files_in(tree.root / "plots", ".svg")) files[tree.shown(file)] = read_file(file);
         for (const Demo &demo : demos(tree)) {
             files[demo_file(demo.section)] = read_file(tree.root / demo_file(demo.section));
             for (std::size_t start = 0; start < demo.starts.size() && !demo.about.empty(); ++start) {
@@ -189,9 +184,9 @@ class Builder {
         static const std::regex older{R"(,url\([^)]*\.(woff|ttf)\) format\([^)]*\))"};
         files["katex.css"] = std::regex_replace(read_file(tools.katex / "katex.min.css"), older, "");
         for (const fs::path &folder : {tools.katex / "fonts", tree.root / "docs" / "fonts"})
-            for (const auto &entry : fs::directory_iterator{folder})
-                if (const std::string kind = entry.path().extension().string(); kind == ".woff2" || kind == ".txt")
-                    files["fonts/" + entry.path().filename().string()] = read_file(entry.path());
+            for (const char *kind : {".woff2", ".txt"})
+                for (const fs::path &file : files_in(folder, kind))
+                    files["fonts/" + file.filename().string()] = read_file(file);
     }
 
     const Tree &tree;

@@ -48,11 +48,6 @@ std::string without_stop(std::string sentence) {
     return sentence;
 }
 
-std::string with_capital(std::string words) {
-    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return words;
-}
-
 /// One sentence of what may be several parts; a question among them ends it.
 std::string one_sentence(const std::vector<std::string> &parts) {
     std::string said;

@@ -2,6 +2,7 @@
 
 #include "book/contents.hpp"
 #include "ground/files.hpp"
+#include "ground/text.hpp"
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
 #include "site/gaps.hpp"
@@ -10,11 +11,6 @@
 
 namespace course {
 namespace {
-
-std::string capital(std::string word) {
-    word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
-    return word;
-}
 
 /// "75 + 155" as a sentence of its own.
 std::string time_for(const std::string &minutes) {
@@ -43,7 +39,7 @@ PageTemplate::PageTemplate(const Tree &tree_, const std::map<std::string, Interf
                            row.chapter.empty() ? "" : page_name(tree, tree.root / row.chapter)});
     for (const auto &file : markdown_pages(tree))
         if (const std::string name = page_name(tree, file); name != "index" && !name.starts_with("chapter_"))
-            others.emplace_back(name, name == "readme" ? "How to build it" : capital(name));
+            others.emplace_back(name, name == "readme" ? "How to build it" : with_capital(name));
 }
 
 std::string PageTemplate::around(const Draft &draft, const std::string &body) const {
