@@ -18,7 +18,11 @@ async function openDemo(t, name, { touch = false, ...more } = {}) {
   await canvas.evaluate((it) => it.scrollIntoView({ block: 'center' }));
   const demo = {
     page, context, figure, canvas, troubles,
-    wait: (ms) => page.waitForTimeout(ms),
+    // At least so long, and until what came before has been in a frame, however busy the machine is.
+    wait: async (ms) => {
+      await page.waitForTimeout(ms);
+      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    },
     button: (name) => figure.getByRole('button', { name, exact: true }),
     choose: (words) => figure.locator('fieldset label', { hasText: words }).click(),
     slide: (name, value) => figure.locator('.controls > label', { hasText: name }).locator('input').fill(String(value)),
