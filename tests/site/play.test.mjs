@@ -295,6 +295,7 @@ describe('07, the room', { concurrency: 2 }, () => {
     } while ((await scrolled()) !== before);
     assert.ok(before > place + 50);
     assert.equal(await phone.picture(), first);
+    await phone.canvas.evaluate((it) => it.scrollIntoView({ block: 'center' })); // it may have glided out of sight
     await phone.page.touchscreen.tap(...(await phone.at(...room(8, 2))));
     for (let waited = 0; waited < 2000 && (await phone.picture()) === first; waited += 50) await phone.wait(50);
     assert.ok((await phone.picture()) !== first, 'it has turned');
