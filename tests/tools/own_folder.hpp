@@ -27,13 +27,14 @@ struct OwnFolder {
 inline void copy_course(const std::filesystem::path &to) {
     namespace fs = std::filesystem;
     const std::set<std::string> left_out{"build", ".git", ".course", "node_modules"};
+    fs::create_directories(to);
     for (fs::recursive_directory_iterator each{COURSE_ROOT}, end; each != end; ++each) {
         if (left_out.contains(each->path().filename().string())) {
             each.disable_recursion_pending();
             continue;
         }
         const fs::path copy = to / each->path().lexically_relative(COURSE_ROOT);
-        if (each->is_directory()) fs::create_directories(copy);
+        if (each->is_directory()) fs::create_directory(copy);
         else fs::copy_file(each->path(), copy);
     }
 }
