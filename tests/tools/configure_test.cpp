@@ -29,15 +29,9 @@ struct Copy {
     Copy() { course::copy_course(root); }
 
     course::Finished configure(const std::vector<std::string> &options = {}) const {
-        std::vector<std::string> command{"cmake",
-                                         "-G",
-                                         "Ninja",
-                                         "-S",
-                                         root.string(),
-                                         "-B",
-                                         (root / "a build").string(),
-                                         "-DCOURSE_QUICK=OFF",
-                                         "-DCOURSE_WASM_CLANG="}; // which take a while to try
+        std::vector<std::string> command{
+            "cmake", "-G", "Ninja", "-S", root.string(), "-B", (root / "a build").string()};
+        command.insert(command.end(), {"-DCOURSE_QUICK=OFF", "-DCOURSE_WASM_CLANG="}); // which take a while to try
         command.insert(command.end(), options.begin(), options.end());
         return course::run(command);
     }

@@ -6,7 +6,6 @@
 #include "site/book_parts.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace course {
 namespace fs = std::filesystem;
