@@ -23,11 +23,11 @@ struct NotYet : std::runtime_error {
     const char *function; ///< the one that throws: others may have called it
 };
 
-/// Throws for `require`: apart from it, since what is done in each function would take long to compile there.
+/// Throws for `require`: apart from it, and without a std::string, since every file compiles it.
 [[noreturn, gnu::noinline, gnu::cold]] inline void refuse(const char *claim, double value) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.17g", value);
-    throw std::invalid_argument{std::string{claim} + ", but is " + number};
+    char text[200];
+    std::snprintf(text, sizeof text, "%s, but is %.17g", claim, value);
+    throw std::invalid_argument{text};
 }
 
 /// Refuses a value, and says which: `require(radius > 0, "radius [m] must be positive", radius)`.
