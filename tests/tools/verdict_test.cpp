@@ -369,6 +369,25 @@ TEST_CASE("an exercise that has hung once gets little time for its other cases, 
     CHECK(time_of_a_hang("1.2") > 0.7);
 }
 
+TEST_CASE("a case of large input may be given more time, and its verdict says that the input is large") {
+    const auto judged = [](double seconds) {
+        OwnSession own{"computes_for_long", {0.25, 5}};
+        own.begin("1.1", "half of many");
+        own.allow(seconds);
+        try {
+            own.call(half, bytes_of(5.0));
+        } catch (const CaseOver &) {}
+        return own.end(true);
+    };
+    CHECK(judged(8).passed());
+    CHECK(judged(2.4).sentence
+          == "Your code gave no answer within 0.3 s. The input of this test is large: does your code do more work than "
+             "it must? Or is there a loop that does not end?");
+    OwnSession usual{"computes_for_long", {0.25, 5}};
+    CHECK(usual.half_of_five().sentence
+          == "Your code gave no answer within 0.25 s: look for a loop that does not end.");
+}
+
 TEST_CASE("starting a subject has an allowance of its own, and all starts together one more") {
     const std::string slow = "starts_slowly"; // in 0.3 s
     OwnSession patient{slow, {0.2, 5}}, hasty{slow, {1, 5, 0.1}}, tired{slow, {1, 0.5}};

@@ -22,6 +22,7 @@ void refuse_nameless() {}
 void note_accepted(const std::string &, const std::string &) {}
 bool is_last_result(std::string_view) { return false; }
 std::string_view last_unit() { return {}; }
+void allow(double) {}
 int cases(int full) { return full / 100; }
 
 } // namespace course

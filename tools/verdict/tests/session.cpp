@@ -60,6 +60,7 @@ void Session::begin(std::string exercise, std::string test) {
     constexpr double least = 0.2; // [s] a hundred times what working code takes
     const bool hurry = exercise == hung || spent - starting > 2 * patience.all;
     allowed = hurry ? least : std::clamp((patience.all - lost) / 5, least, patience.a_case);
+    large = false;
     deadline = Clock::now() + as_duration(allowed);
     verdict = {};
     verdict.exercise = std::move(exercise);
@@ -69,6 +70,12 @@ void Session::begin(std::string exercise, std::string test) {
     last_exercise = nullptr;
     noted.reset();
     accepted.clear();
+}
+
+void Session::allow(double seconds) {
+    allowed *= seconds / Patience{}.a_case;
+    large = true;
+    deadline = Clock::now() + as_duration(allowed);
 }
 
 void Session::refuse_nameless() {
@@ -132,7 +139,11 @@ void Session::over_in_silence() {
         hung = verdict.exercise;
         lost += allowed;
         over(Kind::too_long,
-             "Your code gave no answer within " + seconds(allowed) + ": look for a loop that does not end.");
+             "Your code gave no answer within " + seconds(allowed)
+                 + (large
+                        ? ". The input of this test is large: does your code do more work than it must? Or is there a "
+                          "loop that does not end?"
+                        : ": look for a loop that does not end."));
     }
     if (subject->silence == Subject::Silence::nonsense) answered_nonsense();
     const auto status = subject->finish(Clock::now() + std::chrono::milliseconds{500});
@@ -348,6 +359,7 @@ bool is_last_result(std::string_view bytes) {
     return session()->last_exercise != nullptr && session()->last_result == bytes;
 }
 void refuse_nameless() { session()->refuse_nameless(); }
+void allow(double seconds) { session()->allow(seconds); }
 std::string_view last_unit() { return session()->last_exercise->unit; }
 
 } // namespace course

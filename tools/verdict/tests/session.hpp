@@ -22,6 +22,9 @@ class Session {
 
     void begin(std::string exercise, std::string test);
 
+    /// See there.
+    void allow(double seconds);
+
     /// A check of the running case failed, and this is why; the first one counts.
     void fail(Kind kind, std::string sentence, const std::string &file, int line);
 
@@ -60,6 +63,7 @@ class Session {
     Clock::time_point started = Clock::now();
     Clock::time_point deadline;
     double allowed = 0;  ///< [s] for the running case
+    bool large = false;  ///< whether that is more than usual
     double starting = 0; ///< [s] until subjects had greeted
     double lost = 0;     ///< [s] in hangs; a machine that is busy with other things takes no patience away
     std::string hung;    ///< the exercise that has used up a case's time: its other cases get less
