@@ -1,12 +1,114 @@
 #include "nt_collisions.hpp"
 
+#include <cmath>
+#include <map>
+#include <utility>
+
 namespace nt_collisions {
 
-//> Solution 8.1: the pull of a spring
-double pull(double stiffness, double stretch) {
-    course::require_range(stiffness, stretch);
-    course::require(stiffness > 0, "stiffness [N/m] must be positive", stiffness);
-    return -stiffness * stretch;
+//> Solution: two centres
+static void require_centres(const Vec2 &a, const Vec2 &b) {
+    course::require_range(a, b);
+    const double distance = (b - a).norm();
+    course::require(distance > 0, "the distance of the centres [m] must be positive", distance);
+}
+
+//> Solution 8.1: decompose
+Components decompose(const Vec2 &velocity, const Vec2 &a, const Vec2 &b) {
+    course::require_range(velocity);
+    require_centres(a, b);
+    const Vec2 n = (b - a) / (b - a).norm(); // the line of centres, of length 1
+    const Vec2 t{-n.y(), n.x()};             // a quarter turn to the left of it
+    return {velocity.dot(n), velocity.dot(t)};
+}
+
+//> Solution: a good ball
+static void require_ball(const Ball &ball) {
+    course::require_range(ball.position, ball.velocity, ball.radius, ball.mass);
+    course::require(ball.radius > 0, "radius [m] must be positive", ball.radius);
+    course::require(ball.mass > 0, "mass [kg] must be positive", ball.mass);
+}
+
+static void require_two_balls(const Ball &a, const Ball &b) {
+    require_ball(a);
+    require_ball(b);
+    require_centres(a.position, b.position);
+}
+
+//> Solution 8.2: exchange
+Velocities exchange(const Ball &a, const Ball &b) {
+    require_two_balls(a, b);
+    const Vec2 n = (b.position - a.position) / (b.position - a.position).norm();
+    const double approach = a.velocity.dot(n) - b.velocity.dot(n); // how much faster a moves along n than b [m/s]
+    if (approach <= 0) return {a.velocity, b.velocity};
+    return {a.velocity - approach * n, b.velocity + approach * n};
+}
+
+//> Solution 8.3: resolve a collision
+Velocities resolve_collision(const Ball &a, const Ball &b, double restitution) {
+    require_two_balls(a, b);
+    course::require(restitution >= 0 && restitution <= 1, "restitution must be from 0 to 1", restitution);
+    const Vec2 n = (b.position - a.position) / (b.position - a.position).norm();
+    const double approach = a.velocity.dot(n) - b.velocity.dot(n);
+    if (approach <= 0) return {a.velocity, b.velocity};
+
+    const double impulse = (1 + restitution) * approach * a.mass * b.mass / (a.mass + b.mass); // [N s]
+    return {a.velocity - impulse / a.mass * n, b.velocity + impulse / b.mass * n};
+}
+
+//> Solution 8.4: time of impact
+std::optional<double> time_of_impact(const Ball &a, const Ball &b) {
+    require_ball(a);
+    require_ball(b);
+    const Vec2 gap = b.position - a.position;      // from a's centre to b's [m]
+    const Vec2 velocity = b.velocity - a.velocity; // of b, as a sees it [m/s]
+    const double reach = a.radius + b.radius;
+    if (gap.dot(velocity) >= 0) return {}; // the centres do not get closer
+    if (gap.norm() <= reach) return 0;     // they touch already
+
+    // |gap + velocity t| = reach, squared: A t² + 2 B t + C = 0, with the first of two times
+    const double A = velocity.dot(velocity), B = gap.dot(velocity), C = gap.dot(gap) - reach * reach;
+    const double under_the_root = B * B - A * C;
+    if (under_the_root < 0) return {}; // b passes by
+    return (-B - std::sqrt(under_the_root)) / A;
+}
+
+//> Solution: a good disc
+static void require_disc(const Disc &disc) {
+    course::require_range(disc.position, disc.radius, disc.inverse_mass);
+    course::require(disc.radius > 0, "radius [m] must be positive", disc.radius);
+    course::require(disc.inverse_mass >= 0, "inverse mass [1/kg] must not be negative", disc.inverse_mass);
+}
+
+//> Solution 8.5: push apart
+Positions push_apart(const Disc &a, const Disc &b) {
+    require_disc(a);
+    require_disc(b);
+    const Vec2 gap = b.position - a.position;
+    const double distance = gap.norm(), overlap = a.radius + b.radius - distance;
+    const double both = a.inverse_mass + b.inverse_mass;
+    if (overlap <= 0 || both == 0) return {a.position, b.position};
+
+    const Vec2 n = distance > 0 ? Vec2{gap / distance} : Vec2{1, 0};
+    return {a.position - a.inverse_mass / both * overlap * n, b.position + b.inverse_mass / both * overlap * n};
+}
+
+//> Solution 8.6: close pairs
+std::vector<Pair> close_pairs(const std::vector<Vec2> &centres, double distance) {
+    course::require_range(centres, distance);
+    course::require(distance >= 0.001, "distance [m] must be 0.001 or more", distance);
+    std::map<std::pair<int, int>, std::vector<int>> grid; // the points in each cell, which is `distance` wide and high
+    std::vector<Pair> pairs;
+    for (int i = 0; i < int(centres.size()); ++i) {
+        const int column = int(std::floor(centres[i].x() / distance)), row = int(std::floor(centres[i].y() / distance));
+        for (int x = column - 1; x <= column + 1; ++x)
+            for (int y = row - 1; y <= row + 1; ++y)
+                if (const auto cell = grid.find({x, y}); cell != grid.end())
+                    for (const int earlier : cell->second)
+                        if ((centres[i] - centres[earlier]).norm() <= distance) pairs.push_back({earlier, i});
+        grid[{column, row}].push_back(i); // after the search: so it meets only points before it, each pair once
+    }
+    return pairs;
 }
 //>
 } // namespace nt_collisions
