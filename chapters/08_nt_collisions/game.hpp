@@ -1,0 +1,105 @@
+#pragma once
+// The game of this chapter, as it grows: two balls that meet, a break shot, a crowd, and a thousand balls.
+#include "../06_reflection/reflection.hpp"
+#include "nt_collisions.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace nt_collisions {
+
+//> The world
+constexpr double frame_time = 1.0 / 60; ///< [s]
+using reflection::Box;
+
+//> The components as arrows
+/// A velocity's normal and tangential component as two arrows, which add up to the velocity.
+struct Arrows {
+    Vec2 normal;     ///< [m/s]
+    Vec2 tangential; ///< [m/s]
+};
+inline Arrows arrows(const Vec2 &velocity, const Vec2 &a, const Vec2 &b) {
+    const Components parts = decompose(velocity, a, b);
+    const Vec2 n = (b - a).normalized(), t{-n.y(), n.x()};
+    return {parts.normal * n, parts.tangential * t};
+}
+
+//> Do they touch?
+inline bool touch(const Ball &a, const Ball &b) { return (b.position - a.position).norm() <= a.radius + b.radius; }
+
+//> The frame loop: two equal balls
+/// One frame of the game: two balls that touch get their new velocities, and both move on for `dt` seconds.
+inline void next_frame(Ball &a, Ball &b, double dt) {
+    if (touch(a, b)) {
+        const Velocities after = exchange(a, b);
+        a.velocity = after.a;
+        b.velocity = after.b;
+    }
+    a.position += dt * a.velocity;
+    b.position += dt * b.velocity;
+}
+
+//> Two balls collide
+inline void collide(Ball &a, Ball &b, double restitution) {
+    const Velocities after = resolve_collision(a, b, restitution);
+    a.velocity = after.a;
+    b.velocity = after.b;
+}
+
+//> The frame loop: many balls
+/// A ball between the sides of a table moves on for `dt` seconds.
+inline void roll(Ball &ball, const Box &table, double dt) {
+    ball.velocity = bounce_in_box({ball.position, ball.velocity, ball.radius}, table); // section 6
+    ball.position += dt * ball.velocity;
+}
+
+/// One frame of the game: every two balls that touch collide, and all of them move on.
+inline void next_frame(std::vector<Ball> &balls, const Box &table, double restitution, double dt) {
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        for (std::size_t k = i + 1; k < balls.size(); ++k)
+            if (touch(balls[i], balls[k])) collide(balls[i], balls[k], restitution);
+    for (Ball &ball : balls) roll(ball, table, dt);
+}
+
+//> The frame loop: contact between frames
+/// One frame of the game for two balls, which may meet at any moment of it.
+inline void next_frame_with_contact(Ball &a, Ball &b, double restitution, double dt) {
+    const std::optional<double> contact = time_of_impact(a, b);
+    const double first = contact && *contact < dt ? *contact : dt; // until then nothing happens [s]
+    a.position += first * a.velocity;
+    b.position += first * b.velocity;
+    if (first == dt) return;
+    collide(a, b, restitution);
+    a.position += (dt - first) * a.velocity; // the rest of the frame
+    b.position += (dt - first) * b.velocity;
+}
+
+//> The frame loop: a crowd
+/// One frame of the game: every two discs that overlap are pushed apart, once.
+inline void next_frame(std::vector<Disc> &discs) {
+    for (std::size_t i = 0; i < discs.size(); ++i)
+        for (std::size_t k = i + 1; k < discs.size(); ++k) {
+            const Positions apart = push_apart(discs[i], discs[k]);
+            discs[i].position = apart.a;
+            discs[k].position = apart.b;
+        }
+}
+
+//> The frame loop: a thousand balls
+inline std::vector<Vec2> centres_of(const std::vector<Ball> &balls) {
+    std::vector<Vec2> centres;
+    for (const Ball &ball : balls) centres.push_back(ball.position);
+    return centres;
+}
+
+/// One frame of the game for balls of one size: only the close pairs are asked whether they touch.
+inline void next_frame_with_pairs(std::vector<Ball> &balls, const Box &table, double restitution, double dt) {
+    if (balls.empty()) return;
+    for (const Pair &pair : close_pairs(centres_of(balls), 2 * balls[0].radius)) {
+        Ball &a = balls[std::size_t(pair.first)], &b = balls[std::size_t(pair.second)];
+        if (touch(a, b)) collide(a, b, restitution);
+    }
+    for (Ball &ball : balls) roll(ball, table, dt);
+}
+//>
+} // namespace nt_collisions
