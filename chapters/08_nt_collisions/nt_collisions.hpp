@@ -8,7 +8,8 @@
 /// Section 8: what balls on a table do to each other.
 /// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
 /// An answer is right to twelve digits of the largest number that goes in, or of 1 if that is larger, unless its
-/// function says otherwise. Two centres closer together than 1e-60 m may count as the same point.
+/// function says otherwise. Two centres closer together than 1e-60 m may count as the same point, and a relative speed,
+/// a radius or an inverse mass below 1e-60 as 0.
 namespace nt_collisions {
 
 using course::Vec2;
@@ -58,7 +59,8 @@ Velocities exchange(const Ball &a, const Ball &b);
 //> Resolve a collision
 /// The velocities of two smooth balls after they have collided. Only their normal components change.
 /// Balls that do not approach each other keep their velocities; whether they touch is the caller's business.
-/// With masses below 1e-9 kg an answer may be right to fewer digits.
+/// One digit fewer may be right for each factor of ten by which one mass is larger than the other; with masses below
+/// 1e-9 kg any answer may be right to fewer.
 /// @param restitution  the normal speed at which they part, divided by that at which they approached [1], from 0 to 1
 /// @throws std::invalid_argument if `restitution` is not from 0 to 1, or for what `exchange` refuses.
 Velocities resolve_collision(const Ball &a, const Ball &b, double restitution);
@@ -66,8 +68,10 @@ Velocities resolve_collision(const Ball &a, const Ball &b, double restitution);
 //> Time of impact
 /// When two balls that keep their velocities first touch, from now on [s]; nothing if they never do.
 /// If they touch or overlap now: 0 if their centres are getting closer to each other, and nothing if they are not.
-/// At the time of the answer the distance of the centres is the sum of the radii, right to nine digits of the largest
-/// coordinate or radius. A graze that is decided by rounding may go either way.
+/// At the time of the answer the distance of the centres is the sum of the radii. It is right to nine digits of the
+/// largest coordinate, or of the sum of the radii if that is larger; or to six digits, if the largest coordinate is more
+/// than a thousand times the sum of the radii. Balls that would pass each other at a distance that is the sum of the
+/// radii, as exactly as that, may touch or not.
 /// @throws std::invalid_argument if a radius or a mass is not positive, or a number is not within ±1e5.
 std::optional<double> time_of_impact(const Ball &a, const Ball &b);
 
@@ -92,7 +96,7 @@ struct Positions {
 /// The centres of two discs that overlap, after they have been moved apart along their line of centres until they just
 /// touch. Their centre of mass stays where it is: of two balls, the one with twice the mass moves half as far.
 /// Discs that do not overlap stay where they are, and so do two that nothing can move.
-/// If the centres are the same point, a moves to the left and b to the right.
+/// If the centres are the same point, a moves to the left, and b to the right.
 /// @throws std::invalid_argument if a radius is not positive, an inverse mass is negative, or a number is not within ±1e5.
 Positions push_apart(const Disc &a, const Disc &b);
 
@@ -106,8 +110,9 @@ struct Pair {
 
 //> Close pairs
 /// All pairs of points that are no farther apart than `distance`: each pair once, in any order.
-/// A pair whose distance is equal to `distance`, up to rounding, may be among them or not.
-/// For a hundred thousand points, none of which has more than ten others within `distance`, it takes four seconds at most.
+/// A pair whose distance differs from `distance` by less than 1e-12 of the largest number that goes in, or of 1 if that
+/// is larger, may be among them or not.
+/// For a hundred thousand points, none of which has more than ten others within `distance`, it takes 4 s at most.
 /// @param centres   [m], any number of them
 /// @param distance  [m], 0.001 or more
 /// @throws std::invalid_argument if `distance` is less than 0.001, or a number is not within ±1e5.

@@ -3,6 +3,7 @@
 
 #include "nt_collisions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
