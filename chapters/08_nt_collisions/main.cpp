@@ -215,6 +215,22 @@ void trace_pushed(std::ostream &out) {
     }
 }
 
+//> A grid, traced
+void trace_grid(std::ostream &out) {
+    out << "# x[m]\ty[m]\tkind[1]\n";
+    std::vector<Vec2> points = strewn(40);
+    for (Vec2 &point : points) point *= 1.7;
+    points.insert(points.begin(), {2.7, 1.4});
+    std::vector<int> kinds(points.size(), 3); // 0: the first one, 1: close to it, 2: in its nine cells, 3: elsewhere
+    for (std::size_t i = 0; i < points.size(); ++i) // cells of 1 m; the first point is in column 2, row 1
+        if (std::abs(std::floor(points[i].x()) - 2) <= 1 && std::abs(std::floor(points[i].y()) - 1) <= 1) kinds[i] = 2;
+    for (const Pair &pair : close_pairs(points, 1))
+        if (pair.first == 0) kinds[std::size_t(pair.second)] = 1;
+    kinds[0] = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        out << points[i].x() << '\t' << points[i].y() << '\t' << kinds[i] << '\n';
+}
+
 //> Main
 int main(int argc, char **argv) {
     return course::run(argc, argv,
@@ -232,5 +248,6 @@ int main(int argc, char **argv) {
                         {"08_nt_collisions_break.tsv", trace_break},
                         {"08_nt_collisions_fast.tsv", trace_fast},
                         {"08_nt_collisions_distance.tsv", trace_distance},
-                        {"08_nt_collisions_pushed.tsv", trace_pushed}});
+                        {"08_nt_collisions_pushed.tsv", trace_pushed},
+                        {"08_nt_collisions_grid.tsv", trace_grid}});
 }
