@@ -32,9 +32,8 @@ const demo::About about{
      {"speed", "m/s", 10, 100, 5, 60, {}, in_games({fast})},
      {"contact", "", 0, 1, 1, 0, {"only in frames (8.3)", "between frames (8.4)"}, in_games({fast})},
      {"balls", "", 100, 1000, 100, 1000, {}, in_games({thousand})}},
-    {{"f", "Roll", in_games({you_guess})},
+    {{"f", "Roll", in_games({you_guess, break_shot})},
      {"o", "Overlap", in_games({equal_balls})},
-     {"b", "Break", in_games({break_shot})},
      {"n", "Drop ten more", in_games({crowd})},
      {"u", "Turn left", in_games({contact})},
      {"d", "Turn right", in_games({contact})}}};
@@ -204,7 +203,7 @@ void drag(State &now, const Input &in) {
         if (to.norm() > 0.1) now.guess[in.handle] = 2 * to.normalized();
     }
     if (now.game == contact && in.handle == 0 && there.norm() > 0.1) now.to_b = there.normalized();
-    if (now.game == contact && in.handle == 1) now.velocity = 1.6 * there;
+    if (now.game == contact && in.handle == 1) now.velocity = there / 0.7;
     if (now.game == break_shot) {
         rack(now);
         const Vec2 aim = there - now.balls[0].position;
@@ -217,14 +216,10 @@ void press(State &now, const Input &in) {
     if (in.key == "f") {
         start(now, in);
         now.rolling = true;
+        if (now.game == break_shot) now.balls[0].velocity = 5 * now.aim;
+        if (now.game == break_shot) now.begun = energy_of(now.balls[0]);
     }
     if (in.key == "o") overlap(now);
-    if (in.key == "b") {
-        rack(now);
-        now.balls[0].velocity = 5 * now.aim;
-        now.begun = energy_of(now.balls[0]);
-        now.rolling = true;
-    }
     if (in.key == "n" && now.discs.size() < 80)
         for (int i = 0; i < 10; ++i) now.discs.push_back({{2 + 0.1 * (i % 4), 0.1 * (i / 4) + 0.01 * i}, 0.35, 1});
     if (in.key == "u" || in.key == "d") { // by 5°
@@ -273,21 +268,21 @@ void add_table(demo::Picture &seen) {
 }
 
 void draw_contact(demo::Picture &seen, const State &now) {
-    const Vec2 n = now.to_b, t{-n.y(), n.x()}, a{0, 0};
-    add(seen, Shape::discs, Colour::orange, 0.5, {a}, 0.5);
-    add(seen, Shape::discs, Colour::blue, 0.5, {n}, 0.5);
+    constexpr double scale = 0.7; // [s]
+    const Vec2 n = now.to_b, t{-n.y(), n.x()}, a{0, 0}, b = 2 * n, tip = scale * now.velocity;
+    add(seen, Shape::discs, Colour::orange, 1, {a}, 0.4);
+    add(seen, Shape::discs, Colour::blue, 1, {b}, 0.4);
     add(seen, Shape::line, Colour::dim, -1.5, {-9 * n, 9 * n});
     add(seen, Shape::line, Colour::dim, -1.5, {-9 * t, 9 * t});
     add_words(seen, 4.2 * n + 0.2 * t, "n", Colour::dim);
     add_words(seen, 4.2 * t + 0.2 * n, "t", Colour::dim);
-    const auto [normal, tangential] = arrows(now.velocity, a, n);
-    constexpr double scale = 0.625; // [s]
+    const auto [normal, tangential] = arrows(now.velocity, a, b);
     add_arrow(seen, Colour::pink, 3, a, scale * normal);
     add_arrow(seen, Colour::green, 3, a, scale * tangential);
-    add_arrow(seen, Colour::ink, 3, a, scale * now.velocity);
-    add(seen, Shape::line, Colour::dim, -1, {scale * normal, scale * now.velocity, scale * tangential});
-    add(seen, Shape::handle, Colour::blue, 0, {n, scale * now.velocity});
-    const Components parts = decompose(now.velocity, a, n);
+    add_arrow(seen, Colour::ink, 3, a, tip);
+    add(seen, Shape::line, Colour::dim, -1, {scale * normal, tip, scale * tangential});
+    add(seen, Shape::handle, Colour::blue, 0, {b, tip});
+    const Components parts = decompose(now.velocity, a, b);
     say(seen, "normal", "m/s", parts.normal);
     say(seen, "tangential", "m/s", parts.tangential);
     say(seen, "speed", "m/s", now.velocity.norm());

@@ -85,13 +85,14 @@ inline void next_frame(std::vector<Disc> &discs) {
         }
 }
 
-//> The frame loop: a thousand balls
+//> All centres
 inline std::vector<Vec2> centres_of(const std::vector<Ball> &balls) {
     std::vector<Vec2> centres;
     for (const Ball &ball : balls) centres.push_back(ball.position);
     return centres;
 }
 
+//> The frame loop: a thousand balls
 /// One frame of the game for balls of one size: only the close pairs are asked whether they touch.
 inline void next_frame_with_pairs(std::vector<Ball> &balls, const Box &table, double restitution, double dt) {
     if (balls.empty()) return;
