@@ -1,8 +1,8 @@
 #include "nt_collisions.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace nt_collisions {
 
@@ -94,26 +94,22 @@ Positions push_apart(const Disc &a, const Disc &b) {
 }
 
 //> Solution 8.6: close pairs
-using Place = std::array<int, 3>; // the row and the column of a cell, and the index of a point in it
-
 static int cell(double x, double width) { return int(std::floor(x / width)); }
 
 std::vector<Pair> close_pairs(const std::vector<Vec2> &centres, double distance) {
     course::require_range(centres, distance);
     course::require(distance >= 0.001, "distance [m] must be 0.001 or more", distance);
-    std::vector<Place> places;
-    for (int i = 0; i < int(centres.size()); ++i)
-        places.push_back({cell(centres[i].y(), distance), cell(centres[i].x(), distance), i});
-    std::sort(places.begin(), places.end()); // row by row, and each row from left to right
-
+    std::map<std::pair<int, int>, std::vector<int>> grid; // what is in each cell
     std::vector<Pair> pairs;
-    for (const auto &[row, column, i] : places)
-        for (const int near : {row - 1, row, row + 1}) {
-            auto other = std::lower_bound(places.begin(), places.end(), Place{near, column - 1, 0});
-            for (; other != places.end() && *other < Place{near, column + 2, 0}; ++other)
-                if (const int j = (*other)[2]; i < j && (centres[i] - centres[j]).norm() <= distance)
-                    pairs.push_back({i, j});
-        }
+    for (int i = 0; i < int(centres.size()); ++i) {
+        const int column = cell(centres[i].x(), distance), row = cell(centres[i].y(), distance);
+        for (int x = column - 1; x <= column + 1; ++x)
+            for (int y = row - 1; y <= row + 1; ++y)
+                if (const auto near = grid.find({x, y}); near != grid.end())
+                    for (const int earlier : near->second)
+                        if ((centres[i] - centres[earlier]).norm() <= distance) pairs.push_back({earlier, i});
+        grid[{column, row}].push_back(i); // last of all: so a point meets those before it, and not itself
+    }
     return pairs;
 }
 //>

@@ -205,7 +205,7 @@ TEST_CASE("neither distance, nor radius, nor mass matters", "[8.2]") {
     CHECK_THAT(exchange(ball({2, 7}, {5, 0}), ball({2.8, 7.6}, {0, 0})), IsNear(want, 1e-11));
 }
 
-//> The other way round
+//> Labels exchanged
 TEST_CASE("with a and b exchanged, the answers are exchanged", "[8.2]") {
     CHECK_THAT(exchange(ball({0.8, 0.6}, {0, 0}), ball({0, 0}, {5, 0})),
                IsNear(Velocities{{3.2, 2.4}, {1.8, -2.4}}, rounding));
@@ -368,7 +368,7 @@ TEST_CASE("with restitution 0.5, a ball at (5, 0) keeps (2.6, -1.8), and an equa
                IsNear(Velocities{{2.6, -1.8}, {2.4, 1.8}}, rounding)); // an impulse of 1.5 · 4 / 2 = 3 N s
 }
 
-//> On their way apart
+//> Apart, with masses
 TEST_CASE("balls of any mass that are on their way apart, or slide past each other, keep their velocities", "[8.3]") {
     const double restitution = GENERATE(0.0, 0.8, 1.0);
     CHECK_THAT(resolve_collision(ball({0, 0}, {-3, 2}, 2), ball({0.9, 0}, {2, 1}, 3), restitution),
@@ -398,7 +398,7 @@ TEST_CASE("a light ball turns back from a heavy one, and a heavy one hardly noti
                IsNear(Velocities{{-2, 1}, {0, 0}}, 1e-5));
 }
 
-//> The other way round
+//> Labels and masses exchanged
 TEST_CASE("with a and b exchanged, the answers are exchanged, whatever their masses", "[8.3]") {
     const Ball a = ball({0, 0}, {3, 1}, 2), b = ball({0.6, 0.8}, {-1, -1}, 3);
     CHECK_THAT(resolve_collision(b, a, 0.8), IsNear(Velocities{{0.728, 1.304}, {0.408, -2.456}}, rounding));
@@ -490,7 +490,7 @@ TEST_CASE("turned by any angle, or seen in a mirror, it is the same collision", 
     }
 }
 
-//> Twice
+//> Asked twice
 TEST_CASE("asked again with the answer, it changes nothing: the balls are on their way apart", "[8.3]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
@@ -628,7 +628,7 @@ TEST_CASE("balls that pass by each other never touch", "[8.4]") {
     CHECK_THAT(time_of_impact(ball({0, 0}, {3, 0}), ball({3, 0}, {0, 3})), IsNear(never)); // it is gone by then
 }
 
-//> Head on
+//> Straight at each other
 TEST_CASE("head on, the gap closes at the sum of both speeds, or at their difference", "[8.4]") {
     CHECK_THAT(time_of_impact(ball({0, 0}, {3, 0}), ball({7, 0}, {0, 0})), IsNear(2.0, in_time));
     CHECK_THAT(time_of_impact(ball({0, 0}, {3, 0}), ball({7, 0}, {-1, 0})), IsNear(1.5, in_time));
@@ -826,7 +826,7 @@ TEST_CASE("with both centres at one point, a is moved to the left and b to the r
     CHECK_THAT(push_apart({{0, 0}, 0.5, 0}, {{0, 0}, 0.5, 1}), IsNear(Positions{{0, 0}, {1, 0}}, rounding));
 }
 
-//> The other way round
+//> Discs exchanged
 TEST_CASE("with a and b exchanged, the answers are exchanged", "[8.5]") {
     CHECK_THAT(push_apart({{0.7, 0}, 0.5, 1}, {{0, 0}, 0.5, 0.5}), IsNear(Positions{{0.9, 0}, {-0.1, 0}}, rounding));
     CHECK_THAT(push_apart({{3, 4}, 4, 3}, {{0, 0}, 3, 1}), IsNear(Positions{{3.9, 5.2}, {-0.3, -0.4}}, rounding));
@@ -852,7 +852,7 @@ TEST_CASE("afterwards they just touch, on the same line, and their centre of mas
     }
 }
 
-//> Twice
+//> Pushed twice
 TEST_CASE("asked again with the answer, it moves nothing any more", "[8.5]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
@@ -950,14 +950,14 @@ TEST_CASE("points with negative coordinates are found, and pairs on either side 
     CHECK_THAT(sorted(close_pairs({{-0.8, 0.2}, {0.8, 0.2}, {0, -0.3}}, 1)), IsPairs({{0, 2}, {1, 2}}));
 }
 
-//> Any distance
+//> A centimetre, a hundred metres
 TEST_CASE("the distance may be a centimetre or a hundred metres", "[8.6]") {
     CHECK_THAT(sorted(close_pairs({{0, 0}, {0.008, 0}, {0.012, 0}}, 0.01)), IsPairs({{0, 1}, {1, 2}}));
     CHECK_THAT(sorted(close_pairs({{0, 0}, {80, 0}, {120, 0}}, 100)), IsPairs({{0, 1}, {1, 2}}));
     CHECK_THAT(sorted(close_pairs({{0, 0}, {2, 0}, {5, 0}}, 2.5)), IsPairs({{0, 1}}));
 }
 
-//> At one point
+//> At the same place
 TEST_CASE("points at the same place are a pair, and three of them are three", "[8.6]") {
     CHECK_THAT(sorted(close_pairs({{3, 4}, {3, 4}, {3, 4}}, 1)), IsPairs({{0, 1}, {0, 2}, {1, 2}}));
 }
