@@ -45,11 +45,11 @@ constexpr double small = 0.3; // the radius of the balls of the break shot, and 
 struct State {
     Game game = you_guess;
     Ball a, b;
-    Vec2 from[2], meets[2];             ///< where a and b began, and met [m]
-    Vec2 guess[2]{{2, 0}, {1.6, -1.2}}; ///< which way a and b will go
-    Vec2 to_b{0.8, 0.6};                ///< from a to b, which touch; its length is 1
-    Vec2 velocity{5, 0};                ///< of a at the contact [m/s]
-    Vec2 aim{2.5, 0.2};                 ///< of the break shot: its velocity is five times that
+    Vec2 from[2], meets[2];        ///< where a and b began, and met [m]
+    Vec2 guess[2]{{2, 0}, {2, 0}}; ///< which way a and b will go
+    Vec2 to_b{0.8, 0.6};           ///< from a to b, which touch; its length is 1
+    Vec2 velocity{5, 0};           ///< of a at the contact [m/s]
+    Vec2 aim{2.5, 0.2};            ///< of the break shot: its velocity is five times that
     bool rolling = false, met = false;
     int frames{}; ///< since the beginning
     std::vector<Ball> balls;
@@ -82,7 +82,8 @@ void place(State &now, const Vec2 &n, double size, const Ball &a, const Ball &b,
 
 /// Fifteen balls in a triangle, and the cue ball in front of them.
 void rack(State &now) {
-    now.balls.assign(1, {{-4.5, 0}, {0, 0}, small, 1});
+    now.balls.clear();
+    now.balls.push_back({{-4.5, 0}, {0, 0}, small, 1});
     for (int row = 0; row < 5; ++row)
         for (int k = 0; k <= row; ++k)
             now.balls.push_back({{1.5 + 0.5215 * row, 0.602 * (k - 0.5 * row)}, {0, 0}, small, 1});
@@ -109,10 +110,12 @@ void fill(State &now, int count) {
 }
 
 void gather(State &now) {
-    now.discs.assign(1, {{-6, 0}, 0.7, 0});
+    now.discs.clear();
+    now.discs.push_back({{-6, 0}, 0.7, 0});
     for (int i = 0; i < 40; ++i) {
         const bool heavy = i % 9 == 4;
-        now.discs.push_back({{-3 + i / 5, 1.1 * (i % 5) - 2.2}, heavy ? 0.5 : 0.35, heavy ? 0.25 : 1.0});
+        now.discs.push_back(
+            {{-3 + i / 5, 1.1 * (i % 5) - 2.3 + 0.03 * (i * 7 % 11)}, heavy ? 0.5 : 0.35, heavy ? 0.25 : 1.0});
     }
 }
 
@@ -135,16 +138,6 @@ void start(State &now, const Input &in) {
     if (now.game == crowd) gather(now);
     if (now.game == thousand) fill(now, int(in["balls"]));
     now.begun = energy_of(now.a) + energy_of(now.b);
-}
-
-/// Two balls that have got into each other, and part slowly.
-void overlap(State &now) {
-    now.a = {{-0.3, -0.2}, {-0.6, -0.4}, 0.5, 1};
-    now.b = {{0.3, 0.2}, {0.6, 0.4}, 0.5, 1};
-    now.from[0] = now.a.position;
-    now.from[1] = now.b.position;
-    now.met = false;
-    now.frames = 0;
 }
 
 bool is_seen(const Ball &ball) { return std::abs(ball.position.x()) < 9 && std::abs(ball.position.y()) < 5.5; }
@@ -219,18 +212,21 @@ void press(State &now, const Input &in) {
         if (now.game == break_shot) now.balls[0].velocity = 5 * now.aim;
         if (now.game == break_shot) now.begun = energy_of(now.balls[0]);
     }
-    if (in.key == "o") overlap(now);
+    if (in.key == "o") { // two balls that have got into each other, and part
+        start(now, in);
+        place(now, {0.8, 0.6}, 1, {{0, 0}, {-0.48, -0.36}, 0, 1}, {{0, 0}, {0.48, 0.36}, 0, 1}, 20);
+    }
     if (in.key == "n" && now.discs.size() < 80)
         for (int i = 0; i < 10; ++i) now.discs.push_back({{2 + 0.1 * (i % 4), 0.1 * (i / 4) + 0.01 * i}, 0.35, 1});
     if (in.key == "u" || in.key == "d") { // by 5°
-        const double c = 0.99619469809174555, s = (in.key == "u" ? 1 : -1) * 0.087155742747658174;
-        now.to_b = Vec2{c * now.to_b.x() - s * now.to_b.y(), s * now.to_b.x() + c * now.to_b.y()}.normalized();
+        const Vec2 left{-now.to_b.y(), now.to_b.x()};
+        now.to_b = (now.to_b + (in.key == "u" ? 0.08749 : -0.08749) * left).normalized();
     }
 }
 
 State next(State now, const Input &in) {
-    if (choice_of(in) != now.chosen) {
-        now.chosen = choice_of(in);
+    if (const double chosen = choice_of(in); chosen != now.chosen) {
+        now.chosen = chosen;
         now.game = static_cast<Game>(in["The game"]);
         now.rolling = false;
         start(now, in);
@@ -341,12 +337,17 @@ void draw_grid(demo::Picture &seen, const State &now) {
         add(seen, Shape::line, Colour::line, 1, {{x, table.low.y()}, {x, table.high.y()}});
     for (double y = table.low.y(); y < table.high.y(); y += cell)
         add(seen, Shape::line, Colour::line, 1, {{table.low.x(), y}, {table.high.x(), y}});
-    const auto cell_of = [&](const Vec2 &at) { return Vec2{((at - table.low) / cell).array().floor()}; };
+    const auto cell_of = [&](const Vec2 &at) {
+        return Vec2{std::floor((at.x() - table.low.x()) / cell), std::floor((at.y() - table.low.y()) / cell)};
+    };
     const Vec2 mine = cell_of(centres[0]), low = table.low + cell * (mine - Vec2{1, 1}),
                high = low + Vec2{3 * cell, 3 * cell};
     add(seen, Shape::area, Colour::amber, 0, {low, {high.x(), low.y()}, high, {low.x(), high.y()}}, 0.4);
     int around = 0;
-    for (const Vec2 &at : centres) around += (cell_of(at) - mine).cwiseAbs().maxCoeff() < 1.5;
+    for (const Vec2 &at : centres) {
+        const Vec2 away = cell_of(at) - mine;
+        around += std::abs(away.x()) < 1.5 && std::abs(away.y()) < 1.5;
+    }
     draw_balls(seen, now, Colour::blue);
     const double count = double(centres.size());
     say(seen, "pairs in all", "", count * (count - 1) / 2, 0);
@@ -386,17 +387,19 @@ demo::Picture draw(const State &now, const Input &) {
     } else {
         draw_two(seen, now);
     }
-    Vec2 momentum{0, 0};
-    double energy = 0;
     const bool many = now.game == break_shot || now.game == thousand;
-    for (const Ball &ball : many ? now.balls : std::vector<Ball>{now.a, now.b}) {
-        momentum += ball.mass * ball.velocity;
-        energy += energy_of(ball);
+    if (now.game != masses && !many) return seen;
+    double energy = 0;
+    if (now.game == masses) {
+        const Vec2 momentum = now.a.mass * now.a.velocity + now.b.mass * now.b.velocity;
+        energy = energy_of(now.a) + energy_of(now.b);
+        say(seen, "momentum, to the right", "N s", momentum.x());
+        say(seen, "momentum, up", "N s", momentum.y());
+    } else {
+        for (const Ball &ball : now.balls) energy += energy_of(ball);
     }
-    if (now.game == masses) say(seen, "momentum, to the right", "N s", momentum.x());
-    if (now.game == masses) say(seen, "momentum, up", "N s", momentum.y());
-    if (now.game == masses || now.game == break_shot) say(seen, "lost", "J", now.begun - energy);
-    if (now.game == masses || many) say(seen, "kinetic energy", "J", energy);
+    if (now.game != thousand) say(seen, "lost", "J", now.begun - energy);
+    say(seen, "kinetic energy", "J", energy);
     return seen;
 }
 } // namespace play

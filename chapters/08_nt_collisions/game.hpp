@@ -46,19 +46,22 @@ inline void collide(Ball &a, Ball &b, double restitution) {
     b.velocity = after.b;
 }
 
-//> The frame loop: many balls
-/// A ball between the sides of a table moves on for `dt` seconds.
-inline void roll(Ball &ball, const Box &table, double dt) {
-    ball.velocity = bounce_in_box({ball.position, ball.velocity, ball.radius}, table); // section 6
-    ball.position += dt * ball.velocity;
+//> Between the sides of a table
+/// All balls move on for `dt` seconds; the sides of the table turn back what has passed them, by section 6.
+inline void roll(std::vector<Ball> &balls, const Box &table, double dt) {
+    for (Ball &ball : balls) {
+        ball.velocity = bounce_in_box({ball.position, ball.velocity, ball.radius}, table);
+        ball.position += dt * ball.velocity;
+    }
 }
 
+//> The frame loop: many balls
 /// One frame of the game: every two balls that touch collide, and all of them move on.
 inline void next_frame(std::vector<Ball> &balls, const Box &table, double restitution, double dt) {
     for (std::size_t i = 0; i < balls.size(); ++i)
         for (std::size_t k = i + 1; k < balls.size(); ++k)
             if (touch(balls[i], balls[k])) collide(balls[i], balls[k], restitution);
-    for (Ball &ball : balls) roll(ball, table, dt);
+    roll(balls, table, dt);
 }
 
 //> The frame loop: contact between frames
@@ -100,7 +103,7 @@ inline void next_frame_with_pairs(std::vector<Ball> &balls, const Box &table, do
         Ball &a = balls[std::size_t(pair.first)], &b = balls[std::size_t(pair.second)];
         if (touch(a, b)) collide(a, b, restitution);
     }
-    for (Ball &ball : balls) roll(ball, table, dt);
+    roll(balls, table, dt);
 }
 //>
 } // namespace nt_collisions
