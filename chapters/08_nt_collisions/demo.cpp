@@ -137,7 +137,7 @@ void start(State &now, const Input &in) {
     if (now.game == break_shot) rack(now);
     if (now.game == crowd) gather(now);
     if (now.game == thousand) fill(now, int(in["balls"]));
-    now.begun = energy_of(now.a) + energy_of(now.b);
+    now.begun = now.game == masses ? energy_of(now.a) + energy_of(now.b) : 0;
 }
 
 bool is_seen(const Ball &ball) { return std::abs(ball.position.x()) < 9 && std::abs(ball.position.y()) < 5.5; }
@@ -291,7 +291,7 @@ void draw_two(demo::Picture &seen, const State &now) {
         const Vec2 at[]{{-0.8, -0.6}, {0, 0}};
         add(seen, Shape::discs, Colour::orange, 0.5, {at[0]}, 0.25);
         for (int i : {0, 1}) add_arrow(seen, colours[i], -2, at[i], now.guess[i]);
-        add_words(seen, at[0] + now.guess[0] + Vec2{0.3, 0.1}, "A?", colours[0]);
+        add_words(seen, at[0] + now.guess[0] + Vec2{0.3, -0.4}, "A?", colours[0]);
         add_words(seen, now.guess[1] + Vec2{0.3, 0.1}, "B?", colours[1]);
         for (int i : {0, 1}) add(seen, Shape::handle, colours[i], 0, {at[i] + now.guess[i]});
     }
