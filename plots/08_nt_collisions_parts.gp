@@ -8,9 +8,9 @@ set key bottom right
 set lmargin 0.5; set rmargin 0.5; set bmargin 0.5; set tmargin 0.5
 set size ratio -1
 set xrange [-1.6:5.6]; set yrange [-2.9:3.4]
-set label 'A' at -0.45,-0.45 center textcolor rgb INK
+set label 'A' at -0.6,0.02 center textcolor rgb INK
 set label 'B' at 1.95,0.95 center textcolor rgb INK
-set label 'line of centres' at 3.35,2.8 center rotate by 37 textcolor rgb DIM
+set label 'line of centres' at 4.5,2.95 center rotate by 37 textcolor rgb DIM
 set label 'velocity, 5 m/s' at 4.9,-0.32 right textcolor rgb INK
 set label "normal,\n4 m/s" at 3.3,1.95 left textcolor lt 6
 set label "tangential,\n−3 m/s" at 1.75,-1.35 left textcolor lt 3
