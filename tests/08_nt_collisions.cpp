@@ -655,7 +655,7 @@ TEST_CASE("balls that move away from each other, or alike, or rest, never touch"
 
 //> In contact now
 TEST_CASE("balls that touch or overlap now: 0 s if their centres get closer, and otherwise never", "[8.4]") {
-    const double x = GENERATE(1.0, 0.9, 0.1); // the second one just overlaps, the third nearly covers the other
+    const double x = GENERATE(1.0, 0.999, 0.9, 0.1); // they touch, or overlap by a millimetre, or more
     CHECK_THAT(time_of_impact(ball({0, 0}, {3, 1}), ball({x, 0}, {-1, 1})), IsNear(0.0, in_time));
     CHECK_THAT(time_of_impact(ball({0, 0}, {3, 9}), ball({x, 0}, {0, -9})), IsNear(0.0, in_time));
     CHECK_THAT(time_of_impact(ball({0, 0}, {-3, 1}), ball({x, 0}, {1, 1})), IsNear(never));
