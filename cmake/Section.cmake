@@ -87,7 +87,7 @@ macro(section_programs)
 
   # What measures is built on demand, by `course bench`, and optimized as a game would be.
   if(EXISTS ${chapter}/bench.cpp)
-    add_executable(${section}_bench EXCLUDE_FROM_ALL ${chapter}/bench.cpp)
+    add_executable(${section}_bench EXCLUDE_FROM_ALL ${chapter}/bench.cpp solutions/${section}.cpp ${earlier_objects})
     target_link_libraries(${section}_bench PRIVATE Eigen3::Eigen)
     target_include_directories(${section}_bench PRIVATE ${chapter})
     target_compile_options(${section}_bench PRIVATE -O2 ${COURSE_WARNINGS})

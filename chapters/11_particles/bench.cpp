@@ -1,15 +1,14 @@
 // `./course bench particles` builds and runs this. Its figure is not redrawn each time, unlike the others.
-#include "../program.hpp"
+#include "../bench.hpp"
 
 #include "pools.hpp"
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <random>
 
 using namespace particles;
-using course::row, course::text;
+using course::row, course::seconds, course::median_seconds;
 
 //> What is measured
 /// Frames of 1/60 s and lives of 2 s: in each frame one particle in 120 dies, and another is spawned in its place.
@@ -34,24 +33,6 @@ template <class AnyPool> std::size_t frame(AnyPool &pool) {
 }
 
 //> How it is measured
-/// Processor time [s] that one call of `work` takes; what other programs use meanwhile does not count.
-template <class Work> double seconds(const Work &work) {
-    for (int calls = 1;; calls *= 2) { // twice as many each time, until reading the clock costs next to nothing
-        const std::clock_t begin = std::clock();
-        for (int i = 0; i < calls; ++i) work();
-        const double passed = double(std::clock() - begin) / CLOCKS_PER_SEC;
-        if (passed >= 0.05) return passed / calls;
-    }
-}
-
-/// The median of five; what takes more than a second is measured once.
-template <class Work> double median_seconds(const Work &work) {
-    std::vector<double> times{seconds(work)};
-    while (times.size() < 5 && times[0] < 1) times.push_back(seconds(work));
-    std::ranges::sort(times);
-    return times[times.size() / 2];
-}
-
 /// Millions of particles per second.
 template <class AnyPool> double rate(std::size_t count) {
     AnyPool pool{crowd(count)};
@@ -101,11 +82,7 @@ const Results &results() { // measured once, printed and traced
 
 void print_pools(std::ostream &out) {
     const auto &[memory, rows] = results();
-    const auto digits = [](double x) { // three digits
-        std::ostringstream shown;
-        shown << std::setprecision(x < 100 ? 2 : 3) << x;
-        return shown.str();
-    };
+    const auto digits = [](double x) { return course::digits(x, x < 100 ? 2 : 3); };
     out << "Millions of particles per second, and what fraction that is of what memory can deliver (" << digits(memory)
         << " GB/s):\n"
         << row({{"particles", 11}, {"linear search", 17}, {"free list", 17}, {"swap-and-pop", 0}});

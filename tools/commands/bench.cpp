@@ -58,6 +58,15 @@ void bench_loop(const Tree &tree, const Section &section, int runs) {
                   << std::setprecision(2) << median(times[each]) / median(times[0]) << '\n';
 }
 
+/// A section's chapters/NN_slug/bench.cpp, and the subcommand that runs it.
+struct Benchmark {
+    const char *name, *section, *what;
+};
+constexpr Benchmark benchmarks[] = {
+    {"particles", "particles", "Three pools of particles, against the machine's memory"},
+    {"pairs", "nt_collisions", "All pairs of balls compared, against a grid"},
+};
+
 /// Builds a section's benchmark, which is in no other target, and runs it: it prints a table, and writes its trace.
 void bench_program(const Tree &tree, const Section &section) {
     const std::string target = section.name + "_bench";
@@ -87,10 +96,11 @@ void add_bench(CLI::App &app, const Tree &tree) {
     loop->footer("Example: ./course bench loop 7 --runs 31");
     loop->callback([&tree, section, runs] { bench_loop(tree, tree.section(*section), *runs); });
 
-    CLI::App *particles =
-        command->add_subcommand("particles", "Three pools of particles, against the machine's memory");
-    particles->footer("Example: ./course bench particles");
-    particles->callback([&tree] { bench_program(tree, tree.section("particles")); });
+    for (const Benchmark &each : benchmarks) {
+        CLI::App *program = command->add_subcommand(each.name, each.what);
+        program->footer("Example: ./course bench " + std::string{each.name});
+        program->callback([&tree, each] { bench_program(tree, tree.section(each.section)); });
+    }
 }
 
 } // namespace course
