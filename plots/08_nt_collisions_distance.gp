@@ -3,7 +3,7 @@
 load 'style.gp'
 eval canvas(300)
 set output ARG2
-set key bottom left
+set key top right
 set xrange [0:1.4]; set yrange [-0.2:4.2]
 set xtics 0.2; set ytics 1
 set xlabel 'time [s]'; set ylabel 'distance [m]'

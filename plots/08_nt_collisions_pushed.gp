@@ -1,13 +1,13 @@
 #> Figure: pushed apart
 # gnuplot -c 08_nt_collisions_pushed.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
-eval canvas(190)
+eval canvas(215)
 set output ARG2
 unset border; unset tics; unset grid; unset xlabel; unset ylabel
-set key bottom right
+set key top left
 set lmargin 0.5; set rmargin 0.5; set bmargin 0.5; set tmargin 0.5
 set size ratio -1
-set xrange [-0.75:7.0]; set yrange [-1.45:1.35]
+set xrange [-0.75:7.0]; set yrange [-1.45:1.95]
 set label 'equal masses' at 0.18,-1.15 center textcolor rgb INK
 set label 'masses 4 to 1' at 2.78,-1.15 center textcolor rgb INK
 set label 'A is a post' at 5.38,-1.15 center textcolor rgb INK
