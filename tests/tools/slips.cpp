@@ -4,7 +4,10 @@
 #include "course.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <unordered_map>
+#include <vector>
 
 using course::Vec2;
 
@@ -305,3 +308,37 @@ double length_of(const Vec2 &part, double x) {
     return std::abs(part);                     // The length of a Vec2 is a.norm().
 }
 bool nothing(bool none, Vec2 a);               // The header gives this function another result: copy its line from there.
+struct Pair { int first{}, second{}; };
+struct Parts { double normal{}, tangential{}; };
+Parts parts(const Vec2 &v);
+std::vector<Pair> grid_of_pairs(const std::vector<Vec2> &points) {
+    std::map<std::pair<int, int>, std::vector<int>> grid;
+    std::vector<Pair> pairs;
+    grid[1, 2].push_back(3);                   // Brackets take one value: a key of two numbers stands in braces, grid[{1, 2}].
+    grid[1][2].push_back(3);                   // Brackets take one value: a key of two numbers stands in braces, grid[{1, 2}].
+    grid[points[0]].push_back(3);              // Brackets take one value: a key of two numbers stands in braces, grid[{1, 2}].
+    grid[{1, 2}] = 3;                          // What stands in this map are lists: grid[{1, 2}].push_back(3) adds to one, and for (const int i : grid[{1, 2}]) goes through one.
+    grid.push_back({1, 2});                    // What stands in this map are lists: grid[{1, 2}].push_back(3) adds to one, and for (const int i : grid[{1, 2}]) goes through one.
+    for (int i : grid) pairs.push_back({i, 2}); // What stands in this map are lists: grid[{1, 2}].push_back(3) adds to one, and for (const int i : grid[{1, 2}]) goes through one.
+    const int near = grid[{0, 1}];             // What stands in this map are lists: grid[{1, 2}].push_back(3) adds to one, and for (const int i : grid[{1, 2}]) goes through one.
+    pairs.push_back((1, 2));                   // Two values need braces: push_back({first, second});
+    pairs.push_back({points[0], points[1]});   // The braces hold the fields of a Pair, in the order of the header.
+    return near > 0 ? pairs : std::vector<Pair>{};
+}
+int keys(const Pair &pair) {
+    std::map<Pair, int> by_pair;
+    std::unordered_map<std::pair<int, int>, int> hashed; // A std::unordered_map cannot have such a key: a std::map can.
+    by_pair[pair] = 1;                         // What is sorted, or is a map's key, must have an order: numbers have one, and so has std::pair<int, int>.
+    return 0;
+}
+Parts two_parts(const Vec2 &v, const Vec2 &n) {
+    const double unit = (v - n).normalized();  // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+    if (parts(v) <= parts(n)) return {unit, 2}; // A Parts is a struct: use its fields, one at a time.
+    const Vec2 gap = v.position - n;           // That is a vector already: its components are a.x() and a.y().
+    const Vec2 other = gap.x() > 0 ? {1, 0} : gap; // Write the type before the braces: Vec2{1, 0}.
+    return n;                                  // A Parts is wanted here: put its fields in braces, in the order of the header.
+}
+std::optional<double> half_of_it(const Vec2 &v) {
+    if (v.x() > 0) return v;                   // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+    return v / 2;                              // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+}

@@ -116,7 +116,8 @@ std::string first_of(std::initializer_list<Rule> rules, const Said &said) {
 }
 
 std::string advice(const Said &said) {
-    if (std::string means = first_of({advice_on_code, advice_on_types, advice_on_names}, said); !means.empty())
+    if (std::string means = first_of({advice_on_maps, advice_on_code, advice_on_types, advice_on_names}, said);
+        !means.empty())
         return means;
     for (const auto &[words, note, means] : slips)
         if (contains(said.words, words) && contains(said.notes, note)) return means;

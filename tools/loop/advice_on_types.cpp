@@ -12,6 +12,9 @@ namespace {
 
 constexpr const char *answer_a_list = "A list needs braces: return {a}; for one value, return {}; for none.";
 constexpr const char *number_already = "That is a number already: it has no fields.";
+constexpr const char *vector_already = "That is a vector already: its components are a.x() and a.y().";
+constexpr const char *two_in_braces = "Two values need braces: push_back({first, second});";
+constexpr const char *type_before_braces = "Write the type before the braces: Vec2{1, 0}.";
 constexpr const char *other_list = "The lists hold different things: begin an empty one, and fill it with push_back.";
 constexpr const char *fields_in_braces =
     "The braces hold the fields of the result, in the order of the header; a number is "
@@ -52,6 +55,7 @@ std::string about_member(const Said &said) {
     if (const std::string name = struct_name(asked); !name.empty() && !contains(said.words, "did you mean"))
         return "Look up the fields of " + name + " in the header.";
     if (is_vector(asked) && (gcc ? names[1] : names[0]) == "length") return length_of_vector;
+    if (is_vector(asked) && !contains(said.words, "did you mean")) return vector_already;
     if (!is_optional(asked)) return {};
     return "It may be nothing: ask first, if (found), and then write found->" + (gcc ? names[1] : names[0]) + '.';
 }
@@ -67,6 +71,13 @@ std::string about_argument(const Said &said) {
         if (list.empty()) list = between(type, "vector<", ">").value_or("");
     if (contains(said.words, "push_back") && !struct_name(pushed).empty() && !list.empty() && struct_name(list).empty())
         return about_fields(struct_name(pushed));
+    if (contains(said.code, "push_back((") && (contains(said.words, "push_back") || contains(said.words, "of comma")))
+        return two_in_braces;
+    const auto own = between(said.words + said.notes, "std::vector<", ">");
+    const bool fields_pushed =
+        contains(said.words, "push_back(<brace") || contains(said.notes, "initializer list argument");
+    if (fields_pushed && own && !struct_name(*own).empty())
+        return "The braces hold the fields of a " + struct_name(*own) + ", in the order of the header.";
     const bool gcc = said.words.starts_with("invalid initialization of reference of type '");
     if ((!gcc && !said.words.starts_with("no matching function for call to '")) || types.size() < 2) return {};
     const std::string &given = types[gcc ? 1 : 0];
@@ -155,7 +166,7 @@ std::string about_operands(const Said &said) {
     if (mixed)
         return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
                "a.norm().";
-    const bool computes = !at_caret.empty() && contains("+-*/", at_caret);
+    const bool computes = !at_caret.empty() && contains("+-*/<>", at_caret);
     for (const std::string &operand : {left, right})
         if (const std::string name = struct_name(operand); computes && !name.empty()) return about_fields(name);
     return {};
@@ -193,16 +204,26 @@ std::string about_conversion(const Said &said) {
         return fields_in_braces;
     if (is_optional(from) && !is_optional(to))
         return "It may be nothing: ask first, if (found), and then write *found.";
-    if (is_vector(from) && is_number(to))
+    if (is_vector(from) && (is_number(to) || contains(to, "std::optional<double>")))
         return "A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().";
     if (is_number(from) && is_vector(to)) {
         if (contains(said.code, ".norm();")) return "a.norm() is a number; a / a.norm() is a vector of length 1.";
         return contains(said.code, ".dot(") ? dot_is_number : two_components;
     }
-    if (is_number(from) && !struct_name(to).empty())
+    if ((is_number(from) || is_vector(from)) && !struct_name(to).empty())
         return "A " + struct_name(to) + " is wanted here: put its fields in braces, in the order of the header.";
     if (!struct_name(from).empty() && (is_vector(to) || is_number(to))) return about_fields(struct_name(from));
     return {};
+}
+
+/// b ? {1, 0} : v
+std::string about_choice(const Said &said) {
+    const bool is_it = contains(said.words, "before '{' token")
+                       || contains(said.words, "initializer list cannot be used")
+                       || contains(said.words, "expected expression");
+    return is_it && (contains(said.code, " ? {") || (contains(said.code, " ? ") && contains(said.code, " : {")))
+               ? type_before_braces
+               : "";
 }
 
 /// std::min(t, 1) and its like.
@@ -221,7 +242,7 @@ std::string about_two_types(const Said &said) {
 
 std::string advice_on_types(const Said &said) {
     return first_of({about_member, about_argument, about_dot, about_absolute, about_type_with_dot, about_function,
-                     about_operands, about_conversion, about_two_types},
+                     about_operands, about_conversion, about_choice, about_two_types},
                     said);
 }
 

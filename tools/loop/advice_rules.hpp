@@ -20,6 +20,9 @@ std::string advice_on_code(const Said &said);
 /// A type where another one is wanted.
 std::string advice_on_types(const Said &said);
 
+/// Maps, and lists in them.
+std::string advice_on_maps(const Said &said);
+
 /// Names that are not known, and headers that have them.
 std::string advice_on_names(const Said &said);
 

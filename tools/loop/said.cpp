@@ -54,6 +54,10 @@ std::string with_short_names(std::string text) {
         replace_all(text, std::string{"const "} + name, name);
     }
     replace_all(text, "<Vec2 >", "<Vec2>");
+    for (const char *computed :
+         {"Eigen::MatrixBase<expression of Vec2s >::PlainObject", "Eigen::MatrixBase<expression of Vec2s>::PlainObject",
+          "Eigen::MatrixBase<Vec2>::PlainObject"})
+        replace_all(text, computed, "Vec2"); // what normalized() returns
     return text;
 }
 
