@@ -79,8 +79,8 @@ TEST_CASE("without its exercise the course still configures, and says the way ba
 TEST_CASE("a section builds on earlier sections only", "[configure]") {
     using Lines = std::vector<std::pair<std::string, std::string>>;
     const auto [lines, complaint] = GENERATE(table<Lines, std::string>(
-        {{{{"section(11_particles", "section(11_particles BUILDS_ON 08_nt_collisions)"}},
-          "section(11_particles BUILDS_ON 08_nt_collisions): no section(08_nt_collisions) stands above this line"},
+        {{{{"section(11_particles", "section(11_particles BUILDS_ON 10_springs)"}},
+          "section(11_particles BUILDS_ON 10_springs): no section(10_springs) stands above this line"},
          {{{"section(07_segment_intersection", "section(07_segment_intersection BUILDS_ON 11_particles)"}},
           "section(07_segment_intersection BUILDS_ON 11_particles): a section can only build on one with a smaller"},
          {{{"section(11_particles", "section(11_particles BUILDS_ON 11_particles)"}}, "on one with a smaller number"},
