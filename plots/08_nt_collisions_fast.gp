@@ -1,6 +1,5 @@
 #> Figure: a fast ball, frame by frame
-# gnuplot '+' using (3.2):(0):(0.5) every ::0::0 with circles lc rgb DIM lw 1.5 dt (4,4) notitle, \
-     -c 08_nt_collisions_fast.gp TRACE SVG [THE STUDENT'S TRACE]
+# gnuplot -c 08_nt_collisions_fast.gp TRACE SVG [THE STUDENT'S TRACE]
 load 'style.gp'
 eval canvas(330)
 set output ARG2

@@ -40,7 +40,7 @@ const demo::About about{
 const demo::Still still{1.6, "f"};
 
 const Box table{{-8, -4.5}, {8, 4.5}};
-constexpr double small = 0.3; // the radius of the balls of the break shot, and of the fast one [m]
+constexpr double small = 0.3; // the radius of the balls of the break shot [m]
 
 struct State {
     Game game = you_guess;
@@ -132,7 +132,7 @@ void start(State &now, const Input &in) {
               {{0, 0}, {in["velocity of B"], 0}, 0, equal ? 1 : in["mass of B"]}, 66);
     }
     if (now.game == fast)
-        place(now, {along, off}, 2 * small, {{0, 0}, {in["speed"], 0}, 0, 1}, {{1, 0}, {0, 0}, 0, 1}, 0);
+        place(now, {along, off}, 1, {{0, 0}, {in["speed"], 0}, 0, 1}, {{1, 0}, {0, 0}, 0, 1}, 0);
     if (now.game == fast) now.a.position.x() = now.from[0].x() = -7.5;
     if (now.game == break_shot) rack(now);
     if (now.game == crowd) gather(now);

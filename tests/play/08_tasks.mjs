@@ -56,13 +56,13 @@ near(last({ 'The game': 'masses (8.3)', restitution: 1, 'off centre': 0, 'mass o
   const speeds = Array.from({ length: 19 }, (_, i) => 10 + 5 * i);
   const missed = speeds.filter((speed) => !hit('only in frames (8.3)', speed));
   console.log(`only in frames, B is missed at ${missed.join(', ')} m/s`);
-  assert.ok(missed.length > 0);
+  assert.equal(missed[0], 65);
   assert.deepEqual(speeds.filter((speed) => !hit('between frames (8.4)', speed)), []);
 }
-{ // ten balls dropped on one place: they get free of each other; in a corner the post leaves no room
-  const dropped = frames('pushed apart (8.5)', {}, ['n', ...seconds(6).slice(1)]);
+{ // ten balls dropped on one place: they get free of each other, within half a second
+  const dropped = frames('pushed apart (8.5)', {}, [...seconds(0.5), 'n', ...seconds(6)]);
   assert.equal(dropped.at(-1).balls, 50);
-  assert.ok(dropped.at(-1)['deepest overlap'] < 0.01, `${dropped.at(-1)['deepest overlap']}`);
+  assert.ok(dropped[0]['deepest overlap'] < 0.005, `${dropped[0]['deepest overlap']}`);
   console.log('dropped', dropped.map((each) => each['deepest overlap']));
   const through = [...Array(120)].map((_, i) => [0, -6 + 0.1 * i, 0]);
   console.log('through', frames('pushed apart (8.5)', {}, [...through, ...seconds(2)]).map((each) => each['deepest overlap']));
@@ -71,6 +71,6 @@ near(last({ 'The game': 'masses (8.3)', restitution: 1, 'off centre': 0, 'mass o
   const seen = frames('a thousand (8.6)', { balls: 1000 }, seconds(3));
   assert.equal(seen[0]['pairs in all'], 499500);
   console.log('close', seen.map((each) => each['close pairs']));
-  assert.ok(seen.every((each) => each['close pairs'] < 1000));
+  assert.ok(seen.every((each) => each['close pairs'] < 100));
   near(seen[2]['kinetic energy'], seen[0]['kinetic energy'], 1e-4);
 }
