@@ -10,7 +10,7 @@ set size ratio -1
 set xrange [-1.8:7.8]; set yrange [-2.9:3.1]
 set label 'frame 0' at -1.1,-0.85 center textcolor lt 3
 set label '1' at 0.9,0 center textcolor lt 3
-set label '2' at 2.62,0 center textcolor lt 3
+set label '2' at 2.585,0 center textcolor lt 3
 set label '3' at 3.812,-0.816 center textcolor lt 3
 set label "3, if nobody\nlooks between" at 5.55,0.15 left textcolor rgb DIM
 set label 'the contact' at 2.7,1.6 right textcolor lt 6

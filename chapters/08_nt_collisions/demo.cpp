@@ -270,7 +270,7 @@ void draw_contact(demo::Picture &seen, const State &now) {
     add(seen, Shape::discs, Colour::blue, 1, {b}, 0.4);
     add(seen, Shape::line, Colour::dim, -1.5, {-9 * n, 9 * n});
     add(seen, Shape::line, Colour::dim, -1.5, {-9 * t, 9 * t});
-    add_words(seen, 4.2 * n + 0.2 * t, "n", Colour::dim);
+    add_words(seen, 4.2 * n + 0.45 * t, "n", Colour::dim);
     add_words(seen, 4.2 * t + 0.2 * n, "t", Colour::dim);
     const auto [normal, tangential] = arrows(now.velocity, a, b);
     add_arrow(seen, Colour::pink, 3, a, scale * normal);
