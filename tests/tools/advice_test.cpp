@@ -59,6 +59,22 @@ TEST_CASE("a compiler's guess at a name of one or two letters is left out: any o
     CHECK(said(useful) == useful);
 }
 
+TEST_CASE(
+    "what the library calls a value is left out of a compiler's words: the student's own line stands below them") {
+    const auto said = [](const std::string &value) {
+        return diagnose_compiler("/x/08.cpp:3:5: error: could not convert ‘" + value
+                                     + "’ from ‘x::Ball’ to ‘x::Pair’\n",
+                                 "/x/08.cpp", "08.cpp")
+            .sentence;
+    };
+    const std::string advice =
+        " from 'x::Ball' to 'x::Pair'. A Pair is wanted here, not a Ball: put its fields in braces, "
+        "in the order of the header.";
+    CHECK(said("x::Ball{Eigen::MatrixBase<Derived>::norm()}") == "could not convert" + advice);
+    CHECK(said(std::string(4000, 'b')) == "could not convert" + advice);
+    CHECK(said("ball") == "could not convert 'ball'" + advice);
+}
+
 TEST_CASE("an else behind a missing } is explained, whatever the compiler calls it") {
     for (const char *words : {"expected ‘}’ before ‘else’", "expected expression"})
         CHECK(diagnose_compiler("/x/02.cpp:4:5: error: " + std::string{words} + "\n    else x = 2;\n    ^\n",

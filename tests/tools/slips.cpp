@@ -194,7 +194,7 @@ bool warnings(double t, const std::vector<Spark> &pool) {
 }
 struct Two { double a{}, b{}; };
 Two two_of(const Spark &first, const Spark &second) {
-    if (first.age < 0) return {first, second}; // The braces hold the fields of the result, in the order of the header; a number is a.mass, say, not the whole a.
+    if (first.age < 0) return {first, second}; // The braces hold the fields of the result, in the order of the header: where it has a number, a.mass, say; where it has a Vec2, a.velocity; not the whole a.
     if (first.age < 1) return first.age;       // A Two is wanted here: put its fields in braces, in the order of the header.
     Two of_one = second.age;                   // A Two is wanted here: put its fields in braces, in the order of the header.
     two_of(first.age, 2);                      // A whole Spark is wanted here, not a number: pass one that you have, a and not a.mass, or make one of its fields in braces, in the order of the header.
@@ -341,4 +341,108 @@ Parts two_parts(const Vec2 &v, const Vec2 &n) {
 std::optional<double> half_of_it(const Vec2 &v) {
     if (v.x() > 0) return v;                   // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
     return v / 2;                              // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+}
+Vec2 made_of_vectors(const Vec2 &a, const Vec2 &b) {
+    const Vec2 way = {a, b};                   // A Vec2 is made of two numbers, Vec2{x, y}, and not of two vectors: the vector from a to b is b - a.
+    return way;
+}
+Vec2 made_of_half_a_vector(const Vec2 &a, const Vec2 &b) {
+    return Vec2{b - a, 2.0};                   // A Vec2 is made of two numbers, Vec2{x, y}, and not of two vectors: the vector from a to b is b - a.
+}
+struct Place { double x{}; };
+Vec2 turned_left(const Vec2 &n, const Place &place) {
+    if (n.x() > 0) return Vec2{n.y, -n.x()};   // A call needs parentheses: a.x(), not a.x.
+    const Vec2 left{-n.y(), n.x};              // A call needs parentheses: a.x(), not a.x.
+    const Vec2 right = {n.y(), n.x};           // A call needs parentheses: a.x(), not a.x.
+    const Vec2 three{place.x, 1, 2, n};        // nothing
+    return left;
+}
+Parts parts_of(const Vec2 &v, const Vec2 &n, double x) {
+    if (x > 0) return {n * v, v.dot(n)};       // For the dot product of two vectors write a.dot(b).
+    if (x > 1) return {v.dot(n), n * v};       // For the dot product of two vectors write a.dot(b).
+    if (x > 2) {v.dot(n), x};                  // An answer needs return before its braces: return {a, b};
+    if (x > 3) { v.dot(n), n.dot(v) }          // An answer needs return before its braces: return {a, b};
+    if (x > 4) { x = 1, x += 2 }               // nothing
+    if (x > 5) { double y, z }                 // nothing
+    if (x > 6) { std::swap(x, x) }             // nothing
+    return Vec2{v.dot(n), x};                  // A Parts is wanted here: put its fields in braces, in the order of the header.
+}
+Parts parts_without_return(const Vec2 &v, const Vec2 &n) {
+    {v.dot(n), v.dot(v)};                      // An answer needs return before its braces: return {a, b};
+}
+Two other_struct(const Spark &spark, const Disc &disc, double x) {
+    if (x > 0) return spark;                   // A Two is wanted here, not a Spark: put its fields in braces, in the order of the header.
+    if (x > 1) return Disc{disc.position, disc.velocity - x * disc.position, x}; // A Two is wanted here, not a Disc: put its fields in braces, in the order of the header.
+    if (x > 2) return Spark{spark.position - x * disc.velocity, spark.position + x * disc.velocity}; // The braces of a Spark hold its fields, in the order of the header; if the result is another struct, write return {…};
+    if (x > 3) return Spark{disc.position, disc.velocity}; // The braces of a Spark hold its fields, in the order of the header; if the result is another struct, write return {…};
+    const Pair pair = Pair{disc.position, disc.velocity}; // The braces of a Pair hold its fields, in the order of the header.
+    return Two;                                // Two is a type: answer with a value, a variable or Two{…}.
+}
+void unfinished(double t) {
+    std::vector<Pair> pairs
+    std::map<int, int> grid;                   // Look at the end of the line above: is its ; there?
+    double root
+    for (int i = 0; i < 3; ++i) t += i;        // Look at the end of the line above: is its ; there?
+}
+void without_std(Spark spark, Spark other, double t) {
+    vector<Pair> pairs;                        // Write std::vector, and #include <vector> at the top of your file.
+    map<std::pair<int, int>, int> grid;        // Write std::map, and #include <map> at the top of your file.
+    t = max(0.0, t);                           // Write std::max, and #include <algorithm> at the top of your file.
+    t = min(0.0, t);                           // Write std::min, and #include <algorithm> at the top of your file.
+    swap(spark, other);                        // Write std::swap, and #include <utility> at the top of your file.
+    t = (1 + e) * t;                           // If e is a letter of a formula, say what it is in the code: a parameter, or a field of one, as in a.mass; else declare it above.
+    push_back(t, 2);                           // The list stands before the dot: list.push_back(a).
+}
+std::vector<Pair> brackets(const std::vector<Vec2> &centres) {
+    std::map<std::pair<int, int>, std::vector<int>> grid;
+    std::map<std::pair<int, int>, int> counts;
+    std::map<int, int, std::vector<int>> three;
+    grid({1, 2}).push_back(3);                 // The brackets of a map are square: grid[{1, 2}].
+    grid(1, 2).push_back(3);                   // The brackets of a map are square: grid[{1, 2}].
+    counts[{1, 2}].push_back(3);               // push_back adds to a list, and this map has none: std::map<std::pair<int, int>, std::vector<int>>.
+    three[{1, 2}].push_back(3);                // A map has one key and one value: std::map<std::pair<int, int>, std::vector<int>>.
+    std::map<(int, int), std::vector<int>> no; // A map has one key and one value: std::map<std::pair<int, int>, std::vector<int>>.
+    const Vec2 first = centres(0);             // An element of a list stands in square brackets: list[i].
+    return {};
+}
+std::vector<Pair> lists(const std::vector<Vec2> &centres, const std::vector<Spark> &pool, const std::vector<int> &numbers) {
+    std::vector<Pair> pairs;
+    pairs.add({1, 2});                         // To add to a list, write list.push_back(a).
+    pairs.append({1, 2});                      // To add to a list, write list.push_back(a).
+    pairs.push_back(centres[0]);               // A Pair is wanted here: put its fields in braces, in the order of the header.
+    const int many = centres.length;           // How many elements a list has is list.size().
+    const double x = centres.x();              // That is a list: one element of it is list[i], the first is list[0].
+    const double age = pool.age;               // That is a list: one element of it is list[i], the first is list[0].
+    pool.shuffle();                            // nothing
+    numbers.x();                               // nothing
+    return pairs;
+}
+void loop_in(const std::vector<Vec2> &centres, const std::vector<int> &numbers) {
+    for (int e in numbers) e += 1;             // A loop over a list has a colon: for (const Vec2 &v : list), or for (int i : list).
+}
+void loop_of(const std::vector<Vec2> &centres, const std::vector<int> &numbers) {
+    for (const Vec2 &v of centres) v.norm();   // A loop over a list has a colon: for (const Vec2 &v : list), or for (int i : list).
+}
+void loop_without_parentheses(const std::vector<int> &numbers) {
+    for e in numbers: e += 1;                  // A loop over a list has a colon: for (const Vec2 &v : list), or for (int i : list).
+}
+std::optional<double> signs_and_questions(Vec2 n, const Vec2 &m, double t, double x) {
+    double x = 2;                              // The name is taken already: use what has it, or choose another name.
+    int t = 2;                                 // The name is taken already: use what has it, or choose another name.
+    if (n = Vec2{0, 0}) return t;              // = gives a value; to compare, write ==.
+    if (m = Vec2{0, 0}) return t;              // = gives a value; to compare, write ==.
+    if (t > 3); return t;                      // The ; behind the parentheses ends the if: remove it.
+    if (t > 4) return "nothing";               // To answer nothing, write return {};
+    if (t > 5) return 'nothing';               // To answer nothing, write return {};
+    if (t > 6) return -n;                      // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+    if (t > 7) return -t +/- x;                // ± stands for two values: write + for one of them, and - for the other.
+    return -t ± x;                             // ± stands for two values: write + for one of them, and - for the other.
+}
+struct Unclosed { int a{}; };
+void unclosed() {
+    std::map<std::pair<int, int>, std::vector<int> cells; // Each < of a type needs its >: is one missing?
+}
+void list_of_your_own(double t) {
+    std::map<int, vector<int>> lists;          // Write std::vector, and #include <vector> at the top of your file.
+    t = map + 1;                               // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
 }

@@ -46,10 +46,10 @@ inline std::string plain_line(std::string_view line, std::size_t most) {
     return text;
 }
 
-/// Everything a compiler or linker printed, each line plain and at most 2000 characters long. What reads it may rely on
+/// Everything a compiler or linker printed, each line plain and at most 5000 characters long. What reads it may rely on
 /// that: a student's file chooses the words of an #error and the length of a symbol.
 inline std::string plain_output(std::string_view printed) {
-    constexpr std::size_t longest_line = 2000;
+    constexpr std::size_t longest_line = 5000;
     std::string text;
     for (const Line &line : lines_of(printed)) text += plain_line(line.text, longest_line) + '\n';
     return text;

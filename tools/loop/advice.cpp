@@ -8,7 +8,6 @@
 namespace course {
 namespace {
 
-constexpr const char *call_it = "A call needs parentheses: a.x(), not a.x.";
 constexpr const char *whole_number =
     "An int has no digits after the decimal point: to keep them, write double; to drop them, int(…).";
 constexpr const char *two_at_a_time = "Compare two at a time: a < b && b < c.";
@@ -82,6 +81,8 @@ constexpr std::array slips{
     Slip{"declaration shadows a local variable", "", one_more},
     Slip{"shadows a parameter", "", name_taken},
     Slip{"redeclaration of '", "", name_taken},
+    Slip{"conflicting declaration '", "", name_taken},
+    Slip{"redefinition of '", "", name_taken},        // Clang
     Slip{"with a different type: '", "", name_taken}, // Clang: redefinition of 'a' with a different type: 'b' vs 'c'
     Slip{"of different signedness", "", count_in_size},
     Slip{"of different signs", "", count_in_size},
@@ -115,8 +116,14 @@ std::string first_of(std::initializer_list<Rule> rules, const Said &said) {
     return {};
 }
 
+std::string with_article(const std::string &name) {
+    return (contains("AEIOU", name.substr(0, 1)) ? "an " : "a ") + name;
+}
+
 std::string advice(const Said &said) {
-    if (std::string means = first_of({advice_on_maps, advice_on_code, advice_on_types, advice_on_names}, said);
+    if (std::string means = first_of(
+            {advice_on_maps, advice_on_lists, advice_on_code, advice_on_structs, advice_on_types, advice_on_names},
+            said);
         !means.empty())
         return means;
     for (const auto &[words, note, means] : slips)

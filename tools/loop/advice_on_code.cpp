@@ -26,21 +26,46 @@ std::string about_return(const Said &said) {
     const std::string_view code = without_blanks(said.code);
     const std::size_t back = code.find("return ");
     if (back == code.npos) return {};
-    const std::string_view answer = code.substr(back + 7, code.find(';', back) - back - 7);
+    std::string_view answer = code.substr(back + 7, code.find(';', back) - back - 7);
     const bool is_about_it = contains(said.words, "conver") || contains(said.words, "left operand of comma");
     if (has_comma(answer) && is_about_it) return "Two values need braces: return {first, second};";
+    bool is_strange = contains(said.words, "was not declared") || contains(said.words, "undeclared");
+    for (const char *quote : {"'", "\""})
+        if (answer.size() > 2 && answer.starts_with(quote) && answer.ends_with(quote)) {
+            is_strange = contains(said.words, "conver") || contains(said.words, "character constant");
+            answer = answer.substr(1, answer.size() - 2);
+        }
     for (const char *none : {"nothing", "none", "None", "null"})
-        if (answer == none && (contains(said.words, "was not declared") || contains(said.words, "undeclared")))
-            return answer_nothing;
+        if (answer == none && is_strange) return answer_nothing;
     return {};
+}
+
+/// {a, b}; where a return belongs before it
+std::string about_bare_braces(const Said &said) {
+    if (!said.words.starts_with("expected ';'")) return {};
+    std::string_view code = without_blanks_behind(std::string_view{said.code}.substr(0, said.code.find("//")));
+    if (code.ends_with(';')) code.remove_suffix(1);
+    const std::size_t begins = code.rfind('{');
+    if (begins == code.npos || !code.ends_with('}')) return {};
+    const std::string_view before = without_blanks_behind(code.substr(0, begins)),
+                           inside = without_blanks(code.substr(begins + 1, code.size() - begins - 2));
+    const std::string_view behind = inside.substr(first_word(inside).size()), next = without_blanks(behind);
+    const bool is_block = without_blanks(before).empty() || before.ends_with(')') || before.ends_with("else");
+    const bool declares = behind.starts_with(' ') && !next.empty() && is_in_a_name(next.front());
+    const bool does_something = contains(inside, ";") || contains(inside, "=") || declares;
+    return is_block && has_comma(inside) && !does_something ? "An answer needs return before its braces: return {a, b};"
+                                                            : "";
 }
 
 /// "expected ';' before 'double'": GCC names what comes after the gap, Clang points into it.
 std::string about_semicolon(const Said &said) {
-    if (!said.words.starts_with("expected") || !contains(said.words, "';'") || said.code.empty()) return {};
+    const bool unfinished = said.words.starts_with("expected initializer before '");
+    const bool wants_one = said.words.starts_with("expected") && contains(said.words, "';'");
+    if ((!unfinished && !wants_one) || said.code.empty()) return {};
     const auto names = in_quotes(said.words);
     if (contains(said.words, "before '") && without_blanks(said.code).starts_with(names.back()))
         return "Look at the end of the line above: is its ; there?";
+    if (unfinished) return {};
     const std::string_view code = without_blanks_behind(std::string_view{said.code}.substr(0, said.code.find("//")));
     const std::size_t caret = said.caret.find('^');
     const bool at_the_end = caret != said.caret.npos && caret >= code.size();
@@ -89,6 +114,15 @@ std::string about_power(const Said &said) {
     return dereferences && contains(said.code, "**") ? "** is not a power: write t * t." : "";
 }
 
+/// -b ± c, -b +/- c
+std::string about_two_signs(const Said &said) {
+    const bool no_operand =
+        said.words.starts_with("expected primary-expression before '/'") || said.words == "expected expression";
+    const bool is_it =
+        contains(said.words, "±") || contains(said.words, "<U+00B1>") || (no_operand && contains(said.code, "+/-"));
+    return is_it ? "± stands for two values: write + for one of them, and - for the other." : "";
+}
+
 /// Where the parenthesis closes that opens at `from`, or npos.
 std::size_t where_it_closes(std::string_view code, std::size_t from) {
     int open = 0;
@@ -118,7 +152,7 @@ std::string about_if(const Said &said) {
     if (behind.starts_with("&&") || behind.starts_with("||") || joined == "and" || joined == "or")
         return "One pair of parentheses holds the whole question: if (a > 0 && b > 0) …";
     const bool is_empty = contains(said.words, "empty body") || contains(said.words, "does not guard");
-    return is_empty && behind == ";" ? "The ; behind the parentheses ends the if: remove it." : "";
+    return is_empty && behind.starts_with(';') ? "The ; behind the parentheses ends the if: remove it." : "";
 }
 
 /// t => 1
@@ -183,10 +217,11 @@ std::string about_else(const Said &said) {
     return said.words == "expected expression" && without_blanks(said.code).starts_with("else") ? missing_brace : "";
 }
 
-/// if (a = b), where a cannot be changed.
+/// if (a = b), where a cannot be changed, or is no number.
 std::string about_condition(const Said &said) {
     bool cannot_assign = false;
-    for (const char *words : {"assignment of ", "left operand of assignment", "cannot assign to", "is not assignable"})
+    for (const char *words : {"assignment of ", "left operand of assignment", "cannot assign to", "is not assignable",
+                              "' to 'bool'", "convertible to 'bool'", "'operator='", "overloaded '='"})
         if (contains(said.words, words)) cannot_assign = true;
     const std::size_t begins = std::min(said.code.find("if ("), said.code.find("while ("));
     if (!cannot_assign || begins == said.code.npos) return {};
@@ -202,7 +237,8 @@ std::string about_condition(const Said &said) {
 
 std::string advice_on_code(const Said &said) {
     return first_of({about_else, about_if, about_order, about_missing_type, about_return, about_condition,
-                     about_semicolon, about_missing_star, about_power, about_function_of_std, about_braces},
+                     about_bare_braces, about_semicolon, about_missing_star, about_power, about_two_signs,
+                     about_function_of_std, about_braces},
                     said);
 }
 

@@ -13,9 +13,36 @@ constexpr const char *ordered_key =
     "What is sorted, or is a map's key, must have an order: numbers have one, and so has std::pair<int, int>.";
 constexpr const char *not_hashed = "A std::unordered_map cannot have such a key: a std::map can.";
 
+constexpr const char *square_brackets = "The brackets of a map are square: grid[{1, 2}].";
+constexpr const char *pair_as_key = "A map has one key and one value: std::map<std::pair<int, int>, std::vector<int>>.";
+constexpr const char *map_of_lists =
+    "push_back adds to a list, and this map has none: std::map<std::pair<int, int>, std::vector<int>>.";
+
+/// grid(1, 2), grid({1, 2})
+std::string about_call(const Said &said) {
+    const bool calls =
+        said.words.starts_with("no match for call to '(") || contains(said.words, "does not provide a call operator");
+    return calls && contains(said.words, "std::map<std::pair<") ? square_brackets : "";
+}
+
+/// std::map<int, int, std::vector<int>>, std::map<{int, int}, std::vector<int>>
+std::string about_three_types(const Said &said) {
+    const bool opens = contains(said.code, "std::map<{int, int}") || contains(said.code, "std::map<(int, int)");
+    if (opens && (contains(said.words, "template argument") || contains(said.words, "expected"))) return pair_as_key;
+    return contains(said.words + said.code, "std::map<int, int, std::vector<") ? pair_as_key : "";
+}
+
+/// grid[{1, 2}].push_back(3), where numbers stand in the map
+std::string about_numbers(const Said &said) {
+    const bool no_list = contains(said.words, "which is of non-class type") || contains(said.words, "not a structure");
+    return no_list && contains(said.words, "::mapped_type") && contains(said.code, "].push_back(") ? map_of_lists : "";
+}
+
 /// grid[1][2], grid[v], grid[1, 2]
 std::string about_key(const Said &said) {
-    const bool of_map = contains(said.words, "operator[]") && contains(said.words, "std::map<std::pair<");
+    const bool no_operator = contains(said.words, "for 'operator[]'") || contains(said.words, "overloaded operator[]")
+                             || contains(said.words, "operator[] for type");
+    const bool of_map = no_operator && contains(said.words, "std::map<std::pair<");
     return of_map || contains(said.words, "comma expression in array subscript") ? key_in_braces : "";
 }
 
@@ -44,7 +71,8 @@ std::string about_hash(const Said &said) {
 } // namespace
 
 std::string advice_on_maps(const Said &said) {
-    return first_of({about_key, about_list, about_order, about_hash}, said);
+    return first_of({about_call, about_three_types, about_numbers, about_key, about_list, about_order, about_hash},
+                    said);
 }
 
 } // namespace course

@@ -16,31 +16,17 @@ constexpr const char *vector_already = "That is a vector already: its components
 constexpr const char *two_in_braces = "Two values need braces: push_back({first, second});";
 constexpr const char *type_before_braces = "Write the type before the braces: Vec2{1, 0}.";
 constexpr const char *other_list = "The lists hold different things: begin an empty one, and fill it with push_back.";
-constexpr const char *fields_in_braces =
-    "The braces hold the fields of the result, in the order of the header; a number is "
-    "a.mass, say, not the whole a.";
+constexpr const char *fields_in_braces = "The braces hold the fields of the result, in the order of the header: where "
+                                         "it has a number, a.mass, say; where it "
+                                         "has a Vec2, a.velocity; not the whole a.";
 constexpr const char *call_function = "That is a function: call it, with what it needs in parentheses.";
 constexpr const char *dot_is_number = "a.dot(b) is a number; a.dot(b) * b is a vector.";
 
 bool is_optional(std::string_view type) { return contains(type, "std::optional<"); }
-bool is_vector(std::string_view type) { return type.ends_with("Vec2") || type.ends_with("expression of Vec2s"); }
-
-/// A struct of the course or the student's own: State, as the compiler writes it; or else nothing.
-std::string struct_name(std::string_view type) {
-    for (const char *word : {"const ", "struct "})
-        if (type.starts_with(word)) type.remove_prefix(std::string_view{word}.size());
-    if (type.ends_with('&')) type.remove_suffix(1);
-    if (const std::size_t colon = type.rfind(':'); colon != type.npos) type.remove_prefix(colon + 1);
-    const bool is_name =
-        type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789") == type.npos;
-    if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2") return {};
-    return std::string{type};
-}
 
 /// What to do with a struct that was taken for a vector or a number.
 std::string about_fields(const std::string &name) {
-    const bool vowel = contains("AEIOU", name.substr(0, 1));
-    return (vowel ? "An " : "A ") + name + " is a struct: use its fields, one at a time.";
+    return with_capital(with_article(name)) + " is a struct: use its fields, one at a time.";
 }
 
 /// A field that a struct or a number does not have; or of a struct that an optional holds, asked of the optional.
@@ -64,8 +50,9 @@ std::string about_member(const Said &said) {
 std::string about_argument(const Said &said) {
     std::vector<std::string> types = in_quotes(said.words); // GCC; of Clang's words the note says it
     if (const auto note = between(said.notes, "no known conversion from ", "\n"); note && types.size() < 2)
-        types = in_quotes(*note);
-    const std::string pushed{between(said.words, "push_back(", ")").value_or(types.empty() ? "" : types.front())};
+        types = in_quotes(with_short_names(std::string{*note}));
+    std::string pushed{between(said.words, "push_back(", ")").value_or(types.empty() ? "" : types.front())};
+    while (pushed.ends_with('&')) pushed.pop_back();
     std::string list; // what it is a list of
     for (const std::string &type : types)
         if (list.empty()) list = between(type, "vector<", ">").value_or("");
@@ -73,6 +60,10 @@ std::string about_argument(const Said &said) {
         return about_fields(struct_name(pushed));
     if (contains(said.code, "push_back((") && (contains(said.words, "push_back") || contains(said.words, "of comma")))
         return two_in_braces;
+    const std::string element = struct_name(list);
+    if (contains(said.words, "push_back") && !element.empty() && (is_vector(pushed) || is_number(pushed)))
+        return with_capital(with_article(element))
+               + " is wanted here: put its fields in braces, in the order of the header.";
     const auto own = between(said.words + said.notes, "std::vector<", ">");
     const bool fields_pushed =
         contains(said.words, "push_back(<brace") || contains(said.notes, "initializer list argument");
@@ -91,7 +82,8 @@ std::string about_argument(const Said &said) {
                + " is wanted here, not a number: pass one that you have, a and not a.mass, or make one of its fields "
                  "in braces, in the order of the header.";
     return is_vector(given) || !struct_name(given).empty()
-               ? "A " + whole + " is wanted here: put its fields in braces, in the order of the header."
+               ? with_capital(with_article(whole))
+                     + " is wanted here: put its fields in braces, in the order of the header."
                : "";
 }
 
@@ -211,7 +203,8 @@ std::string about_conversion(const Said &said) {
         return contains(said.code, ".dot(") ? dot_is_number : two_components;
     }
     if ((is_number(from) || is_vector(from)) && !struct_name(to).empty())
-        return "A " + struct_name(to) + " is wanted here: put its fields in braces, in the order of the header.";
+        return with_capital(with_article(struct_name(to)))
+               + " is wanted here: put its fields in braces, in the order of the header.";
     if (!struct_name(from).empty() && (is_vector(to) || is_number(to))) return about_fields(struct_name(from));
     return {};
 }

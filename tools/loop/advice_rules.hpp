@@ -14,11 +14,20 @@ using Rule = std::string (*)(const Said &);
 /// What the first says that knows the slip.
 std::string first_of(std::initializer_list<Rule> rules, const Said &said);
 
+/// "a Disc", "an Impact"
+std::string with_article(const std::string &name);
+
 /// Slips that the student's line shows: a missing star, type or parenthesis.
 std::string advice_on_code(const Said &said);
 
 /// A type where another one is wanted.
 std::string advice_on_types(const Said &said);
+
+/// A struct that is wanted, or made in the wrong place.
+std::string advice_on_structs(const Said &said);
+
+/// Lists: their elements, their functions, and loops over them.
+std::string advice_on_lists(const Said &said);
 
 /// Maps, and lists in them.
 std::string advice_on_maps(const Said &said);
@@ -31,6 +40,7 @@ inline constexpr const char *write_pi = "Write std::numbers::pi, and #include <n
 inline constexpr const char *length_of_vector = "The length of a Vec2 is a.norm().";
 inline constexpr const char *copy_it = "It is const, so it cannot be changed: copy it, and change the copy.";
 inline constexpr const char *two_components = "A Vec2 has two components: write Vec2{x, y}.";
+inline constexpr const char *call_it = "A call needs parentheses: a.x(), not a.x.";
 inline constexpr const char *no_call = "A field has no parentheses: write a.position, not a.position().";
 inline constexpr const char *answer_nothing = "To answer nothing, write return {};";
 inline constexpr const char *compare_it = "= gives a value; to compare, write ==.";

@@ -12,8 +12,9 @@
 namespace course {
 namespace {
 
-constexpr std::size_t longest_name = 300; ///< [characters] of what is shown of a symbol, or of a compiler's words
-constexpr std::size_t longest_line = 160; ///< [characters] of a line of code
+constexpr std::size_t longest_name = 300;   ///< [characters] of what is shown of a symbol, or of a compiler's words
+constexpr std::size_t longest_words = 5000; ///< [characters] of a compiler's words that are read
+constexpr std::size_t longest_line = 160;   ///< [characters] of a line of code
 
 /// An error or a warning: "/long/path/07_x.cpp:12:5: error: 'a' was not declared", and the lines that belong to it.
 struct Remark {
@@ -47,7 +48,7 @@ std::optional<Remark> parse(std::string_view line) {
         remark.file = place;
         remark.line = before.value_or(last.value_or(0));
         remark.said.words =
-            plain_line(with_short_names(std::string{words.substr(0, words.find(" [-W"))}), longest_name);
+            plain_line(with_short_names(std::string{words.substr(0, words.find(" [-W"))}), longest_words);
         return remark;
     }
     return {};
@@ -111,6 +112,17 @@ std::string shown(const std::string &file, const std::filesystem::path &students
     return file == students.string() ? shown_name : std::filesystem::path{file}.filename().string();
 }
 
+/// "could not convert '…' from 'A' to 'B'" without what is between the first quotes, if that is in the library's words,
+/// since the line itself is shown below; and not more than can be read.
+std::string readable(std::string words) {
+    constexpr std::string_view converts = "could not convert";
+    const std::size_t from = words.rfind("' from '");
+    if (words.starts_with(converts) && from != words.npos
+        && (contains(words.substr(0, from), "Eigen::") || from > longest_name / 3))
+        words.erase(converts.size(), from + 1 - converts.size());
+    return plain_line(words, longest_name);
+}
+
 /// What the compiler says, and what it means.
 std::string explained(const Said &said) {
     if (said.words.starts_with("'*(__m128d*)") && contains(said.words, "&<unnamed>")) // GCC looks into Eigen
@@ -120,6 +132,7 @@ std::string explained(const Said &said) {
     const std::size_t guess = words.find("; did you mean '");
     if (guess != words.npos && between(words, "'", "'").value_or("").size() < 3) words.erase(guess); // 'x0': 'y0'?
     const std::string more = advice(known);
+    words = readable(words);
     if (more.empty()) return words;
     return words + (std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? ". " : " ") + more;
 }

@@ -1,5 +1,6 @@
 #include "loop/said.hpp"
 
+#include "ground/lines.hpp"
 #include "ground/text.hpp"
 
 #include <algorithm>
@@ -54,6 +55,16 @@ std::string with_short_names(std::string text) {
         replace_all(text, std::string{"const "} + name, name);
     }
     replace_all(text, "<Vec2 >", "<Vec2>");
+    for (const char *negative :
+         {"const Eigen::DenseBase<Vec2>::NegativeReturnType", "Eigen::DenseBase<Vec2>::NegativeReturnType"})
+        replace_all(text, negative, "expression of Vec2s");
+    for (std::size_t at; (at = text.find("__gnu_cxx::__alloc_traits<")) != text.npos;) { // an element of a list
+        constexpr std::string_view kind = "::value_type";
+        const std::size_t end = end_of_type(text, at);
+        const std::string type{between(std::string_view{text}.substr(at), "std::allocator<", ">").value_or("")};
+        if (type.empty() || !std::string_view{text}.substr(end).starts_with(kind)) break;
+        text.replace(at, end + kind.size() - at, without_blanks_behind(type));
+    }
     for (const char *computed :
          {"Eigen::MatrixBase<expression of Vec2s >::PlainObject", "Eigen::MatrixBase<expression of Vec2s>::PlainObject",
           "Eigen::MatrixBase<Vec2>::PlainObject"})
@@ -73,6 +84,18 @@ std::vector<std::string> in_quotes(std::string_view words) {
 bool is_number(std::string_view type) {
     if (type.starts_with("const ")) type.remove_prefix(6);
     return type == "double" || type == "int" || type == "float" || type == "long" || type == "long int";
+}
+
+bool is_vector(std::string_view type) { return type.ends_with("Vec2") || type.ends_with("expression of Vec2s"); }
+
+std::string struct_name(std::string_view type) {
+    for (const char *word : {"const ", "struct "})
+        if (type.starts_with(word)) type.remove_prefix(std::string_view{word}.size());
+    if (type.ends_with('&')) type.remove_suffix(1);
+    if (const std::size_t colon = type.rfind(':'); colon != type.npos) type.remove_prefix(colon + 1);
+    const bool is_name = std::all_of(type.begin(), type.end(), is_in_a_name);
+    if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2") return {};
+    return std::string{type};
 }
 
 bool is_in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }

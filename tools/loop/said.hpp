@@ -25,6 +25,12 @@ std::vector<std::string> in_quotes(std::string_view words);
 /// Whether a type holds one number.
 bool is_number(std::string_view type);
 
+/// Whether a type is a Vec2, or what one computes to.
+bool is_vector(std::string_view type);
+
+/// A struct of the course or the student's own: State, as the compiler writes it; or else nothing.
+std::string struct_name(std::string_view type);
+
 bool is_in_a_name(char c);
 
 /// A name or a number with which this begins; or nothing.

@@ -1,0 +1,77 @@
+#include "loop/advice_rules.hpp"
+
+#include "ground/lines.hpp"
+#include "ground/text.hpp"
+
+#include <string_view>
+
+namespace course {
+namespace {
+
+constexpr const char *colon_for_in =
+    "A loop over a list has a colon: for (const Vec2 &v : list), or for (int i : list).";
+constexpr const char *one_element = "That is a list: one element of it is list[i], the first is list[0].";
+constexpr const char *count_them = "How many elements a list has is list.size().";
+constexpr const char *to_add = "To add to a list, write list.push_back(a).";
+constexpr const char *close_angle = "Each < of a type needs its >: is one missing?";
+
+/// for (const int i in list), for i of list:
+std::string about_loop(const Said &said) {
+    const std::string_view code = without_blanks(std::string_view{said.code}.substr(0, said.code.find("//")));
+    if (!code.starts_with("for (") && !code.starts_with("for ")) return {};
+    for (const char *word : {" in ", " of "}) {
+        const std::size_t at = code.find(word);
+        if (at == code.npos || contains(code.substr(0, at), ";") || contains(code.substr(0, at), " : ")) continue;
+        const std::string_view behind = code.substr(at + 4);
+        if (is_in_a_name(code[at - 1]) && !behind.empty() && is_in_a_name(behind[0])) return colon_for_in;
+    }
+    return {};
+}
+
+/// pairs.add(2), centres.length, centres.x()
+std::string about_member(const Said &said) {
+    const auto names = in_quotes(said.words);
+    const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
+    if (names.size() < 2 || (!gcc && !clang) || contains(said.words, "did you mean")) return {};
+    const std::string &asked = names[gcc ? 0 : 1], &member = names[gcc ? 1 : 0];
+    const auto element = between(asked, "std::vector<", ">");
+    if (!element) return {};
+    for (const char *adds : {"add", "append", "push", "Add"})
+        if (member == adds) return to_add;
+    for (const char *counts : {"length", "count", "len"})
+        if (member == counts) return count_them;
+    if (is_vector(*element))
+        for (const char *of_a_vector : {"x", "y", "norm", "dot", "normalized", "squaredNorm"})
+            if (member == of_a_vector) return one_element;
+    const bool is_field = !struct_name(*element).empty() && !contains(said.code, '.' + member + '(');
+    return is_field ? one_element : "";
+}
+
+/// list(2)
+std::string about_call(const Said &said) {
+    const bool calls =
+        said.words.starts_with("no match for call to '(") || contains(said.words, "does not provide a call operator");
+    const auto names = in_quotes(said.words);
+    if (!calls || names.empty()) return {};
+    const std::string_view type = std::string_view{names[0]}.substr(names[0].starts_with('(') ? 1 : 0);
+    return type.starts_with("std::vector<") || type.starts_with("const std::vector<")
+               ? "An element of a list stands in square brackets: list[i]."
+               : "";
+}
+
+/// std::map<std::pair<int, int> cells;
+std::string about_angles(const Said &said) {
+    const bool is_it = (said.words.starts_with("template argument ") && said.words.ends_with(" is invalid"))
+                       || said.words == "expected '>'";
+    int open = 0;
+    for (const char c : said.code) open += c == '<' ? 1 : c == '>' ? -1 : 0;
+    return is_it && open > 0 && without_blanks(said.code).starts_with("std::") ? close_angle : "";
+}
+
+} // namespace
+
+std::string advice_on_lists(const Said &said) {
+    return first_of({about_loop, about_member, about_call, about_angles}, said);
+}
+
+} // namespace course
