@@ -78,7 +78,22 @@ constexpr const char *our_answer = "solutions/07_segment_intersection.cpp";
 
 } // namespace
 
-TEST_CASE("asked for one exercise, check speaks of no other, and leaves with its verdict") {
+TEST_CASE("asked for one exercise that is passed, check names the next one that is open") {
+    const fs::path file = fs::temp_directory_path() / ("first alone " + std::to_string(::getpid()) + ".cpp");
+    std::string answer = course::read_file(fs::path{COURSE_ROOT} / our_answer);
+    const auto leave_open = [&](const std::string &before) {
+        const std::size_t begin = answer.find(before);
+        REQUIRE(begin != answer.npos);
+        answer.insert(answer.find("{\n", begin) + 2, "    throw course::NotYet{\"where does it begin?\"};\n");
+        course::write_file(file, answer);
+    };
+    leave_open("\nBall move_and_bounce(");
+    CHECK(check("7.2", file.string()).out.ends_with("\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n"));
+    CHECK(check("7.6", file.string()).out.ends_with("\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n"));
+    fs::remove(file);
+}
+
+TEST_CASE("asked for one exercise, check speaks of no other that is passed, and leaves with its verdict") {
     const auto done = check("7.2", our_answer);
     CHECK(done.out.starts_with("✓ 7.2 segments_intersect, core: "));
     CHECK(done.out.ends_with(" tests passed\nThe whole section: ./course check 7\n"));

@@ -97,6 +97,8 @@ TEST_CASE("values are described as a student reads them") {
     CHECK(describe(0.1) == "0.1");
     CHECK(describe(1.0 / 3, "m", 3) == "0.333 m");
     CHECK(describe(std::nan("")) == "not a number");
+    CHECK(describe(std::nan(""), "s") == "not a number");
+    CHECK(describe(std::optional{std::nan("")}, "s") == "not a number");
     CHECK(describe(-std::numeric_limits<double>::infinity()) == "-infinity");
     CHECK(describe(Vector2d{4, -2}, "m/s") == "(4, -2) m/s");
     CHECK(describe(std::optional<double>{}) == "nothing");
@@ -246,6 +248,24 @@ TEST_CASE("an order that does not hold is said with its bound, and told apart at
     CHECK(speed(3 + 1e-14).find("got   3.00000000000001 m/s\n") != std::string::npos);
     CHECK(speed(NAN).find("\"not a number\"") != std::string::npos);
     CHECK(is_ordered(3.0, 3, at_most, split_label("speed")));
+}
+
+TEST_CASE("an answer that is not a number is said to be none, also where nothing was wanted") {
+    const auto time = [](std::optional<double> got, std::optional<double> want) {
+        return shown_for([&] { return is_near(got, want, 0, split_label("time of impact [s]")); });
+    };
+    const std::string reason = "it comes from 0/0, ";
+    CHECK(time(NAN, {}).find(reason) != std::string::npos);
+    CHECK(time(NAN, {}).ends_with("\ngot   not a number\nwant  nothing\n"));
+    CHECK(time(NAN, 2).find(reason) != std::string::npos);
+    CHECK(time({}, 2).find(reason) == std::string::npos);
+    CHECK(time(2, {}) == "time of impact:\ngot   2 s\nwant  nothing\n");
+    const auto point = [](const Vector2d &got) {
+        return shown_for(
+            [&] { return is_near(std::optional{got}, std::optional<Vector2d>{}, 0, split_label("centre [m]")); });
+    };
+    CHECK(point({NAN, NAN}).find(reason) != std::string::npos);
+    CHECK(point({1, 2}).find(reason) == std::string::npos);
 }
 
 TEST_CASE("printed text is shown without control characters") {

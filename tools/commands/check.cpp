@@ -136,19 +136,27 @@ void print_warnings(const std::vector<std::string> &warnings, bool verbose) {
     if (warnings.size() > shown) std::cout << "  and " << warnings.size() - shown << " more warnings (-v shows all)\n";
 }
 
-void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
-    const auto open =
-        std::find_if(outcomes.begin(), outcomes.end(), [](const Outcome &o) { return o.first_failure() != nullptr; });
-    if (open == outcomes.end()) {
-        std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.")
-                  << " See your figures in the book: ./course open " << section.short_number() << " --mine\n";
-        return;
-    }
-    const std::string needs = open->needs(),
-                      next = needs.empty() ? open->exercise.number + ' ' + open->exercise.function : needs;
-    const bool untouched = open->state() == Kind::not_started;
+/// The first one that is not passed; or nothing.
+const Outcome *first_open(const std::vector<Outcome> &outcomes) {
+    for (const Outcome &outcome : outcomes)
+        if (outcome.first_failure() != nullptr) return &outcome;
+    return nullptr;
+}
+
+/// What to do about this one.
+void print_next(const Outcome &open) {
+    const std::string needs = open.needs(),
+                      next = needs.empty() ? open.exercise.number + ' ' + open.exercise.function : needs;
+    const bool untouched = open.state() == Kind::not_started;
     std::cout << "Next: " << next << ". " << (untouched ? "Where to begin: " : "Stuck? ") << "./course hint "
               << next.substr(0, next.find(' ')) << '\n';
+}
+
+void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
+    if (const Outcome *open = first_open(outcomes)) print_next(*open);
+    else
+        std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.")
+                  << " See your figures in the book: ./course open " << section.short_number() << " --mine\n";
 }
 
 /// The same, said of no test in particular.
@@ -251,13 +259,22 @@ class Check {
         }
         auto outcomes = by_exercise(tree, section, judgement);
         if (options.file.empty()) keep_in_mind(section, outcomes, Kind::passed);
+        const std::vector<Outcome> all = outcomes;
         if (only) std::erase_if(outcomes, [&](const Outcome &o) { return o.exercise.number != only->number; });
         if (never_started(judgement)) print_failure(nameless(judgement.verdicts.front(), "no test could start:"));
         else
             for (const auto &outcome : outcomes) print(outcome, options.verbose);
-        if (only && outcomes.front().first_failure() == nullptr)
-            std::cout << "The whole section: ./course check " << section.short_number() << '\n';
+        if (only && outcomes.front().first_failure() == nullptr) print_after(all, section);
         else print_next(outcomes, section);
+    }
+
+    /// What to do after the exercise that was asked for, and is passed: the next one that is open, or else one before it.
+    void print_after(const std::vector<Outcome> &all, const Section &section) const {
+        const auto done =
+            std::find_if(all.begin(), all.end(), [&](const Outcome &o) { return o.exercise.number == only->number; });
+        if (const Outcome *later = first_open({done, all.end()})) print_next(*later);
+        else if (const Outcome *earlier = first_open(all)) print_next(*earlier);
+        else std::cout << "The whole section: ./course check " << section.short_number() << '\n';
     }
 
     void keep_in_mind(const Section &section, const std::vector<Outcome> &outcomes, Kind of_all) const {

@@ -57,7 +57,7 @@ template <class T> std::string describe(const T &value, std::string_view unit = 
     } else if constexpr (std::is_same_v<T, int>) {
         return with_unit(std::to_string(value), unit);
     } else if constexpr (std::is_same_v<T, double>) {
-        return with_unit(describe_number(value, digits), unit);
+        return with_unit(describe_number(value, digits), std::isnan(value) ? "" : unit);
     } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
         return with_unit('(' + describe_number(value.x(), digits) + ", " + describe_number(value.y(), digits) + ')',
                          unit);

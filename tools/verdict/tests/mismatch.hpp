@@ -33,6 +33,10 @@ template <class T> Mismatch differ(const Place &at, const T &got, const T &want,
 
 inline bool is_nan(double x) { return std::isnan(x); }
 inline bool is_nan(const Eigen::Vector2d &v) { return v.hasNaN(); }
+template <class T> bool is_nan(const std::optional<T> &x) {
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Eigen::Vector2d>) return x && is_nan(*x);
+    return false;
+}
 inline double distance(double a, double b) { return std::abs(a - b); }
 inline double distance(const Eigen::Vector2d &a, const Eigen::Vector2d &b) {
     return std::hypot(a.x() - b.x(), a.y() - b.y()); // Eigen's stableNorm() of (0, NaN) is 0
@@ -53,7 +57,9 @@ template <class T> std::optional<Mismatch> find(const Place &at, const T &got, c
     } else if constexpr (wire::is_optional<T>) {
         if (got && want) return find(at, *got, *want, tolerance);
         if (!got && !want) return {};
-        return differ(at, got, want, 0);
+        auto found = differ(at, got, want, 0);
+        found.not_a_number = is_nan(got);
+        return found;
     } else if constexpr (wire::is_vector<T>) {
         if (got.size() != want.size())
             return Mismatch{{}, at.says(describe(got, at.unit, 9)), at.says(describe(want, at.unit, 9)), "", false};
