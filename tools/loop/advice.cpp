@@ -120,6 +120,11 @@ std::string with_article(const std::string &name) {
     return (contains("AEIOU", name.substr(0, 1)) ? "an " : "a ") + name;
 }
 
+bool calls_no_function(const Said &said) {
+    return said.words.starts_with("no match for call to '(")
+           || contains(said.words, "does not provide a call operator");
+}
+
 std::string advice(const Said &said) {
     if (std::string means = first_of(
             {advice_on_maps, advice_on_lists, advice_on_code, advice_on_structs, advice_on_types, advice_on_names},

@@ -29,7 +29,7 @@ std::string about_loop(const Said &said) {
 }
 
 /// pairs.add(2), centres.length, centres.x()
-std::string about_member(const Said &said) {
+std::string about_list_member(const Said &said) {
     const auto names = in_quotes(said.words);
     const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
     if (names.size() < 2 || (!gcc && !clang) || contains(said.words, "did you mean")) return {};
@@ -48,11 +48,9 @@ std::string about_member(const Said &said) {
 }
 
 /// list(2)
-std::string about_call(const Said &said) {
-    const bool calls =
-        said.words.starts_with("no match for call to '(") || contains(said.words, "does not provide a call operator");
+std::string about_list_brackets(const Said &said) {
     const auto names = in_quotes(said.words);
-    if (!calls || names.empty()) return {};
+    if (!calls_no_function(said) || names.empty()) return {};
     const std::string_view type = std::string_view{names[0]}.substr(names[0].starts_with('(') ? 1 : 0);
     return type.starts_with("std::vector<") || type.starts_with("const std::vector<")
                ? "An element of a list stands in square brackets: list[i]."
@@ -71,7 +69,7 @@ std::string about_angles(const Said &said) {
 } // namespace
 
 std::string advice_on_lists(const Said &said) {
-    return first_of({about_loop, about_member, about_call, about_angles}, said);
+    return first_of({about_loop, about_list_member, about_list_brackets, about_angles}, said);
 }
 
 } // namespace course

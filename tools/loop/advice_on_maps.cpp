@@ -19,10 +19,8 @@ constexpr const char *map_of_lists =
     "push_back adds to a list, and this map has none: std::map<std::pair<int, int>, std::vector<int>>.";
 
 /// grid(1, 2), grid({1, 2})
-std::string about_call(const Said &said) {
-    const bool calls =
-        said.words.starts_with("no match for call to '(") || contains(said.words, "does not provide a call operator");
-    return calls && contains(said.words, "std::map<std::pair<") ? square_brackets : "";
+std::string about_map_brackets(const Said &said) {
+    return calls_no_function(said) && contains(said.words, "std::map<std::pair<") ? square_brackets : "";
 }
 
 /// std::map<int, int, std::vector<int>>, std::map<{int, int}, std::vector<int>>
@@ -57,7 +55,7 @@ std::string about_list(const Said &said) {
 }
 
 /// std::map<Pair, int>: the compiler stands in the library, which compares two keys.
-std::string about_order(const Said &said) {
+std::string about_map_order(const Said &said) {
     const bool compares = contains(said.words, "no match for 'operator<'")
                           || contains(said.words, "invalid operands to binary expression");
     const bool vectors = contains(said.words, "Vec2'"); // of which advice_on_types knows more
@@ -71,8 +69,9 @@ std::string about_hash(const Said &said) {
 } // namespace
 
 std::string advice_on_maps(const Said &said) {
-    return first_of({about_call, about_three_types, about_numbers, about_key, about_list, about_order, about_hash},
-                    said);
+    return first_of(
+        {about_map_brackets, about_three_types, about_numbers, about_key, about_list, about_map_order, about_hash},
+        said);
 }
 
 } // namespace course

@@ -26,7 +26,7 @@ std::string struct_around(const Said &said) {
 }
 
 /// Disc{a, b}, with fields that a Disc does not have there.
-std::string about_braces(const Said &said) {
+std::string about_struct_braces(const Said &said) {
     if (contains(said.words, "std::optional<") || contains(said.words, "::)(")
         || contains(said.words, "product of Vec2s")) // of which other rules know more
         return {};
@@ -94,7 +94,8 @@ std::string about_product(const Said &said) { return contains(said.words, "::ope
 
 std::string advice_on_structs(const Said &said) {
     return first_of(
-        {about_two_vectors, about_product, about_uncalled, about_bare_type, about_other_struct, about_braces}, said);
+        {about_two_vectors, about_product, about_uncalled, about_bare_type, about_other_struct, about_struct_braces},
+        said);
 }
 
 } // namespace course

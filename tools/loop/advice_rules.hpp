@@ -17,6 +17,9 @@ std::string first_of(std::initializer_list<Rule> rules, const Said &said);
 /// "a Disc", "an Impact"
 std::string with_article(const std::string &name);
 
+/// Whether something that is not a function is called as if it were one.
+bool calls_no_function(const Said &said);
+
 /// Slips that the student's line shows: a missing star, type or parenthesis.
 std::string advice_on_code(const Said &said);
 
