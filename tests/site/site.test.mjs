@@ -9,7 +9,8 @@ import { address, browser, inaccessible, open, openIn, root, site } from './brow
 const pages = fs.readdirSync(site).filter((name) => name.endsWith('.html')).sort();
 const chapters = pages.filter((name) => name.startsWith('chapter_'));
 
-// In the page: what reaches beyond its edge, and cannot be scrolled to; or is cut off where it stands.
+// In the page: what reaches beyond its edge, and cannot be scrolled to; or is cut off where it stands. What a student needs
+// to write must be seen at once.
 function overflowing() {
   const found = [];
   const scrolls = (box) => /auto|scroll/.test(getComputedStyle(box).overflowX);
@@ -18,6 +19,7 @@ function overflowing() {
   for (const box of document.querySelectorAll('body *')) {
     if (box.closest('.katex-mathml, .hidden, svg, dialog:not([open])') || !box.checkVisibility()) continue;
     const style = getComputedStyle(box);
+    if (box.matches(':is(.turn, blockquote) .table') && box.scrollWidth > box.clientWidth) say('too wide for its box', box);
     if (/hidden|clip/.test(style.overflowX) && box.scrollWidth > box.clientWidth + 1) say('cut off', box);
     const edge = box.getBoundingClientRect();
     if (edge.width === 0 || (edge.right <= innerWidth + 0.5 && edge.left >= -0.5) || box.matches('.skip')) continue;
