@@ -8,6 +8,8 @@
 #include "ground/process.hpp"
 #include "ground/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -199,12 +201,13 @@ void make(const Tree &tree, const std::string &name, std::string title) {
     const std::string number = section.short_number();
     std::cout << "These files make a section that builds and is tested; write yours over them, test by test.\n"
               << "It has its line in CMakeLists.txt, and its row and its terms in book.md.\n\n"
-              << "Next:\n"
-              << "  ./course                 builds it\n"
-              << "  ./course check " << number << "        says \"not started\"\n"
-              << "  ./course weave " << number
-              << "        brings its chapter up to date when you have changed its code\n"
-              << "  ./course publish " << number << "      does so with its figures\n";
+              << "Next:\n";
+    const std::pair<std::string, const char *> next[] = {
+        {"./course", "builds it"},
+        {"./course check " + number, "says \"not started\""},
+        {"./course weave " + number, "brings its chapter up to date when you have changed its code"},
+        {"./course publish " + number, "does so with its figures"}};
+    for (const auto &[command, does] : next) std::cout << fmt::format("  {:<24} {}\n", command, does);
 }
 
 } // namespace
