@@ -88,8 +88,13 @@ TEST_CASE("asked for one exercise that is passed, check names the next one that 
         course::write_file(file, answer);
     };
     leave_open("\nBall move_and_bounce(");
-    CHECK(check("7.2", file.string()).out.ends_with("\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n"));
-    CHECK(check("7.6", file.string()).out.ends_with("\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n"));
+    CHECK(
+        check("7.2", file.string()).out.ends_with("\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n"));
+    CHECK(
+        check("7.6", file.string()).out.ends_with("\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n"));
+    leave_open("\nbool segments_intersect(");
+    CHECK(check("7.1", file.string())
+              .out.ends_with("\nNext: 7.2 segments_intersect. Where to begin: ./course hint 7.2\n"));
     fs::remove(file);
 }
 

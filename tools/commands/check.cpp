@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <iostream>
 #include <poll.h>
+#include <span>
 #include <unistd.h>
 
 namespace course {
@@ -137,7 +138,7 @@ void print_warnings(const std::vector<std::string> &warnings, bool verbose) {
 }
 
 /// The first one that is not passed; or nothing.
-const Outcome *first_open(const std::vector<Outcome> &outcomes) {
+const Outcome *first_open(std::span<const Outcome> outcomes) {
     for (const Outcome &outcome : outcomes)
         if (outcome.first_failure() != nullptr) return &outcome;
     return nullptr;
