@@ -7,7 +7,8 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 
 set(COURSE_WARNINGS
     -Wall -Wextra
-    -Wconversion # 0.5 in an int is a classic slip of a beginner
+    -Wconversion # 0.5 in an int is a classic slip of a beginner;
+    -Wno-sign-conversion # an int as an index is none, but for Clang part of it
     -Wshadow)    # as is a second variable of the same name
 set(COURSE_OPTIMIZATION -O1 CACHE STRING "GCC compiles as fast with -O1 as with -O0: much of Eigen is gone before it is written out")
 set(COURSE_CODE_FLAGS

@@ -72,7 +72,7 @@ if(COURSE_QUICK AND COURSE_QUICK_COMPILER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU
   set(COURSE_QUICK_LOOP ${COURSE_LOOP} -O0)
   list(REMOVE_ITEM COURSE_QUICK_LOOP ${COURSE_OPTIMIZATION} -fmax-errors=20)
   list(APPEND COURSE_QUICK_LOOP -Wshadow-all -Wconditional-uninitialized -Wimplicit-fallthrough
-    -Wtautological-unsigned-zero-compare -Wno-sign-conversion) # in all, what GCC warns of
+    -Wtautological-unsigned-zero-compare) # in all, what GCC warns of
   set(quick ${PROJECT_BINARY_DIR}/loop/quick)
   set(make_quick ${COURSE_QUICK_COMPILER} ${COURSE_QUICK_LOOP} -x c++-header ${quick}.hpp
     -fpch-instantiate-templates -fpch-codegen)
