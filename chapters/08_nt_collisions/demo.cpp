@@ -131,8 +131,7 @@ void start(State &now, const Input &in) {
         place(now, {along, off}, 1, {{0, 0}, {5, 0}, 0, equal ? 1 : in["mass of A"]},
               {{0, 0}, {in["velocity of B"], 0}, 0, equal ? 1 : in["mass of B"]}, 66);
     }
-    if (now.game == fast)
-        place(now, {along, off}, 1, {{0, 0}, {in["speed"], 0}, 0, 1}, {{1, 0}, {0, 0}, 0, 1}, 0);
+    if (now.game == fast) place(now, {along, off}, 1, {{0, 0}, {in["speed"], 0}, 0, 1}, {{1, 0}, {0, 0}, 0, 1}, 0);
     if (now.game == fast) now.a.position.x() = now.from[0].x() = -7.5;
     if (now.game == break_shot) rack(now);
     if (now.game == crowd) gather(now);
