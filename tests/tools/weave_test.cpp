@@ -7,8 +7,8 @@
 #include "book/prerequisites.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
+#include "ground/renamed.hpp"
 #include "ground/text.hpp"
-#include "loop/renamed.hpp"
 #include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>

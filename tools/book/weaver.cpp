@@ -6,7 +6,7 @@
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 #include "ground/nearest.hpp"
-#include "loop/renamed.hpp"
+#include "ground/renamed.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #include "figures/demo_picture.hpp"
 
 #include "ground/text.hpp"
-#include "site/html.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace course {
 
@@ -52,6 +53,14 @@ inline std::optional<std::string_view> between(std::string_view text, std::strin
 inline void replace_all(std::string &text, std::string_view old, std::string_view with) {
     for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size())
         text.replace(at, old.size(), with);
+}
+
+/// "a < b" as "a &lt; b", fit for the text of HTML and SVG, and for attributes.
+inline std::string escaped(std::string_view text) {
+    std::string out{text};
+    for (const auto &[sign, entity] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
+        replace_all(out, sign, entity);
+    return out;
 }
 
 /// Without anything that begins with `first`, as far as the next `last`: asides of a compiler.

@@ -1,7 +1,7 @@
 #pragma once
 // What a compiler and a linker print, as one thing to fix.
 
-#include "loop/renamed.hpp"
+#include "ground/renamed.hpp"
 #include "verdict/shared/verdict.hpp"
 
 #include <filesystem>

@@ -3,6 +3,7 @@
 #include "book/links.hpp"
 #include "book/weaver.hpp"
 #include "ground/files.hpp"
+#include "ground/text.hpp"
 #include "site/book_parts.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "book/links.hpp"
 #include "book/markdown.hpp"
 #include "ground/files.hpp"
+#include "ground/text.hpp"
 #include "site/card.hpp"
 #include "site/html.hpp"
 

@@ -1,6 +1,7 @@
 #include "site/draft.hpp"
 
 #include "ground/complaint.hpp"
+#include "ground/text.hpp"
 
 #include <regex>
 

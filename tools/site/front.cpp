@@ -2,6 +2,7 @@
 
 #include "book/contents.hpp"
 #include "ground/files.hpp"
+#include "ground/text.hpp"
 #include "site/addresses.hpp"
 #include "site/card.hpp"
 #include "site/demos.hpp"

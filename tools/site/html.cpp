@@ -29,13 +29,6 @@ void visit_all(const GumboNode *node, const std::function<bool(const Element &)>
 
 } // namespace
 
-std::string escaped(std::string_view text) {
-    std::string out{text};
-    for (const auto &[sign, entity] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
-        replace_all(out, sign, entity);
-    return out;
-}
-
 std::string_view Element::name() const { return gumbo_normalized_tagname(node->v.element.tag); }
 
 bool Element::has(const char *name) const { return gumbo_get_attribute(&node->v.element.attributes, name) != nullptr; }

@@ -11,9 +11,6 @@
 
 namespace course {
 
-/// "a < b" as "a &lt; b", fit for text and for attributes.
-std::string escaped(std::string_view text);
-
 /// One element of a page. Its pieces are views into the page's text, byte for byte.
 struct Element {
     const GumboNode *node = nullptr;

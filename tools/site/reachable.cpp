@@ -2,6 +2,7 @@
 
 #include "book/links.hpp"
 #include "ground/complaint.hpp"
+#include "ground/text.hpp"
 #include "site/html.hpp"
 
 #include <regex>

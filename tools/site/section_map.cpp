@@ -1,6 +1,7 @@
 #include "site/section_map.hpp"
 
 #include "book/prerequisites.hpp"
+#include "ground/text.hpp"
 #include "site/addresses.hpp"
 #include "site/html.hpp"
 

@@ -1,4 +1,4 @@
-#include "loop/renamed.hpp"
+#include "ground/renamed.hpp"
 
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
