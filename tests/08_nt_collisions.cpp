@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <string>
 #include <utility>
 
 using nt_collisions::Ball;
@@ -45,6 +47,41 @@ Meeting collision(Dice &dice) {
     Meeting all = meeting(dice);
     if (all.approach() < 0) std::swap(all.a.velocity, all.b.velocity);
     return all;
+}
+
+/// What a header says of a number with this name: the least and the largest that is answered, and what is too small.
+struct Range {
+    double least, largest, too_small;
+};
+Range range_of(const std::string &name) {
+    const auto from = [](double least, double largest) {
+        return Range{least, largest, std::nextafter(least, -infinity)};
+    };
+    if (name == "restitution") return from(0, 1);
+    if (name == "distance") return from(0.001, 1e5);
+    if (name.ends_with("inverse_mass")) return from(0, 1e5);
+    if (name.ends_with("radius") || name.ends_with("mass")) return {1e-20, 1e5, 0};
+    return from(-1e5, 1e5);
+}
+
+/// Each number of these arguments is answered at both ends of its range, and refused just beyond.
+template <auto F> void check_the_ends(const course::Remote<F> &exercise, typename course::Remote<F>::Given arguments) {
+    const auto check = [&](double &number, const std::string &name) {
+        const Range range = range_of(name);
+        const double good = number;
+        for (const double end : {range.least, range.largest}) {
+            number = end;
+            std::apply(exercise, arguments);
+        }
+        number = range.too_small;
+        CHECK_REFUSED(std::apply(exercise, arguments), name + ", just too small");
+        number = std::nextafter(range.largest, infinity);
+        CHECK_REFUSED(std::apply(exercise, arguments), name + ", just too large");
+        number = good;
+    };
+    const auto names = exercise.argument_names();
+    std::size_t i = 0;
+    std::apply([&](auto &...argument) { (course::for_each_number(argument, names[i++], check), ...); }, arguments);
 }
 
 } // namespace
@@ -133,20 +170,30 @@ TEST_CASE("velocities and centres up to 1e5 are allowed, and tiny ones", "[8.1]"
     CHECK_THAT(decompose({1e5, 0}, {0, 0}, {0.8, 0.6}), IsNear(Components{8e4, -6e4}, rounding));
     CHECK_THAT(decompose({1e5, 1e5}, {-1e5, -1e5}, {1e5, 1e5}), IsNear(Components{1e5 * std::sqrt(2), 0}, 1e-7));
     CHECK_THAT(decompose({-1e5, 1e5}, {1e5, -1e5}, {-1e5, 1e5}), IsNear(Components{1e5 * std::sqrt(2), 0}, 1e-7));
-    CHECK_THAT(decompose({5e-10, 0}, {0, 0}, {0.8, 0.6}), IsNear(Components{4e-10, -3e-10}, rounding * 1e-9));
+    CHECK_THAT(decompose({-1e5, -1e5}, {0, 0}, {1, -1}), IsNear(Components{0, -1e5 * std::sqrt(2)}, 1e-7));
+    CHECK_THAT(decompose({1e5, 1e5}, {0, 0}, {1, -1}), IsNear(Components{0, 1e5 * std::sqrt(2)}, 1e-7));
+    CHECK_THAT(decompose({-1e5, -1e5}, {0, 0}, {1, 1}), IsNear(Components{-1e5 * std::sqrt(2), 0}, 1e-7));
+    CHECK_THAT(decompose({5e-10, 0}, {0, 0}, {0.8, 0.6}), IsNear(Components{4e-10, -3e-10}, rounding));
+    CHECK_THAT(decompose({1, 9e-12}, {0, 0}, {1, 0}), IsNear(Components{1, 9e-12}, rounding));
+    CHECK_THAT(decompose({9e-12, 1}, {0, 0}, {1, 0}), IsNear(Components{9e-12, 1}, rounding));
     CHECK_THAT(decompose({5, 0}, {0, 0}, {8e-10, 6e-10}), IsNear(Components{4, -3}, rounding));
     CHECK_THAT(decompose({5, 0}, {0, 0}, {1.2e-60, 1.6e-60}), IsNear(Components{3, -4}, rounding));
     CHECK_THAT(decompose({5, 0}, {0.5, 0.5}, {0.5, 0.5 + std::ldexp(1, -50)}), IsNear(Components{0, -5}, rounding));
     CHECK_THAT(decompose({5, 0}, {0, 0}, {1, 1e-10}), IsNear(Components{5, -5e-10}, rounding)); // nearly level
+    CHECK_THAT(decompose({5, 0}, {0, 0}, {1e-10, 1}), IsNear(Components{5e-10, -5}, rounding)); // nearly upright
     CHECK_THAT(decompose({5, 1e-10}, {0, 0}, {1, 0}), IsNear(Components{5, 1e-10}, rounding));  // nearly along it
     CHECK_THAT(decompose({5, 0}, {0, 0}, {0.999, 0}), IsNear(Components{5, 0}, rounding));
+    CHECK_THAT(decompose({5, 0}, {0, 0}, {1 + 5e-10, 0}), IsNear(Components{5, 0}, rounding));
     CHECK_THAT(decompose({5, 0}, {0, 0}, {-8e4, 6e4}), IsNear(Components{-4, -3}, rounding));
+    CHECK_THAT(decompose({3, 2}, {1, 1}, {0, 1}), IsNear(Components{-3, -2}, rounding)); // b straight to the left of a
+    CHECK_THAT(decompose({3, 2}, {1, 1}, {1, 0}), IsNear(Components{-2, 3}, rounding));  // and straight below it
 }
 
 TEST_CASE("centres at one point, or a number out of range, are refused by decompose", "[8.1]") {
     CHECK_REFUSED(decompose({5, 0}, {0, 0}, {0, 0}));
     CHECK_REFUSED(decompose({0, 0}, {1, 1}, {1, 1}));
     CHECK_OUT_OF_RANGE_REFUSED(decompose, {Vec2{5, 0}, Vec2{0, 0}, Vec2{0.8, 0.6}});
+    check_the_ends(decompose, {Vec2{5, 0}, Vec2{0, 0}, Vec2{0.8, 0.6}});
     decompose({5, 0}, {0, 0}, {0.8, 0.6}); // good input is still answered
 }
 
@@ -301,8 +348,16 @@ TEST_CASE("fast, slow and distant balls, and those that hardly approach or hardl
                IsNear(Velocities{{-1e5, -1e5}, {1e5, 1e5}}, rounding));
     CHECK_THAT(exchange(ball({0, 0}, {-1e5, 1e5}), ball({1, 1}, {-1e5, -1e5})),
                IsNear(Velocities{{-2e5, 0}, {0, 0}}, 1e-7)); // larger than what goes in
+    CHECK_THAT(exchange(ball({0, 0}, {-1e5, -1e5}), ball({-1, 1}, {1e5, -1e5})),
+               IsNear(Velocities{{0, -2e5}, {0, 0}}, 1e-7));
+    CHECK_THAT(exchange(ball({0, 0}, {1e5, 1e5}), ball({1, -1}, {-1e5, 1e5})),
+               IsNear(Velocities{{0, 2e5}, {0, 0}}, 1e-7));
+    CHECK_THAT(exchange(ball({0, 0}, {1e5, 1e5}), ball({-1, 1}, {1e5, -1e5})),
+               IsNear(Velocities{{2e5, 0}, {0, 0}}, 1e-7));
     CHECK_THAT(exchange(ball({0, 0}, {5e-10, 0}), ball({0.8, 0.6}, {0, 0})),
-               IsNear(Velocities{{1.8e-10, -2.4e-10}, {3.2e-10, 2.4e-10}}, 1e-21));
+               IsNear(Velocities{{1.8e-10, -2.4e-10}, {3.2e-10, 2.4e-10}}, rounding));
+    CHECK_THAT(exchange(ball({0, 0}, {9e-12, 0}), ball({1, 0}, {0, 0})),
+               IsNear(Velocities{{0, 0}, {9e-12, 0}}, rounding));
     CHECK_THAT(exchange(ball({0, 0}, {5, 0}), ball({8e-10, 6e-10}, {0, 0})),
                IsNear(Velocities{{1.8, -2.4}, {3.2, 2.4}}, rounding));
     CHECK_THAT(exchange(ball({0, 0}, {5, 0}), ball({1.6e-60, 1.2e-60}, {0, 0})),
@@ -318,6 +373,16 @@ TEST_CASE("fast, slow and distant balls, and those that hardly approach or hardl
     CHECK_THAT(exchange(ball({0, 0}, {5, 0}), ball({1e-10, 1}, {0, 0})),
                IsNear(Velocities{{5, -5e-10}, {0, 5e-10}}, rounding));
     CHECK_THAT(exchange(ball({0, 0}, {5, 0}), ball({0.999, 0}, {0, 0})), IsNear(Velocities{{0, 0}, {5, 0}}, rounding));
+    CHECK_THAT(exchange(ball({0, 0}, {5, 0}), ball({1 + 5e-10, 0}, {0, 0})),
+               IsNear(Velocities{{0, 0}, {5, 0}}, rounding));
+    CHECK_THAT(exchange(ball({-1e5, -1e5}, {1, 1}), ball({1e5, 1e5}, {-1, -1})),
+               IsNear(Velocities{{-1, -1}, {1, 1}}, rounding));
+    for (const Vec2 &n : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) // b to the right of a, above, left, below
+        CHECK_THAT(exchange(ball({1, 1}, {3, 2}), ball(Vec2{1, 1} + n, Vec2{3, 2} - 4 * n)),
+                   IsNear(Velocities{Vec2{3, 2} - 4 * n, {3, 2}}, rounding));
+    for (const auto &[radius, other] : {std::pair{0.01, 100.0}, std::pair{100.0, 0.01}})
+        CHECK_THAT(exchange({{0, 0}, {5, 0}, radius, 1}, {{0.8, 0.6}, {0, 0}, other, 1}),
+                   IsNear(Velocities{{1.8, -2.4}, {3.2, 2.4}}, rounding));
 }
 
 TEST_CASE("centres at one point, a radius or a mass that is not positive, or a number out of range, is refused",
@@ -331,6 +396,7 @@ TEST_CASE("centres at one point, a radius or a mass that is not positive, or a n
         CHECK_REFUSED(exchange(a, {{0.8, 0.6}, {0, 0}, 0.5, bad}), "the mass of b is not positive");
     }
     CHECK_OUT_OF_RANGE_REFUSED(exchange, {a, b});
+    check_the_ends(exchange, {a, b});
     exchange(a, b); // good input is still answered
 }
 
@@ -552,7 +618,9 @@ TEST_CASE("very different masses, fast and slow balls, and those that hardly app
     CHECK_THAT(resolve_collision(ball({0, 0}, {1e5, 0}), ball({1, 0}, {-1e5, 0}, 3), 1),
                IsNear(Velocities{{-2e5, 0}, {0, 0}}, 1e-7)); // larger than what goes in
     CHECK_THAT(resolve_collision(ball({0, 0}, {5e-10, 0}), ball({0.8, 0.6}, {0, 0}), 0.5),
-               IsNear(Velocities{{2.6e-10, -1.8e-10}, {2.4e-10, 1.8e-10}}, 1e-21));
+               IsNear(Velocities{{2.6e-10, -1.8e-10}, {2.4e-10, 1.8e-10}}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {9e-12, 0}), ball({1, 0}, {0, 0}), 1),
+               IsNear(Velocities{{0, 0}, {9e-12, 0}}, rounding));
     CHECK_THAT(resolve_collision(ball({0, 0}, {3, 1}, 2), ball({6e-10, 8e-10}, {-1, -1}, 3), 0.8),
                IsNear(Velocities{{0.408, -2.456}, {0.728, 1.304}}, rounding));
     CHECK_THAT(resolve_collision(ball({0, 0}, {3, 1}, 2), ball({1.2e-60, 1.6e-60}, {-1, -1}, 3), 0.8),
@@ -561,16 +629,47 @@ TEST_CASE("very different masses, fast and slow balls, and those that hardly app
                IsNear(Velocities{{-1.4, 0}, {1.6, 0}}, rounding));
     CHECK_THAT(resolve_collision(ball({0, 0}, {4, 0}, 2), ball({0.999, 0}, {-2, 0}, 3), 0.5),
                IsNear(Velocities{{-1.4, 0}, {1.6, 0}}, rounding));
-    CHECK_THAT(resolve_collision(ball({0, 0}, {4, 0}, 2), ball({1, 0}, {-2, 0}, 3), 1e-9),
-               IsNear(Velocities{{0.4 - 3.6e-9, 0}, {0.4 + 2.4e-9, 0}}, rounding));
-    CHECK_THAT(resolve_collision(ball({0, 0}, {4, 0}, 2), ball({1, 0}, {-2, 0}, 3), 1 - 1e-9),
-               IsNear(Velocities{{-3.2 + 3.6e-9, 0}, {2.8 - 2.4e-9, 0}}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {4, 0}, 2), ball({1 + 5e-10, 0}, {-2, 0}, 3), 0.5),
+               IsNear(Velocities{{-1.4, 0}, {1.6, 0}}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {4, 0}, 2), ball({1, 0}, {-2, 0}, 3), 1e-10),
+               IsNear(Velocities{{0.4 - 3.6e-10, 0}, {0.4 + 2.4e-10, 0}}, 1e-11));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {4, 0}, 2), ball({1, 0}, {-2, 0}, 3), 1 - 1e-10),
+               IsNear(Velocities{{-3.2 + 3.6e-10, 0}, {2.8 - 2.4e-10, 0}}, 1e-11));
     CHECK_THAT(resolve_collision(ball({0, 0}, {3 + 1e-9, 0}, 2), ball({1, 0}, {3, 0}, 2), 1),
                IsNear(Velocities{{3, 0}, {3 + 1e-9, 0}}, rounding));
     CHECK_THAT(resolve_collision(ball({0, 0}, {3 - 1e-9, 0}, 2), ball({1, 0}, {3, 0}, 2), 1),
                IsNear(Velocities{{3 - 1e-9, 0}, {3, 0}}, rounding));
     CHECK_THAT(resolve_collision(ball({0, 0}, {0, 0}, 2), ball({1, 0}, {0, 0}, 3), 1),
                IsNear(Velocities{{0, 0}, {0, 0}}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {0, 0}, 2), ball({1, 0}, {-5, 0}, 3), 0.5),
+               IsNear(Velocities{{-4.5, 0}, {-2, 0}}, rounding));            // a rests
+    for (const Vec2 &n : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) // b to the right of a, above, left, below
+        CHECK_THAT(resolve_collision(ball({1, 1}, {3, 2}, 2), ball(Vec2{1, 1} + n, Vec2{3, 2} - 5 * n, 3), 1),
+                   IsNear(Velocities{Vec2{3, 2} - 6 * n, Vec2{3, 2} - n}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {5, 0}, 2), ball({1, 1e-10}, {0, 0}, 3), 1), // nearly level
+               IsNear(Velocities{{-1, -6e-10}, {4, 4e-10}}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {5, 0}, 2), ball({1e-10, 1}, {0, 0}, 3), 1), // nearly upright
+               IsNear(Velocities{{5, -6e-10}, {0, 4e-10}}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {3, 1}, 1e-9), ball({0.6, 0.8}, {-1, -1}, 1.5e-9), 0.8),
+               IsNear(Velocities{{0.408, -2.456}, {0.728, 1.304}}, rounding)); // light ones, and nearly of one mass
+    CHECK_THAT(resolve_collision(ball({0, 0}, {0, 1e5}, 1e5), ball({0, 1}, {0, 0}, 1e5), 0),
+               IsNear(Velocities{{0, 5e4}, {0, 5e4}}, 1e-11));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {1e5, 0}, 9), ball({1, 0}, {-1e5, 0}, 1), 1),
+               IsNear(Velocities{{6e4, 0}, {2.6e5, 0}}, 1e-11)); // larger than twice what goes in
+    CHECK_THAT(resolve_collision(ball({0, 0}, {1e5, 1e5}), ball({1, 1}, {-1e5, -1e5}), 1),
+               IsNear(Velocities{{-1e5, -1e5}, {1e5, 1e5}}, 1e-11));
+    CHECK_THAT(resolve_collision(ball({-1e5, -1e5}, {1, 1}), ball({1e5, 1e5}, {-1, -1}), 1),
+               IsNear(Velocities{{-1, -1}, {1, 1}}, rounding));
+    for (const double times : {20.0, 2000.0, 2e5, 2e10}) { // one ball is so many times as heavy as the other
+        const Ball light = ball({0, 0}, {4, 1}, 1e-9), heavy = ball({1, 0}, {-2, 3}, times * 1e-9);
+        const double share = 1 / (times + 1); // of both masses that is in the light one
+        const Vec2 light_after{-5 + 9 * share, 1}, heavy_after{-2 + 9 * share, 3};
+        const double tolerance = times * 1e-11; // a digit fewer for each factor of ten
+        CHECK_THAT(resolve_collision(light, heavy, 0.5), IsNear(Velocities{light_after, heavy_after}, tolerance));
+        CHECK_THAT(resolve_collision(heavy, light, 0.5), IsNear(Velocities{heavy_after, light_after}, tolerance));
+        CHECK_THAT(resolve_collision(ball({0, 0}, {6, -2}, 1e-9), ball({1, 0}, {0, 0}, times * 1e-9), 0.5),
+                   IsNear(Velocities{{-3 + 9 * share, -2}, {9 * share, 0}}, tolerance)); // the heavy one rests
+    }
 }
 
 TEST_CASE("a restitution that is not from 0 to 1 is refused", "[8.3]") {
@@ -582,6 +681,7 @@ TEST_CASE("a restitution that is not from 0 to 1 is refused", "[8.3]") {
     CHECK_REFUSED(resolve_collision(ball({0, 0}, {-3, 0}), ball({1, 0}, {3, 0}), 1.2),
                   "a restitution of 1.2, with balls that part");
     resolve_collision(a, b, 0), resolve_collision(a, b, 1); // good input is still answered
+    resolve_collision(a, b, 1e-300);
 }
 
 TEST_CASE("centres at one point, a radius or a mass that is not positive, or a number out of range, is refused",
@@ -595,6 +695,7 @@ TEST_CASE("centres at one point, a radius or a mass that is not positive, or a n
         CHECK_REFUSED(resolve_collision(a, {{0.6, 0.8}, {-1, -1}, 0.5, bad}, 0.8), "the mass of b is not positive");
     }
     CHECK_OUT_OF_RANGE_REFUSED(resolve_collision, {a, b, 0.8});
+    check_the_ends(resolve_collision, {a, b, 0.8});
     resolve_collision(a, b, 0.8); // good input is still answered
 }
 
@@ -752,6 +853,13 @@ TEST_CASE("tiny balls far away, slow ones, fast ones that move nearly alike, and
     exact({{0, 0}, {1e-9, 0}, 1e-9, 1}, {{5e-9, 1e-9}, {0, 0}, 1e-9, 1}, 1e-17);
     exact({{0, 0}, {2, 0}, 1e5, 1}, {{1e5, 1e5}, {0, 0}, 1e4, 1}, 1e-4);
     exact(ball({0, 0}, {3, 0}), ball({1 + 1e-6, 0}, {0, 0}), 1e-9);
+    exact(ball({0, 0}, {1e5, 0}), ball({1 + 1e-8, 0}, {0, 0}), 1e-9);
+    exact({{0, 0}, {1, 0}, 1e-10, 1}, {{1e-9, 0}, {0, 0}, 1e-10, 1}, 1e-17);
+    exact({{-1e5, 0}, {1, 0}, 1e5, 1}, {{1e5, 1e5}, {0, 0}, 1e5, 1}, 1e-4);
+    // along x or along y only, from another row or column
+    CHECK_THAT(time_of_impact(ball({0, 0}, {0, 3}), ball({0.6, 4}, {0, 0})), IsNear(3.2 / 3, in_time));
+    CHECK_THAT(time_of_impact(ball({0, 0}, {2, 3}), ball({-0.6, 4}, {2, 0})), IsNear(3.2 / 3, in_time));
+    CHECK_THAT(time_of_impact(ball({0, 0}, {3, 2}), ball({4, 0.6}, {0, 2})), IsNear(3.2 / 3, in_time));
     CHECK_THAT(time_of_impact({{0, 0}, {1e-20, 0}, 0.5, 1}, {{3, 0}, {0, 0}, 0.5, 1}), IsNear(2e20, 1e-8));
     CHECK_THAT(time_of_impact({{0, 0}, {1e-5, 0}, 0.5, 1}, {{11, 0}, {0, 0}, 0.5, 1}), IsNear(1e6, 1e-8));
     CHECK_THAT(time_of_impact(ball({0, 0}, {-1e-9, 0}), ball({3, 0}, {0, 0})), IsNear(never));
@@ -760,6 +868,14 @@ TEST_CASE("tiny balls far away, slow ones, fast ones that move nearly alike, and
     CHECK_THAT(time_of_impact(ball({2, 2}, {3, 1}), ball({2, 2}, {-1, -1})), IsNear(never)); // at one point already
     CHECK_THAT(time_of_impact(ball({0, 0}, {1e-9, 0}), ball({0.9, 0}, {0, 0})), IsNear(0.0, in_time));
     CHECK_THAT(time_of_impact(ball({0, 0}, {-1e-9, 0}), ball({0.9, 0}, {0, 0})), IsNear(never));
+    for (const double overlap : {5e-4, 5e-7, 5e-10}) // no negative time, however shallow it is
+        CHECK_THAT(time_of_impact(ball({0, 0}, {1e-9, 0}), ball({1 - overlap, 0}, {0, 0})), IsNear(0.0));
+    CHECK_THAT(time_of_impact(ball({0, 0}, {1, 0}), ball({1e-10, 0}, {0, 0})), IsNear(0.0)); // hardly apart
+    CHECK_THAT(time_of_impact(ball({0, 0}, {1, 0}), ball({1e-55, 0}, {0, 0})), IsNear(0.0));
+    CHECK_THAT(time_of_impact({{0, 0}, {1, 0}, 0.5, 1}, {{0.5, 0}, {0, 0}, 2, 1}), IsNear(0.0)); // one in the other
+    CHECK_THAT(time_of_impact({{0, 0}, {1, 0}, 2, 1}, {{0.5, 0}, {0, 0}, 0.5, 1}), IsNear(0.0));
+    CHECK_THAT(time_of_impact({{0, 0}, {-1, 0}, 0.5, 1}, {{0.5, 0}, {0, 0}, 2, 1}), IsNear(never));
+    CHECK_THAT(time_of_impact(ball({0, 0}, {5e-4, 0}), ball({10, 1.4}, {0, 0})), IsNear(never)); // slowly past it
     CHECK_THAT(time_of_impact(ball({0, 0}, {5, 0}), ball({4, 1 + 1e-6}, {0, 0})), IsNear(never));
     CHECK_THAT(time_of_impact(ball({0, 0}, {5, 0}), ball({4, 1 - 1e-6}, {0, 0})),
                IsNear((4 - std::sqrt(1 - (1 - 1e-6) * (1 - 1e-6))) / 5, 1e-6));
@@ -774,7 +890,9 @@ TEST_CASE("a radius or a mass that is not positive, or a number out of range, is
         CHECK_REFUSED(time_of_impact(a, {{4, 0.6}, {0, 0}, 0.5, bad}), "the mass of b is not positive");
     }
     CHECK_OUT_OF_RANGE_REFUSED(time_of_impact, {a, b});
-    time_of_impact(a, b); // good input is still answered
+    check_the_ends(time_of_impact, {a, b});
+    check_the_ends(time_of_impact, {a, ball({4, 0.6}, {5, 0})}); // at rest, as seen from each other
+    time_of_impact(a, b);                                        // good input is still answered
 }
 
 // ------------------------------------------------------------------------------------------------------ 8.5 push_apart
@@ -870,8 +988,11 @@ TEST_CASE("large, tiny, distant and very different discs, overlaps by a hair, an
     CHECK_THAT(push_apart({{0, 0}, 1e5, 1}, {{1e5, 0}, 1e5, 1}), IsNear(Positions{{-5e4, 0}, {1.5e5, 0}}, rounding));
     CHECK_THAT(push_apart({{-1e5, 0}, 0.5, 1}, {{-1e5, 0}, 0.5, 1}),
                IsNear(Positions{{-1e5 - 0.5, 0}, {-1e5 + 0.5, 0}}, rounding)); // beyond what goes in
+    CHECK_THAT(push_apart({{0, 0}, 1, 0}, {{0, 0}, 1e5, 1}), IsNear(Positions{{0, 0}, {100001, 0}}, rounding));
+    CHECK_THAT(push_apart({{-1e5, -1e5}, 0.5, 1}, {{1e5, 1e5}, 0.5, 1}),
+               IsNear(Positions{{-1e5, -1e5}, {1e5, 1e5}}, rounding));
     CHECK_THAT(push_apart({{0, 0}, 5e-10, 1}, {{8e-10, 0}, 5e-10, 1}),
-               IsNear(Positions{{-1e-10, 0}, {9e-10, 0}}, rounding * 1e-9));
+               IsNear(Positions{{-1e-10, 0}, {9e-10, 0}}, rounding));
     CHECK_THAT(push_apart({{0, 0}, 0.5, 1}, {{0, 8e-10}, 0.5, 1}),
                IsNear(Positions{{0, -0.5 + 4e-10}, {0, 0.5 + 4e-10}}, rounding)); // not to the left and right
     CHECK_THAT(push_apart({{0, 0}, 0.5, 1}, {{-8e-60, 6e-60}, 0.5, 1}),
@@ -880,6 +1001,12 @@ TEST_CASE("large, tiny, distant and very different discs, overlaps by a hair, an
                IsNear(Positions{{-5e-10, 0}, {1 - 5e-10, 0}}, rounding));
     CHECK_THAT(push_apart({{0, 0}, 0.5, 1}, {{1 + 1e-9, 0}, 0.5, 1}),
                IsNear(Positions{{0, 0}, {1 + 1e-9, 0}}, rounding));
+    CHECK_THAT(push_apart({{0, 0}, 0.5, 1}, {{1 - 9e-12, 0}, 0.5, 0}),
+               IsNear(Positions{{-9e-12, 0}, {1 - 9e-12, 0}}, rounding));
+    CHECK_THAT(push_apart({{0, 0}, 0.5, 1e-3}, {{0.8, 0}, 0.5, 0}), IsNear(Positions{{-0.2, 0}, {0.8, 0}}, rounding));
+    CHECK_THAT(push_apart({{2, 7}, 0.5, 1}, {{2, 7}, 0.5, 0}), IsNear(Positions{{1, 7}, {2, 7}}, rounding));
+    CHECK_THAT(push_apart({{0, 0}, 1e5, 9e-12}, {{0, 0}, 1e5, 1}),
+               IsNear(Positions{{-1.8e-6, 0}, {2e5 - 1.8e-6, 0}}, 1e-7));
     CHECK_THAT(push_apart({{0, 0}, 0.5, 1e-5}, {{0.8, 0}, 0.5, 1e5}),
                IsNear(Positions{{-2e-11, 0}, {1 - 2e-11, 0}}, rounding));
     CHECK_THAT(push_apart({{0, 0}, 0.5, 1e-20}, {{0.8, 0}, 0.5, 1e-20}),
@@ -900,7 +1027,9 @@ TEST_CASE("a radius that is not positive, a negative inverse mass, or a number o
     }
     CHECK_REFUSED(push_apart({{0, 0}, 0.5, -1}, {{9, 0}, 0.5, 1}), "a negative inverse mass, far from the other");
     CHECK_OUT_OF_RANGE_REFUSED(push_apart, {a, b});
-    push_apart(a, b); // good input is still answered
+    check_the_ends(push_apart, {a, b});
+    check_the_ends(push_apart, {Disc{{0, 0}, 0.5, 0}, Disc{{0.8, 0}, 0.5, 0}}); // two posts
+    push_apart(a, b);                                                           // good input is still answered
 }
 
 // ----------------------------------------------------------------------------------------------------- 8.6 close_pairs
@@ -960,6 +1089,7 @@ TEST_CASE("the distance may be a centimetre or a hundred metres", "[8.6]") {
 //> At the same place
 TEST_CASE("points at the same place are a pair, and three of them are three", "[8.6]") {
     CHECK_THAT(sorted(close_pairs({{3, 4}, {3, 4}, {3, 4}}, 1)), IsPairs({{0, 1}, {0, 2}, {1, 2}}));
+    CHECK_THAT(close_pairs(std::vector<Vec2>(1500, {3, 4}), 1), HasSize(1124250)); // 1500 · 1499 / 2
 }
 
 //> Each once
@@ -1005,28 +1135,65 @@ TEST_CASE("far-flung points, large and small distances, and distances that diffe
                IsPairs({{1, 3}}));
     CHECK_THAT(sorted(close_pairs({{-99999, 0}, {99999, 0}, {0, 0}, {0, 99999}}, 1e5)),
                IsPairs({{0, 2}, {1, 2}, {2, 3}}));
+    CHECK_THAT(sorted(close_pairs({{0, 0}, {0.004, 0}, {0.006, 0}}, 0.005)), IsPairs({{0, 1}, {1, 2}}));
     CHECK_THAT(sorted(close_pairs({{0, 0}, {1 - 1e-9, 0}, {0, 1 + 1e-9}}, 1)), IsPairs({{0, 1}}));
+    CHECK_THAT(sorted(close_pairs({{0, 0}, {1 - 5e-12, 0}, {0, 1 + 5e-12}}, 1)), IsPairs({{0, 1}}));
     CHECK_THAT(sorted(close_pairs({{0, 0}, {0.6, 0.8 - 1e-9}, {-0.6, -0.8 - 1e-9}}, 1)), IsPairs({{0, 1}}));
     CHECK_THAT(sorted(close_pairs({{0, 0}, {1e-9, 0}, {0, 1e-60}}, 1)), IsPairs({{0, 1}, {0, 2}, {1, 2}}));
     CHECK_THAT(sorted(close_pairs({{3, 3}, {2 + 1e-9, 3}, {3, 4 - 1e-9}, {2 - 1e-9, 3}}, 1)),
                IsPairs({{0, 1}, {0, 2}, {1, 3}}));
+
+    std::vector<Vec2> lonely; // a pair every hundred metres, from one end of the range to the other
+    for (int i = 0; i < 2000; ++i)
+        for (const double x : {0.5, 0.75}) lonely.push_back({-1e5 + 99 + 100 * i + x, 1e5 - 100 * i});
+    const auto far_apart = [](const Pair &pair) { return pair.first % 2 == 0 && pair.second == pair.first + 1; };
+    const std::vector<Pair> pairs = close_pairs(lonely, 1);
+    CHECK_THAT(pairs, HasSize(2000));
+    CHECK_THAT(std::ranges::all_of(pairs, far_apart), IsTrue("each pair is the two points at one place"));
+
+    Dice dice;
+    std::vector<Vec2> crowd; // in 2 cm, far out; no two of them are nearly a millimetre apart
+    for (int i = 0; i < 400; ++i) crowd.push_back(Vec2{9e4, -9e4} + std::ldexp(1, -14) * dice.grid(0, 327));
+    CHECK_THAT(sorted(close_pairs(crowd, 0.001)), IsPairs(all_close_pairs(crowd, 0.001)));
 }
 
-static constexpr int side = 316; // points in a row of the large tests, whose square is a hundred thousand
+static constexpr int side = 317; // points in a row of the large tests, whose square is a hundred thousand
+
+struct Carpet {
+    Vec2 corner;
+    double step, distance;
+};
+
+/// Numbers from 0 to `count` - 1, in any order.
+static std::vector<int> shuffled(int count, Dice &dice) {
+    std::vector<int> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    for (int i = count - 1; i > 0; --i) std::swap(numbers[i], numbers[dice.whole(0, i)]);
+    return numbers;
+}
 
 //> A hundred thousand
 TEST_CASE("a carpet of a hundred thousand balls is done within four seconds", "[8.6]") {
     course::allow(4); // comparing each with each takes far longer
+    const auto [corner, step, distance] = GENERATE(Carpet{{0, 0}, 0.7, 0.75}, Carpet{{9e4, 9e4}, 9e-4, 1e-3});
     Dice dice;
-    std::vector<Vec2> points;
+    std::vector<int> index; // of the ball at each place: each row is shuffled
     for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column)
-            points.push_back(Vec2{0.7 * column, 0.7 * row} + dice.point(-0.005, 0.005));
-    std::vector<Pair> pairs = sorted(close_pairs(points, 0.75));
+        for (const int column : shuffled(side, dice)) index.push_back(row * side + column);
+    std::vector<Vec2> points(index.size());
+    std::vector<Pair> want;
+    for (int place = 0; place < side * side; ++place) {
+        const int column = place % side, row = place / side;
+        points[index[place]] = corner + step * (Vec2{column, row} + dice.point(-0.007, 0.007));
+        if (column > 0) want.push_back({index[place - 1], index[place]});
+        if (row > 0) want.push_back({index[place - side], index[place]});
+    }
+    for (Pair &pair : want)
+        if (pair.first > pair.second) std::swap(pair.first, pair.second);
+
+    const std::vector<Pair> pairs = sorted(close_pairs(points, distance)); // across a corner, it is farther
     CHECK_THAT(pairs, HasSize(2 * side * (side - 1)).of("the pairs, sorted"));
-    const bool neighbours = std::ranges::all_of(
-        pairs, [](const Pair &pair) { return pair.second == pair.first + 1 || pair.second == pair.first + side; });
-    CHECK_THAT(neighbours, IsTrue("each pair is two balls side by side, or one above the other"));
+    CHECK_THAT(pairs, IsPairs(sorted(want)));
 }
 
 //> In one line
@@ -1035,6 +1202,7 @@ TEST_CASE("so are a hundred thousand in one line, in any direction", "[8.6]") {
     const Vec2 step = GENERATE(Vec2{0.7, 0}, Vec2{0, 0.7}, Vec2{0.5, 0.5}, Vec2{-0.5, 0.5});
     std::vector<Vec2> points;
     for (int i = 0; i < side * side; ++i) points.push_back((i - side * side / 2) * step);
+    for (const double far : {-6e4, 6e4}) points.push_back(far * quarter_turned(step)); // two more, far to either side
     CHECK_THAT(close_pairs(points, 0.75), HasSize(side * side - 1));
 }
 
@@ -1043,5 +1211,7 @@ TEST_CASE("a distance of less than a millimetre, or a number out of range, is re
     for (const double bad : {0.000999, 1e-9, 0.0, -1.0}) CHECK_REFUSED(close_pairs({{0, 0}, {0.5, 0}}, bad));
     CHECK_REFUSED(close_pairs({}, 0), "no points, and a distance of 0");
     CHECK_OUT_OF_RANGE_REFUSED(close_pairs, {std::vector<Vec2>{{0, 0}, {0.5, 0}, {3, 3}}, 1.0});
+    check_the_ends(close_pairs, {std::vector<Vec2>{{3, 4}}, 1.0});
+    check_the_ends(close_pairs, {std::vector<Vec2>(9, {3, 4}), 1.0});
     CHECK_THAT(close_pairs({{0, 0}, {0.0005, 0}}, 0.001), HasSize(1)); // good input is still answered
 }

@@ -9,7 +9,7 @@
 /// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
 /// An answer is right to twelve digits of the largest number that goes in, or of 1 if that is larger, unless its
 /// function says otherwise. Two centres closer together than 1e-60 m may count as the same point, and a relative speed,
-/// a radius or an inverse mass below 1e-60 as 0.
+/// a radius, a mass or an inverse mass below 1e-20 as 0.
 namespace nt_collisions {
 
 using course::Vec2;
@@ -67,7 +67,8 @@ Velocities resolve_collision(const Ball &a, const Ball &b, double restitution);
 
 //> Time of impact
 /// When two balls that keep their velocities first touch, from now on [s]; nothing if they never do.
-/// If they touch or overlap now: 0 if their centres are getting closer to each other, and nothing if they are not.
+/// If they touch or overlap now: 0 if their centres are getting closer to each other, never a negative time, and nothing
+/// if they are not.
 /// At the time of the answer the distance of the centres is the sum of the radii. It is right to nine digits of the
 /// largest coordinate, or of the sum of the radii if that is larger; or to six digits, if the largest coordinate is more
 /// than a thousand times the sum of the radii. Balls that would pass each other at a distance that is the sum of the
