@@ -257,7 +257,7 @@ TEST_CASE(
     const auto check_into = [](const fs::path &junit, const std::string &file) {
         return check({"7.2", "--file", COURSE_ROOT "/" + file, "--junit", junit.string()});
     };
-    course::write_file(folder / "old.xml", "an earlier one");
+    course::write_file(folder / "old.xml", "<?xml version=\"1.0\"?>\n<testsuites />\n");
     CHECK(check_into(folder / "old.xml", "not/there.cpp").code == 2);
     CHECK(fs::is_empty(folder));
 
@@ -271,6 +271,28 @@ TEST_CASE(
 
     CHECK(check_into(folder / "new.xml", "solutions/07_segment_intersection.cpp").code == 0);
     CHECK(course::read_file(folder / "new.xml").starts_with("<?xml"));
+}
+
+TEST_CASE("a JUnit file takes the place of an empty file or an earlier report, and of no other file") {
+    const course::OwnFolder own;
+    const fs::path file = own.path / "mine.cpp";
+    const auto check_into_itself = [&](const std::string &text) {
+        course::write_file(file, text);
+        return check({"7.2", "--file", COURSE_ROOT "/tests/verdicts/empty.cpp", "--junit", file.string()});
+    };
+    for (const std::string text : {"// all of my work\n", "x", "<?xm"}) {
+        const auto done = check_into_itself(text);
+        CHECK(done.code == 2);
+        CHECK(done.out.empty());
+        CHECK(done.err
+              == "course: --junit would overwrite " + file.string()
+                     + ", which is not an earlier report: give it another name, or delete that file first\n");
+        CHECK(course::read_file(file) == text);
+    }
+    for (const char *text : {"", "<?xml version=\"1.0\"?>\n"}) {
+        CHECK(check_into_itself(text).code == 1);
+        CHECK(course::read_file(file).starts_with("<?xml"));
+    }
 }
 
 TEST_CASE("watching judges at once, at each save and at Enter, and q leaves") {

@@ -12,6 +12,7 @@
 #include "site/progress_script.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <iostream>
 #include <poll.h>
 #include <span>
@@ -167,11 +168,23 @@ Verdict nameless(Verdict verdict, const std::string &heading) {
     return verdict;
 }
 
+/// Whether it is empty, or begins as each report does: nobody misses it.
+bool may_be_replaced(const fs::path &file) {
+    constexpr std::string_view head = "<?xml";
+    std::string begin(head.size(), '\0');
+    std::ifstream in{file, std::ios::binary};
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    return in.eof() ? in.gcount() == 0 : in && begin == head;
+}
+
 /// Before anything is judged: an earlier report goes, so that it is not taken for this one, and a place that cannot be
 /// written is found out now.
 void make_room(const fs::path &report) {
     if (fs::exists(report) && !fs::is_regular_file(report))
         throw Complaint{"--junit writes a file, and " + report.string() + " is something else"};
+    if (fs::exists(report) && !may_be_replaced(report))
+        throw Complaint{"--junit would overwrite " + report.string()
+                        + ", which is not an earlier report: give it another name, or delete that file first"};
     write_file(report, "");
     fs::remove(report);
 }
