@@ -837,6 +837,7 @@ TEST_CASE("in a row, masses from 1e-9 to 1e5 kg are allowed, velocities up to ±
     CHECK_THAT(newtons_cradle({{1e-100, 3}, {1e-100, 0}, {1e-100, 0}}), IsNear(List{0, 0, 3}, 1e-9)); // fewer digits
     CHECK_THAT(newtons_cradle({{1, 1e5}, {1, 0}, {1, -1e5}}), IsNear(List{-1e5, 0, 1e5}, 1e-10));
     const std::vector<double> slow = newtons_cradle({{1, 1e-9}, {1, 0}, {3, 0}});
+    CHECK_THAT(slow, HasSize(3));
     CHECK_THAT(slow.back() * 1e9, IsNear(0.5, 1e-10).of("velocity of the last cart [1e-9 m/s]"));
     CHECK_THAT(newtons_cradle({{1, 1 + 1e-9}, {1, 1}}), IsNear(List{1, 1 + 1e-9}, 1e-10));
     List before(300), after(300);
