@@ -295,6 +295,38 @@ TEST_CASE("a JUnit file takes the place of an empty file or an earlier report, a
     }
 }
 
+TEST_CASE("check all says of a file that is missing that it is, and judges and reports the other sections") {
+    const course::SmallCourse small;
+    const auto list = [](const std::string &number) {
+        return R"({"exercises": [{"number": ")" + number + R"(", "tier": "core", "function": "first"}], "tests": )"
+               + R"([{"exercise": ")" + number + R"(", "claim": "one"}, {"exercise": ")" + number
+               + R"(", "claim": "two"}]})";
+    };
+    small.write(small.tree.build / "catalogue/06_reflection.json", list("6.1"));
+    small.write(small.tree.build / "catalogue/07_wall_meeting.json", list("7.1"));
+    small.write("exercises/07_wall_meeting.cpp", "\n");
+    const fs::path report = small.tree.root / "all.xml";
+    const auto check_all = [&] { return small({"check", "all", "--junit", report.string()}, {"NO_COLOR=1"}); };
+
+    fs::remove(small.tree.root / "exercises/06_reflection.cpp");
+    const auto missing = check_all();
+    CHECK(missing.code == 2);
+    const std::string sentence =
+        "exercises/06_reflection.cpp is not there; `./course reset 6` brings the empty one back.";
+    CHECK(missing.out.starts_with("✗ " + sentence + "\n\n✗ exercises/07_wall_meeting.cpp does not compile\n"));
+    const std::string xml = course::read_file(report);
+    CHECK(count(xml, "<testcase ") == 4);
+    CHECK(count(xml, "message=\"" + sentence) == 2);
+    CHECK(count(xml, "message=\"exercises/07_wall_meeting.cpp is empty.") == 2);
+    CHECK(count(xml, "<testsuite name=\"06_reflection\" tests=\"2\" failures=\"2\"") == 1);
+
+    fs::create_directory(small.tree.root / "exercises/06_reflection.cpp");
+    const auto folder = check_all();
+    CHECK(folder.code == 2);
+    CHECK(count(folder.out, "is a folder, not a file with answers\n") == 1);
+    CHECK(count(course::read_file(report), "<testcase ") == 4);
+}
+
 TEST_CASE("watching judges at once, at each save and at Enter, and q leaves") {
     const course::OwnFolder own;
     const fs::path &folder = own.path;

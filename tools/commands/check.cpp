@@ -3,6 +3,8 @@
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "ground/terminal.hpp"
+#include "ground/text.hpp"
+#include "loop/answer.hpp"
 #include "loop/catalogue.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/judge.hpp"
@@ -202,6 +204,13 @@ class Check {
         const std::vector<Section> sections = chosen();
         for (const Section &section : sections) {
             if (&section != &sections.front()) std::cout << '\n';
+            const auto unreadable = sections.size() > 1 ? trouble_with_file_of(section) : std::nullopt;
+            if (unreadable) {
+                std::cout << painted(Colour::red, "✗ " + unreadable->sentence) << '\n';
+                code = std::max(code, +bad_input);
+                if (!options.junit.empty()) judged.push_back(report_on(section, {unreadable, {}, {}}));
+                continue;
+            }
             Judgement judgement = course::judge(tree, section, file_of(section), options.seed);
             report(section, judgement);
             if (only) std::erase_if(judgement.verdicts, [&](const Verdict &v) { return v.exercise != only->number; });
@@ -240,11 +249,21 @@ class Check {
         return {tree.sections().back()};
     }
 
+    /// Why a section's file cannot be judged, which is no reason to judge none of the others.
+    std::optional<Verdict> trouble_with_file_of(const Section &section) const {
+        try {
+            read_answer(file_of(section));
+            return {};
+        } catch (const Complaint &complaint) {
+            return Verdict{.kind = Kind::does_not_compile, .sentence = complaint.what()};
+        }
+    }
+
     /// For a machine: of the section, or of the exercise that was asked for.
     Report report_on(const Section &section, const Judgement &judgement) const {
-        Report result{
-            section, tree.shown(file_of(section)), options.seed, catalogue(tree, section), tests_of(tree, section), {},
-            {}};
+        const fs::path file = options.file.empty() ? tree.exercise(section) : fs::path{options.file};
+        Report result{section, tree.shown(file), options.seed, catalogue(tree, section), tests_of(tree, section), {},
+                      {}};
         result.verdicts = judgement.verdicts;
         result.unbuilt = judgement.unbuilt;
         if (only) std::erase_if(result.tests, [&](const KnownTest &test) { return test.exercise != only->number; });
