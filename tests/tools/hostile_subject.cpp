@@ -44,6 +44,7 @@ int main() {
     Writer one;
     one.put(std::uint32_t{1});
     if (mode == "greets_wrongly") send(Frame::hello, 0, "hello");
+    if (mode == "greets_with_four_gigabytes") send(Frame::result, 0, 0xFFFFFFFF, "");
     if (mode == "is_mute") ::pause();
     if (mode == "starts_slowly") ::usleep(300'000);
     send(Frame::hello, 0, one.bytes);

@@ -320,7 +320,7 @@ TEST_CASE("a process that answers properly passes") { CHECK(OwnSession{"answers"
 TEST_CASE("a process that breaks the protocol fails that call, quickly, and no other") {
     const auto [mode, kind] = GENERATE(table<std::string, Kind>({
         {"answers_another_call", Kind::out_of_turn},
-        {"claims_four_gigabytes", Kind::out_of_turn},
+        {"claims_four_gigabytes", Kind::wrong},
         {"sends_half_a_frame", Kind::too_long},
         {"sends_too_much", Kind::out_of_turn},
         {"sends_too_little", Kind::out_of_turn},
@@ -335,6 +335,14 @@ TEST_CASE("a process that breaks the protocol fails that call, quickly, and no o
     const auto start = Clock::now();
     CHECK(name_of(OwnSession{mode, {1, 5, 1}}.half_of_five().kind) == name_of(kind));
     CHECK(Clock::now() - start < std::chrono::seconds{4});
+}
+
+TEST_CASE("an answer that is too large to be taken is called so, and other nonsense is not") {
+    const auto sentence_of = [](const char *mode) { return OwnSession{mode, {1, 5, 1}}.half_of_five().sentence; };
+    CHECK(sentence_of("claims_four_gigabytes")
+          == "Your answer is larger than 16 MB: does a loop add to the list too often?");
+    for (const char *other : {"greets_with_four_gigabytes", "sends_too_much", "sends_no_frame"})
+        CHECK(sentence_of(other).starts_with("Something other than your function's result came back."));
 }
 
 #ifdef __linux__

@@ -145,7 +145,11 @@ void Session::over_in_silence() {
                           "loop that does not end?"
                         : ": look for a loop that does not end."));
     }
-    if (subject->silence == Subject::Silence::nonsense) answered_nonsense();
+    if (subject->silence == Subject::Silence::too_large && !before_main)
+        over(Kind::wrong, "Your answer is larger than " + std::to_string(wire::largest_frame >> 20)
+                              + " MB: does a loop add to the list too often?");
+    if (subject->silence == Subject::Silence::too_large || subject->silence == Subject::Silence::nonsense)
+        answered_nonsense();
     const auto status = subject->finish(Clock::now() + std::chrono::milliseconds{500});
     if (!status) over(Kind::out_of_turn, "Your code closed a file that it had not opened, and its answer was lost.");
     judge_end(*status, before_main);
@@ -173,8 +177,7 @@ void Session::start() {
     const auto now = Clock::now();
     starting += std::chrono::duration<double>(now - begin).count();
     deadline = now + as_duration(allowed);
-    if (!hello && subject->silence != Subject::Silence::nonsense) over_in_silence();
-    if (!hello) answered_nonsense();
+    if (!hello) over_in_silence();
     if (hello->header.frame == wire::Frame::crashed) {
         subject->finish(now + std::chrono::milliseconds{100});
         over(Kind::crashed, "Before the first test, in the constructor of a global variable: your code crashed.");

@@ -247,7 +247,7 @@ std::optional<Subject::Received> Subject::receive(Clock::time_point deadline, do
     Received received;
     if (!read_all(&received.header, sizeof received.header, deadline, processor_time)) return {};
     if (received.header.size > wire::largest_frame) {
-        silence = Silence::nonsense;
+        silence = received.header.frame == wire::Frame::result ? Silence::too_large : Silence::nonsense;
         return {};
     }
     received.payload.resize(received.header.size);

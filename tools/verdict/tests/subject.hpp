@@ -34,7 +34,7 @@ class Subject {
         wire::Header header;
         std::string payload;
     };
-    enum class Silence { ended, late, nonsense };
+    enum class Silence { ended, late, too_large, nonsense }; ///< too_large: an answer, by what it says itself
 
     /// Sends it a call, the first, second, ... of this subject.
     /// @return false if it reads no more
