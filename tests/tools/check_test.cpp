@@ -250,6 +250,16 @@ TEST_CASE("an option or a section that is empty is an error, not one that was no
     CHECK(count(done.err, "\n") == 1);
 }
 
+TEST_CASE("a seed is a whole number, and check says so of anything else") {
+    for (const char *seed : {"-1", "1.5", "abc", "99999999999"}) {
+        const auto done = check({"7", "--seed", seed});
+        CHECK(done.code == 2);
+        CHECK(done.err
+              == "course: --seed: a whole number of up to nine digits is wanted, not " + std::string{seed}
+                     + "; see ./course check --help\n");
+    }
+}
+
 TEST_CASE(
     "an earlier JUnit file is removed before anything is judged; a place that cannot be written is an error then") {
     const course::OwnFolder own;

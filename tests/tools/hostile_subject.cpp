@@ -57,6 +57,12 @@ int main() {
     if (mode == "sends_too_little") send(Frame::result, call, "123");
     if (mode == "sends_no_frame") send(Frame{7}, call, "");
     if (mode == "answers_twice") send(Frame::result, call, bytes_of(2.5)), send(Frame::result, call, bytes_of(2.5));
+    if (mode.starts_with("refuses: ")) {
+        Writer words;
+        words.put(mode.substr(9));
+        words.put(std::string{});
+        send(Frame::refused, call, words.bytes);
+    }
     if (mode == "drips")
         for (const char byte : bytes_of(2.5) + "123456789012")
             ::usleep(200'000), static_cast<void>(::write(reply_fd, &byte, 1) + 1);

@@ -337,6 +337,23 @@ TEST_CASE("a process that breaks the protocol fails that call, quickly, and no o
     CHECK(Clock::now() - start < std::chrono::seconds{4});
 }
 
+TEST_CASE("a refusal of what is not a number says so in words") {
+    const auto refusal_of = [](const std::string &words) -> std::string {
+        OwnSession own{"refuses: " + words};
+        try {
+            own.half_of_five();
+        } catch (const std::invalid_argument &refusal) {
+            return refusal.what();
+        }
+        return "";
+    };
+    for (const char *nan : {"nan", "-nan"})
+        CHECK(refusal_of("each number must lie within ±1e5, but is " + std::string{nan})
+              == "each number must lie within ±1e5, but is not a number");
+    CHECK(refusal_of("dt must be positive, but is -1") == "dt must be positive, but is -1");
+    CHECK(refusal_of("no nan") == "no nan");
+}
+
 TEST_CASE("an answer that is too large to be taken is called so, and other nonsense is not") {
     const auto sentence_of = [](const char *mode) { return OwnSession{mode, {1, 5, 1}}.half_of_five().sentence; };
     CHECK(sentence_of("claims_four_gigabytes")

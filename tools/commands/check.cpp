@@ -365,7 +365,14 @@ void add_check(CLI::App &app, const Tree &tree) {
     command->add_option("--file", options->file, "judge this file instead of the one in exercises/")->check(given);
     command->add_option("--junit", options->junit, "write the verdicts to this file as well, as JUnit XML")
         ->check(given);
+    const CLI::Validator is_seed{[](const std::string &word) {
+                                     constexpr std::size_t digits = 9; // as many as always fit
+                                     const bool is = is_all_digits(word) && word.size() <= digits;
+                                     return is ? "" : "a whole number of up to nine digits is wanted, not " + word;
+                                 },
+                                 ""};
     command->add_option("--seed", options->seed, "for generated values; the same seed, the same values")
+        ->check(is_seed)
         ->capture_default_str();
     command->footer("Example: ./course check 7 --watch\nExits with 0 if all tests pass, 1 if not, 4 if the machine "
                     "let none be judged.");

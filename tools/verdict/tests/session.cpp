@@ -45,6 +45,13 @@ std::string as_sentence(const std::string &words) {
     return words.empty() || std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? words + '.' : words;
 }
 
+/// "…, but is -nan", as course::require says it.
+std::string in_words(std::string refusal) {
+    for (const std::string_view nan : {" but is -nan", " but is nan"})
+        if (refusal.ends_with(nan)) return refusal.erase(refusal.size() - nan.size()) + " but is not a number";
+    return refusal;
+}
+
 } // namespace
 
 Session *&session() {
@@ -244,7 +251,7 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
         return lines.empty() ? std::string{} : lines.front();
     };
     switch (reply->header.frame) {
-    case wire::Frame::refused: throw std::invalid_argument{tidied(first)};
+    case wire::Frame::refused: throw std::invalid_argument{in_words(tidied(first))};
     case wire::Frame::not_yet: over_not_started(tidied(first), second);
     case wire::Frame::missing:
         over(Kind::missing, "Your file has no function `" + std::string{exercise.function}
