@@ -6,6 +6,7 @@
 #include "ground/process.hpp"
 #include "ground/text.hpp"
 #include "loop/diagnosis.hpp"
+#include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -99,6 +100,38 @@ TEST_CASE("a type that the compiler also calls double is shown as double") {
         CHECK(diagnose_compiler("/x/06.cpp:3:5: error: conversion from " + std::string{type} + " to 'Vec2'\n",
                                 "/x/06.cpp", "06.cpp")
                   .sentence.starts_with("conversion from 'double' to 'Vec2'"));
+}
+
+TEST_CASE("the element of a list is shown as its whole type, also if that has elements itself") {
+    const auto said = [](const std::string &element, const std::string &space) {
+        return diagnose_compiler("/x/11.cpp:3:5: error: no match for ‘operator=’ (operand types are ‘const "
+                                 "__gnu_cxx::__alloc_traits<std::allocator<"
+                                     + element + space + ">, " + element + space + ">::value_type’ and ‘int’)\n",
+                                 "/x/11.cpp", "11.cpp")
+            .sentence;
+    };
+    for (const char *element : {"double", "std::optional<x::Spark>", "std::vector<std::pair<int, int> >"})
+        for (const char *space : {"", " "})
+            CHECK(said(element, space)
+                      .starts_with("no match for 'operator=' (operand types are 'const " + std::string{element}
+                                   + "' and 'int')"));
+}
+
+TEST_CASE("the student's line is shown, also if the compiler has shown it before, or shows a line of the library") {
+    const OwnFolder own;
+    const std::string file = own.path / "08.cpp", place = file + ":2:5: ";
+    write_file(file, "first line\n    elseif (t > 2) t = 2;\n");
+    using Lines = std::vector<std::string>;
+    const Lines line{"    2 |     elseif (t > 2) t = 2;"};
+    const std::string again = place + "warning: this\n    2 |     elseif (t > 2) t = 2;\n      |     ^~~~~~\n" + place
+                              + "error: ‘elseif’ was not declared in this scope\n" + file + ":3:5: error: another\n";
+    CHECK(diagnose_compiler(again, file, "08.cpp").printed == line);
+    const std::string library =
+        place + "  required from here\n/usr/include/map:9:5: error: no match\n    9 | x\n      | ^\n";
+    CHECK(diagnose_compiler(library, file, "08.cpp").printed == line);
+    CHECK(diagnose_compiler(file + ":4:5: error: behind the end\n", file, "08.cpp").printed == Lines{});
+    const std::string shown = place + "error: this\n    2 |     elseif\n      |     ^\n";
+    CHECK(diagnose_compiler(shown, file, "08.cpp").printed == Lines{"    2 |     elseif", "      |     ^"});
 }
 
 TEST_CASE("the slips that are made most are explained, whatever the compiler calls them") {

@@ -446,3 +446,10 @@ void list_of_your_own(double t) {
     std::map<int, vector<int>> lists;          // Write std::vector, and #include <vector> at the top of your file.
     t = map + 1;                               // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
 }
+double one_word(Vec2 a, Vec2 b, Vec2 v, double t) {
+    if (t > 1) t = 1;
+    elseif (t > 2) t = 2;                      // Write else if, in two words.
+    Vec2 n = (b - a) - 1; t = v.dot(n);        // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
+    t = 3; a = a.dot(b) + b; t = b.norm();     // a.dot(b) is a number; a.dot(b) * b is a vector.
+    return t;
+}

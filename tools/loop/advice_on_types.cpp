@@ -127,6 +127,15 @@ std::string about_function(const Said &said) {
     return {};
 }
 
+/// Whether there is a dot product in the statement that the caret points to, of those on the line.
+bool has_dot_product(const Said &said) {
+    const std::size_t caret = std::min(said.caret.find('^'), said.code.size()), end = said.code.find(';', caret),
+                      before = caret == 0 ? said.code.npos : said.code.rfind(';', caret - 1);
+    if (caret == said.code.size()) return contains(said.code, ".dot("); // it points nowhere
+    const std::size_t begin = before == said.code.npos ? 0 : before;
+    return contains(std::string_view{said.code}.substr(begin, end - begin), ".dot(");
+}
+
 /// Two operands that do not go together.
 std::string about_operands(const Said &said) {
     if ((contains(said.words, "operand type is '") || contains(said.words, "to unary expression"))
@@ -154,7 +163,7 @@ std::string about_operands(const Said &said) {
     if (is_vector(left) && is_vector(right) && contains(asked, gcc ? "operator/" : " / "))
         return "No vector can be divided by a vector: divide by its length, a / a.norm().";
     const bool mixed = (is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right));
-    if (mixed && contains(said.code, ".dot(")) return dot_is_number;
+    if (mixed && has_dot_product(said)) return dot_is_number;
     if (mixed)
         return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
                "a.norm().";
@@ -200,7 +209,7 @@ std::string about_conversion(const Said &said) {
         return "A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().";
     if (is_number(from) && is_vector(to)) {
         if (contains(said.code, ".norm();")) return "a.norm() is a number; a / a.norm() is a vector of length 1.";
-        return contains(said.code, ".dot(") ? dot_is_number : two_components;
+        return has_dot_product(said) ? dot_is_number : two_components;
     }
     if ((is_number(from) || is_vector(from)) && !struct_name(to).empty())
         return with_capital(with_article(struct_name(to)))

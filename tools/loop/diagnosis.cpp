@@ -7,6 +7,7 @@
 #include "loop/advice.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <set>
 
 namespace course {
@@ -164,6 +165,16 @@ std::string unknown_name(const std::string &words) {
     return "";
 }
 
+/// A line that a compiler speaks of and does not show: GCC shows none again that it has just shown with a warning, and
+/// where an error is in a file of the library, it shows that one's.
+std::string line_of_file(const std::filesystem::path &file, int number) {
+    std::ifstream in{file};
+    std::string line;
+    for (int i = 0; i < number; ++i)
+        if (!std::getline(in, line)) return {};
+    return number > 0 ? line : "";
+}
+
 /// Where GCC does not know `t`, it takes `t < end()` for a template, and finds fault with end() before it names `t`.
 void drop_imagined_templates(std::vector<Remark> &remarks) {
     std::vector<int> lines; // with an unknown name
@@ -189,7 +200,7 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
             "The compiler stopped: " + (first.empty() ? "it said nothing." : plain_line(first, longest_name));
         return verdict;
     }
-    const Remark &first = remarks.front();
+    Remark &first = remarks.front();
     verdict.sentence = explained(first.said);
     if (!explain_renamed({unknown_name(first.said.words)}, renamed).empty()) {
         std::vector<std::string> unknown;
@@ -198,11 +209,12 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
     }
     verdict.file = shown(first.file, file, name);
     verdict.line = first.line;
+    if (first.said.code.empty() && first.file == file.string()) first.said.code = line_of_file(file, first.line);
     if (const auto &[words, code, caret, notes] = first.said; !code.empty()) {
         const std::string number = std::to_string(first.line);
         const std::string margin(std::max<std::size_t>(number.size(), 5), ' ');
-        verdict.printed = {margin.substr(number.size()) + number + " | " + plain_line(code, longest_line),
-                           margin + " | " + plain_line(caret, longest_line)};
+        verdict.printed = {margin.substr(number.size()) + number + " | " + plain_line(code, longest_line)};
+        if (!caret.empty()) verdict.printed.push_back(margin + " | " + plain_line(caret, longest_line));
     }
     verdict.printed_more = remarks.size() - 1;
     return verdict;

@@ -21,6 +21,15 @@ std::size_t end_of_type(std::string_view text, std::size_t from) {
     return text.size();
 }
 
+/// The first "std::allocator<std::optional<int> >" of a type is one of 'std::optional<int>'.
+std::string element_of_allocator(std::string_view type) {
+    constexpr std::string_view name = "std::allocator<";
+    const std::size_t at = type.find(name);
+    if (at == type.npos) return {};
+    const std::size_t begin = at + name.size(), end = end_of_type(type, at) - 1; // its own >
+    return std::string{without_blanks_behind(type.substr(begin, end - begin))};
+}
+
 /// 'Eigen::…::ReturnType' {aka 'double'}, what dot() returns, is 'double'.
 void name_doubles(std::string &text) {
     for (const char *known : {"' {aka 'double'}", "' (aka 'double')"})
@@ -61,9 +70,9 @@ std::string with_short_names(std::string text) {
     for (std::size_t at; (at = text.find("__gnu_cxx::__alloc_traits<")) != text.npos;) { // an element of a list
         constexpr std::string_view kind = "::value_type";
         const std::size_t end = end_of_type(text, at);
-        const std::string type{between(std::string_view{text}.substr(at), "std::allocator<", ">").value_or("")};
+        const std::string type = element_of_allocator(std::string_view{text}.substr(at, end - at));
         if (type.empty() || !std::string_view{text}.substr(end).starts_with(kind)) break;
-        text.replace(at, end + kind.size() - at, without_blanks_behind(type));
+        text.replace(at, end + kind.size() - at, type);
     }
     for (const char *computed :
          {"Eigen::MatrixBase<expression of Vec2s >::PlainObject", "Eigen::MatrixBase<expression of Vec2s>::PlainObject",
