@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <string>
 #include <sys/ipc.h>
 #include <sys/prctl.h>
@@ -15,6 +16,8 @@
 #include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/utsname.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,6 +57,20 @@ bool open_many_files() {
     return true;
 }
 
+bool rename_the_machine_to_its_name() {
+    utsname names{};
+    return ::uname(&names) == 0 && ::sethostname(names.nodename, std::strlen(names.nodename)) == 0;
+}
+
+bool have_a_capability() {
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    __user_cap_data_struct sets[_LINUX_CAPABILITY_U32S_3] = {};
+    if (::syscall(SYS_capget, &header, sets) != 0) return false;
+    for (const auto &set : sets)
+        if ((set.effective | set.permitted | set.inheritable) != 0) return true;
+    return errno = EPERM, false;
+}
+
 /// Prints five megabytes, and goes back to the beginning, so that the answer can still be written.
 bool print_a_lot() {
     ::signal(SIGXFSZ, SIG_IGN);
@@ -85,6 +102,8 @@ bool try_to(const std::string &what, const char *file) {
     if (what == "outlive") return ::prctl(PR_SET_PDEATHSIG, 0) == 0;
     if (what == "share memory") return take_memory_that_stays();
     if (what == "connect") return ::socket(AF_UNIX, SOCK_STREAM, 0) >= 0;
+    if (what == "host name") return rename_the_machine_to_its_name();
+    if (what == "capability") return have_a_capability();
     if (what == "memory") return take_memory();
     if (what == "many files") return open_many_files();
     if (what == "print") return print_a_lot();

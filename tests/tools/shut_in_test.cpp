@@ -47,7 +47,7 @@ std::string children() {
 }
 
 /// Shuts this process itself in once more, as if it were a subject; false when the kernel has had enough.
-bool shut_in_for_good() { return ShutIn{ATTACK, {.calls = false, .descriptors = false}}.shut(); }
+bool shut_in_for_good() { return ShutIn{ATTACK, {.calls = false, .privileges = false, .descriptors = false}}.shut(); }
 
 #ifndef __SANITIZE_ADDRESS__ // whose leak checker must see
 /// Whether a child of a process can read what /proc has of that process; both are nobody, if we are root.
@@ -90,6 +90,31 @@ TEST_CASE(
     CHECK(attack(what, {}) == "Operation not permitted\n");
     // Landlock keeps a process from tracing others and signalling them as well.
     CHECK(attack(what, {.files = false, .calls = false}) == "done\n");
+}
+
+TEST_CASE("run by root, a subject has nothing of what only root may do") {
+    if (sanitized) SKIP("a sanitizer is in the way");
+    CAPTURE(prepared());
+    const std::string what = GENERATE("capability", "host name");
+    if (attack(what, {.calls = false, .privileges = false}) != "done\n") SKIP("we may not do it ourselves");
+    CHECK(attack(what, {}) == "Operation not permitted\n");
+    CHECK(attack(what, {.calls = false}) == "Operation not permitted\n");
+    // Without its filter a subject has no capability all the same, and with all of them the filter is there.
+    if (what == "host name" && protection_of_this_kernel().calls)
+        CHECK(attack(what, {.privileges = false}) == "Operation not permitted\n");
+}
+
+TEST_CASE("run by root, a subject is started where only root may look") {
+    const OwnFolder folder;
+    const fs::path closed = folder.path / "closed", program = closed / "attack";
+    fs::create_directory(closed);
+    fs::copy_file(ATTACK, program);
+    if (::chown(closed.c_str(), 65534, 65534) != 0) SKIP("we may not give a folder away, to nobody");
+    fs::permissions(closed, fs::perms::owner_all);
+    CAPTURE(prepared());
+    Subject subject{program, "many files:", {.limits = false}};
+    subject.finish(Clock::now() + 5s);
+    CHECK(subject.printed() == "done\n");
 }
 
 TEST_CASE("what the kernel says it can do and then refuses keeps a subject from starting") {

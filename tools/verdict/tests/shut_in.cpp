@@ -28,10 +28,13 @@ void close_at_start() {
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <link.h>
 #include <linux/audit.h>
+#include <linux/capability.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <linux/securebits.h>
 #include <sched.h>
 #include <string>
 #include <sys/prctl.h>
@@ -96,6 +99,26 @@ int make_rules(const std::filesystem::path &program) {
     return high;
 }
 
+// ---- capabilities, which root has: by the kernel's own calls, since the C library has none for them
+
+/// Leaves none to the program that is started, and to us the two that find it: a folder on the way may be another user's.
+/// What this process may not take away from itself, because it is not root's, it does not have either.
+void drop_privileges() {
+    // that its user is root gives a program nothing
+    ::prctl(PR_SET_SECUREBITS, static_cast<unsigned long>(SECBIT_NOROOT | SECBIT_NOROOT_LOCKED), 0, 0, 0);
+    for (unsigned long one = 0; ::prctl(PR_CAPBSET_READ, one, 0, 0, 0) >= 0; ++one)
+        ::prctl(PR_CAPBSET_DROP, one, 0, 0, 0);
+    ::prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0);
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    __user_cap_data_struct sets[_LINUX_CAPABILITY_U32S_3] = {};
+    if (::syscall(SYS_capget, &header, sets) != 0) return;
+    constexpr std::uint32_t finding = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH;
+    const std::uint32_t left = sets[0].permitted & finding;
+    sets[0] = {left, left, 0};
+    sets[1] = {};
+    ::syscall(SYS_capset, &header, sets);
+}
+
 // ---- seccomp
 
 #if defined(__x86_64__)
@@ -107,7 +130,7 @@ constexpr std::uint32_t architecture = 0; // not tried there
 #endif
 
 /// Calls that no exercise needs. Those that change a file's mode, owner or date are here since Landlock has no rule for
-/// them, and ioctl since it types on terminals.
+/// them, ioctl since it types on terminals, and what root may do to the machine in case the course is run by root.
 constexpr long refused[] = {
 #ifdef SYS_fork // newer architectures have only clone, and only the calls that end in "at"
     SYS_fork,
@@ -168,7 +191,40 @@ constexpr long refused[] = {
     SYS_mount,
     SYS_umount2,
     SYS_chroot,
-    SYS_pivot_root, // the rest of the world
+    SYS_pivot_root,
+    428 /* open_tree */,
+    429 /* move_mount */,
+    430 /* fsopen */,
+    431 /* fsconfig */,
+    432 /* fsmount */,
+    433 /* fspick */,
+    442 /* mount_setattr */,
+    SYS_open_by_handle_at,
+    SYS_fanotify_init, // the rest of the world
+    SYS_reboot,
+    SYS_sethostname,
+    SYS_setdomainname,
+    SYS_settimeofday,
+    SYS_clock_settime,
+    SYS_clock_adjtime,
+    SYS_adjtimex,
+    SYS_swapon,
+    SYS_swapoff,
+    SYS_init_module,
+    SYS_finit_module,
+    SYS_delete_module,
+    SYS_kexec_load,
+#ifdef SYS_kexec_file_load
+    SYS_kexec_file_load,
+#endif
+#ifdef SYS_iopl
+    SYS_iopl,
+    SYS_ioperm,
+#endif
+    SYS_quotactl,
+    SYS_vhangup,
+    SYS_acct,
+    SYS_syslog, // the machine
 };
 
 class Filter {
@@ -232,7 +288,7 @@ class Filter {
     }
     void refuse(int error) { add(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error)); }
 
-    std::array<sock_filter, 256> code{}; // no memory is asked for between fork and exec
+    std::array<sock_filter, 2 * std::size(refused) + 64> code{}; // no memory is asked for between fork and exec
     unsigned short size = 0;
 };
 
@@ -264,6 +320,7 @@ Protection protection_of_this_kernel() { return {!sanitized && landlock() > 0, !
 ShutIn::ShutIn(const std::filesystem::path &program, Protection wanted)
     : rules{wanted.files && !sanitized ? make_rules(program) : -1},
       calls{wanted.calls && !sanitized && knows_filters()},
+      privileges{wanted.privileges && !sanitized},
       descriptors{wanted.descriptors} {}
 
 ShutIn::~ShutIn() {
@@ -272,6 +329,7 @@ ShutIn::~ShutIn() {
 
 bool ShutIn::shut() const {
     if (descriptors) close_at_start();
+    if (privileges) drop_privileges();
     return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && (rules < 0 || ::syscall(restrict_self, rules, 0) == 0)
            && (!calls || refuse_calls());
 }

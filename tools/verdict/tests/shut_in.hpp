@@ -10,6 +10,7 @@ namespace course {
 struct Protection {
     bool files = true;       ///< opening a file for writing, and reading any but the program and its libraries
     bool calls = true;       ///< starting processes, reaching others, the network, memory that outlives it
+    bool privileges = true;  ///< what only root may do, where `course` is run by root
     bool descriptors = true; ///< files that were open when `course` was started
     bool limits = true;      ///< more memory, files and output than an exercise needs
 };
@@ -33,7 +34,7 @@ class ShutIn {
 
   private:
     int rules = -1; ///< Landlock's; -1: none
-    bool calls = false, descriptors = true;
+    bool calls = false, privileges = true, descriptors = true;
 };
 
 } // namespace course
