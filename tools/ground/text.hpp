@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,6 +50,8 @@ inline std::optional<std::string_view> between(std::string_view text, std::strin
     if (to == text.npos) return {};
     return text.substr(0, to);
 }
+template <std::same_as<std::string> Temporary> // what is found in one would be gone
+void between(Temporary &&, std::string_view, std::string_view) = delete;
 
 inline void replace_all(std::string &text, std::string_view old, std::string_view with) {
     for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size())

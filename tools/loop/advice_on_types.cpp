@@ -64,7 +64,8 @@ std::string about_argument(const Said &said) {
     if (contains(said.words, "push_back") && !element.empty() && (is_vector(pushed) || is_number(pushed)))
         return with_capital(with_article(element))
                + " is wanted here: put its fields in braces, in the order of the header.";
-    const auto own = between(said.words + said.notes, "std::vector<", ">");
+    const std::string all = said.words + said.notes;
+    const auto own = between(all, "std::vector<", ">");
     const bool fields_pushed =
         contains(said.words, "push_back(<brace") || contains(said.notes, "initializer list argument");
     if (fields_pushed && own && !struct_name(*own).empty())
