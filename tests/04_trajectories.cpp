@@ -466,8 +466,7 @@ TEST_CASE("no point is below the ground", "[4.5]") {
         const std::vector<Vec2> arc = dotted_arc(muzzle, g, dt);
 
         CHECK_THAT(arc.size(), IsAtLeast(1).of("number of points"));
-        for (const Vec2 &point : arc)
-            CHECK_THAT(point.y(), IsAtLeast(-1e-9).of("height of a point [m]"));
+        for (const Vec2 &point : arc) CHECK_THAT(point.y(), IsAtLeast(-1e-9).of("height of a point [m]"));
     }
 }
 
