@@ -569,6 +569,11 @@ TEST_CASE("a program that is missing, old or failing is reported with the remedy
         CHECK(book.check().text
               == "the program of 07_wall stopped with exit code 3; ./course run 7 shows what it says.");
     }
+    SECTION("has computed for too long") {
+        book.program("kill -XCPU $$");
+        CHECK(book.check().text
+              == "the program of 07_wall would not end, and was stopped; ./course run 7 runs it without weaving.");
+    }
     CHECK(book.weave().code == bad_input);
     CHECK(book.text() == before);
 }

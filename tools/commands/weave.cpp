@@ -13,6 +13,7 @@
 #include "ground/process.hpp"
 #include "loop/programs.hpp"
 
+#include <csignal>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -22,7 +23,9 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double longest_program = 20; // [s] programs take a tenth of a second; a hang should not cost a minute
+/// A program takes a tenth of a second of processor, or half a minute with sanitizers and without optimization.
+constexpr Limits program_limits{.processor_time = 120};
+constexpr double longest_sleep = 1200; // [s] for one that waits: on a busy machine an honest one may take minutes
 
 struct WeaveOptions {
     std::vector<std::string> sections;
@@ -43,10 +46,10 @@ std::string output_of(const Tree &tree, const Section &section, const std::strin
 
     const fs::path traces = tree.build / "weave" / section.name;
     fs::create_directories(traces);
-    const Finished finished =
-        run(program_command(program, part, traces), {.deadline = longest_program, .folder = traces});
-    if (finished.timed_out)
-        throw Complaint{name + " was stopped after 20 s; ./course run " + section.short_number()
+    const Finished finished = run(program_command(program, part, traces),
+                                  {.deadline = longest_sleep, .folder = traces, .limits = program_limits});
+    if (finished.timed_out || finished.code == 128 + SIGXCPU)
+        throw Complaint{name + " would not end, and was stopped; ./course run " + section.short_number()
                         + " runs it without weaving."};
     if (finished.code == unknown_part && !part.empty()) throw Complaint{section.name + ": " + last_line(finished.err)};
     if (finished.code != 0)
