@@ -283,7 +283,6 @@ function(finish_course)
 
   set(json "{\"sections\": []}")
   put_into_json(json compiler ${CMAKE_CXX_COMPILER})
-  put_into_json(json cmake ${CMAKE_COMMAND})
   put_into_json(json nm ${CMAKE_NM})
   put_into_json(json node ${NODE})
   put_list_into_json(json flags ${COURSE_LOOP})

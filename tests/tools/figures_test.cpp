@@ -6,6 +6,7 @@
 #include "figures/section_figures.hpp"
 #include "figures/trace.hpp"
 #include "ground/files.hpp"
+#include "ground/hidden.hpp"
 #include "loop/programs.hpp"
 #include "own_folder.hpp"
 
@@ -447,7 +448,9 @@ TEST_CASE("a student's program that runs well is run with --out, and what it pri
     CHECK(done.trouble == "");
     CHECK(done.finished.out == "--out\n");
     CHECK(done.finished.err == "words\n");
-    CHECK(ran("ulimit -f").finished.out == "200000\n"); // no file of a student's fills the disk
+    CHECK(ran("ulimit -f").finished.out == "204800\n"); // of 512 bytes: no file of a student's fills the disk
+    CHECK(ran("ulimit -c").finished.out == "0\n");
+    CHECK(ran("ulimit -v").finished.out == (sanitized ? "unlimited\n" : "4194304\n"));
 }
 
 TEST_CASE("each way in which a student's program can fail has its sentence") {
@@ -477,16 +480,6 @@ TEST_CASE("a student's file that cannot be built is told with its first error") 
                                    echo 'x.cpp:9:1: error: later'; exit 1)");
     CHECK_FALSE(done.started);
     CHECK(done.trouble == "your program cannot be built: exercises/07_lines.cpp:3: 'x' was not declared");
-}
-
-TEST_CASE("the first error is a compiler's before a linker's, and a linker's says which function is missing") {
-    CHECK(first_error("/usr/bin/ld: main.o: in function `trace()':\n"
-                      "main.cpp:(.text+0x1): undefined reference to `lines::rise(double)'\n"
-                      "collect2: error: ld returned 1 exit status\n")
-          == "lines::rise(double) is not defined; has its name or its signature changed?");
-    CHECK(first_error("[1/2] x\na.cpp:1:2: warning: w\na.cpp:2:2: error: e\n") == "a.cpp:2:2: error: e");
-    CHECK(first_error("[1/2] x\na.cpp:2:2: Fehler: e\n") == "a.cpp:2:2: Fehler: e");
-    CHECK(first_error("ninja: nothing to do\n") == "");
 }
 
 TEST_CASE("an exercise that is not there is missed, with the way back") {

@@ -657,6 +657,16 @@ TEST_CASE("linkers of two families are understood") {
     CHECK(diagnose_linker(twice, "07.cpp", "7").sentence.find("Your file has a `main` of its own.") == 0);
 }
 
+TEST_CASE("the first error is a compiler's before a linker's, and a linker's says which function is missing") {
+    CHECK(first_error("/usr/bin/ld: main.o: in function `trace()':\n"
+                      "main.cpp:(.text+0x1): undefined reference to `lines::rise(double)'\n"
+                      "collect2: error: ld returned 1 exit status\n")
+          == "lines::rise(double) is not defined; has its name or its signature changed?");
+    CHECK(first_error("[1/2] x\na.cpp:1:2: warning: w\na.cpp:2:2: error: e\n") == "a.cpp:2:2: error: e");
+    CHECK(first_error("[1/2] x\na.cpp:2:2: Fehler: e\n") == "a.cpp:2:2: Fehler: e");
+    CHECK(first_error("ninja: nothing to do\n") == "");
+}
+
 TEST_CASE("a missing function is reported with the header's line and what the file has instead") {
     const std::string symbols =
         "0000000000000000 T ns::meet(double)\n0000000000000010 T meeting(int)\n0000000000000020 T ns::remeet(int)\n"

@@ -73,13 +73,12 @@ std::string with_entry(const std::string &book, const Section &section, const st
 }
 
 std::string with_section(const std::string &cmake_lists, const Section &section) {
-    static const std::regex call{R"(^[ \t]*section\([ \t]*(\d\d)_[^)]*\)\s*(#.*\s*)?)"};
     std::vector<std::string> lines = with_line_ends(cmake_lists);
     std::optional<std::vector<std::string>::iterator> place;
     for (auto line = lines.begin(); line != lines.end(); ++line) {
-        std::smatch found;
-        if (!std::regex_match(*line, found, call)) continue;
-        const bool earlier = std::stoi(found[1]) < section.number();
+        const auto added = section_added_by(*line);
+        if (!added) continue;
+        const bool earlier = added->number() < section.number();
         if (earlier || !place) place = earlier ? line + 1 : line;
     }
     if (!place)

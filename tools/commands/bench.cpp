@@ -1,9 +1,10 @@
 // `course bench`: what is claimed of the course's speed, measured on this machine, side by side in one run.
 
 #include "commands/commands.hpp"
+#include "ground/build.hpp"
 #include "ground/files.hpp"
 #include "ground/process.hpp"
-#include "loop/programs.hpp"
+#include "loop/diagnosis.hpp"
 #include "loop/toolbox.hpp"
 
 #include <algorithm>

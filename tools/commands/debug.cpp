@@ -1,11 +1,11 @@
 // `course debug`: the same tests, with the student's code in the same process, under a debugger.
 
 #include "commands/commands.hpp"
+#include "ground/build.hpp"
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "ground/terminal.hpp"
 #include "loop/catalogue.hpp"
-#include "loop/programs.hpp"
 
 #include <array>
 #include <cerrno>

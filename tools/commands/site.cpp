@@ -1,8 +1,8 @@
 // `course site` and `course open`; and, for the build alone, `course make-site`.
 
 #include "commands/commands.hpp"
+#include "ground/build.hpp"
 #include "ground/lock.hpp"
-#include "loop/programs.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 #include "site/demos.hpp"

@@ -1,7 +1,9 @@
 #include "figures/section_figures.hpp"
 
 #include "figures/trace.hpp"
+#include "ground/build.hpp"
 #include "ground/files.hpp"
+#include "loop/diagnosis.hpp"
 #include "loop/programs.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "ground/process.hpp"
 
 #include "ground/complaint.hpp"
+#include "ground/limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -108,12 +109,11 @@ std::vector<char *> pointers_to(const std::vector<std::string> &words) {
     return pointers;
 }
 
-void limit(decltype(RLIMIT_CPU) what, rlim_t most, rlim_t grace = 0) {
-    rlimit now{};
-    if (most == 0 || ::getrlimit(what, &now) != 0) return;
-    now.rlim_max = std::min(now.rlim_max, most + grace);
-    now.rlim_cur = std::min(now.rlim_max, most);
-    ::setrlimit(what, &now);
+void impose(const Limits &limits) {
+    if (limits.memory > 0) limit(RLIMIT_AS, limits.memory);
+    if (limits.file_size > 0) limit(RLIMIT_FSIZE, limits.file_size);
+    if (limits.processor_time > 0) // SIGXCPU says why; SIGKILL, a little later, would not
+        limit(RLIMIT_CPU, limits.processor_time, limits.processor_time + 2);
 }
 
 /// Starts the program. Apart: in a process group of its own, so that its children can be ended with it.
@@ -136,9 +136,8 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
             ::dup2(out.write.number, STDOUT_FILENO);
             ::dup2(err.write.number, STDERR_FILENO);
         }
-        limit(RLIMIT_AS, options.limits.memory);
-        limit(RLIMIT_FSIZE, options.limits.file_size);
-        limit(RLIMIT_CPU, options.limits.processor_time, 2); // SIGXCPU says why; SIGKILL, a little later, would not
+        if (options.quiet) limit(RLIMIT_CORE, 0); // nobody would look at it
+        impose(options.limits);
         for (int signal : signals) ::signal(signal, SIG_DFL);
         ::signal(SIGXFSZ, SIG_DFL);
         sigset_t none;

@@ -62,12 +62,17 @@ std::string did_you_mean_section(const std::string &typed, const std::vector<Sec
 
 } // namespace
 
+std::optional<Section> section_added_by(const std::string &line) {
+    static const std::regex call{R"(^[ \t]*section\([ \t]*(\d\d_[a-z][a-z0-9_]*)[ \t)])"};
+    std::smatch found;
+    return std::regex_search(line, found, call) ? std::optional{Section{found[1]}} : std::nullopt;
+}
+
 std::vector<Section> Tree::sections() const {
-    static const std::regex line{R"(^[ \t]*section\([ \t]*(\d\d_[a-z][a-z0-9_]*)[ \t)])"};
     std::vector<Section> result;
     std::istringstream text{read_file(root / "CMakeLists.txt")};
-    for (std::string row; std::getline(text, row);)
-        if (std::smatch found; std::regex_search(row, found, line)) result.push_back({found[1]});
+    for (std::string line; std::getline(text, line);)
+        if (const auto section = section_added_by(line)) result.push_back(*section);
     return result;
 }
 

@@ -2,6 +2,7 @@
 #include "ground/complaint.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,9 @@ struct Section {
     std::string slug() const { return name.substr(3); }                   ///< "segment_intersection"
     std::string short_number() const { return std::to_string(number()); } ///< "7"
 };
+
+/// The section that this line of CMakeLists.txt adds: `section(07_segment_intersection)`.
+std::optional<Section> section_added_by(const std::string &line);
 
 /// There is no section of that name or number.
 struct UnknownSection : Complaint {
@@ -46,6 +50,7 @@ struct Tree {
     std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }
     std::filesystem::path solution(const Section &s) const { return root / "solutions" / (s.name + ".cpp"); }
     std::filesystem::path tests(const Section &s) const { return root / "tests" / (s.name + ".cpp"); }
+    std::filesystem::path test_program(const Section &s) const { return build / "tests" / s.name; } ///< the built one
     /// What was called otherwise in earlier versions of the section; it need not exist.
     std::filesystem::path renamed(const Section &s) const { return root / "chapters" / s.name / "renamed.txt"; }
     std::filesystem::path memory() const { return root / ".course"; } ///< what the course remembers of its student

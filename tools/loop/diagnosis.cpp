@@ -372,6 +372,24 @@ std::string declaration(const std::string &header, const std::string &function) 
 
 } // namespace
 
+std::string first_error(const std::string &printed) {
+    const auto lines = lines_of(printed);
+    const std::string_view undefined = "undefined reference to ";
+    for (const auto &[line, end] : lines)
+        if (const std::size_t at = line.find(undefined); at != line.npos && line.ends_with('\'')) {
+            const std::string_view quoted = line.substr(at + undefined.size()); // `name' or 'name'
+            return std::string{quoted.substr(1, quoted.size() - 2)}
+                   + " is not defined; has its name or its signature changed?";
+        }
+    for (const char *mark : {"multiple definition of", "error: "})
+        for (const auto &[line, end] : lines)
+            if (contains(line, mark)) return std::string{line};
+    for (const auto &[line, end] : lines) // a compiler that speaks another language: file.cpp:12:5: …
+        if (const std::size_t colon = line.find(':'); colon < line.find(' ') && leading_number(line.substr(colon + 1)))
+            return std::string{line};
+    return "";
+}
+
 std::string explain_missing(std::string_view symbols, const std::string &header, const std::string &function,
                             const std::vector<Renamed> &renamed) {
     const std::string wanted = declaration(header, function);

@@ -40,6 +40,9 @@ std::vector<std::string> find_unreached(std::string_view text, const std::string
 /// An own `main`, a helper that is declared and never defined, something defined twice.
 Verdict diagnose_linker(std::string_view errors, const std::string &shown_name, const std::string &number);
 
+/// The first error of a compiler or linker in what a build printed, shortened to one line; "" if there is none.
+std::string first_error(const std::string &printed);
+
 /// What helps if a file lacks a function, to be added to that sentence: how the header declares it, and what
 /// the file has instead: a function of that name with other parameters or in another namespace, one by its old name, or
 /// one misspelt.

@@ -93,9 +93,8 @@ void help_the_accepting(std::vector<Verdict> &verdicts, const Tree &tree, const 
 /// Runs the tests against a subject.
 /// @return what they printed: a line of JSON for each verdict
 std::string run_tests(const Tree &tree, const Section &section, const std::string &subject, unsigned seed) {
-    const auto tested =
-        run({(tree.build / "tests" / section.name).string(), subject, "--json", "--seed", std::to_string(seed)},
-            {.deadline = longest_test});
+    const auto tested = run({tree.test_program(section).string(), subject, "--json", "--seed", std::to_string(seed)},
+                            {.deadline = longest_test});
     if (tested.timed_out)
         throw MachineTrouble{"the tests of section " + section.short_number() + " did not finish within "
                              + std::to_string(static_cast<int>(longest_test))

@@ -1,15 +1,12 @@
 #include "loop/programs.hpp"
 
+#include "ground/build.hpp"
 #include "ground/complaint.hpp"
 #include "ground/hidden.hpp"
-#include "ground/lines.hpp"
-#include "ground/plain.hpp"
 #include "ground/text.hpp"
 #include "loop/diagnosis.hpp"
 
-#include <array>
 #include <cmath>
-#include <csignal>
 #include <sstream>
 
 namespace course {
@@ -19,13 +16,6 @@ fs::path reference_traces(const Tree &tree, const Section &section) { return tre
 
 fs::path student_traces(const Tree &tree, const Section &section) {
     return tree.build / "mine" / "traces" / section.name;
-}
-
-Finished build_target(const Tree &tree, const std::string &target) {
-    Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
-    built.out = plain_output(built.out);
-    built.err = plain_output(built.err);
-    return built;
 }
 
 fs::path program_binary(const Tree &tree, const Section &section, Whose whose) {
@@ -43,24 +33,6 @@ std::string said_of(const Finished &finished, const std::string &trace) {
 bool is_only_unfinished(const Finished &finished) {
     return finished.code == 1 && !finished.timed_out && contains(finished.err, "not started: ")
            && !contains(finished.err, "error: ");
-}
-
-std::string first_error(const std::string &printed) {
-    const auto lines = lines_of(printed);
-    const std::string_view undefined = "undefined reference to ";
-    for (const auto &[line, end] : lines)
-        if (const std::size_t at = line.find(undefined); at != line.npos && line.ends_with('\'')) {
-            const std::string_view quoted = line.substr(at + undefined.size()); // `name' or 'name'
-            return std::string{quoted.substr(1, quoted.size() - 2)}
-                   + " is not defined; has its name or its signature changed?";
-        }
-    for (const char *mark : {"multiple definition of", "error: "})
-        for (const auto &[line, end] : lines)
-            if (contains(line, mark)) return std::string{line};
-    for (const auto &[line, end] : lines) // a compiler that speaks another language: file.cpp:12:5: …
-        if (const std::size_t colon = line.find(':'); colon < line.find(' ') && leading_number(line.substr(colon + 1)))
-            return std::string{line};
-    return "";
 }
 
 std::string last_line(const std::string &text) {
@@ -118,10 +90,8 @@ void empty_folder(const fs::path &folder) {
                         + "; make the build folder writable, or run this as its owner."};
 }
 
-/// Starts what follows with limits, so that a runaway function cannot bring the machine down: no core file, files
-/// of 100 MB, 4 GB of memory.
-constexpr const char *limited = sanitized ? "ulimit -c 0; ulimit -f 200000; exec \"$@\""
-                                          : "ulimit -c 0; ulimit -f 200000; ulimit -v 4000000 2>/dev/null; exec \"$@\"";
+/// So that a runaway function cannot bring the machine down. Sanitizers take addresses of many TB.
+constexpr Limits student_limits{.memory = sanitized ? 0 : std::size_t{4} << 30, .file_size = std::size_t{100} << 20};
 
 Ran run_student(const Tree &tree, const Section &section, const fs::path &traces, const std::string &part,
                 double deadline) {
@@ -130,9 +100,8 @@ Ran run_student(const Tree &tree, const Section &section, const fs::path &traces
         return {
             false, {}, "your program cannot be built: " + student_error(tree, section, built.out + '\n' + built.err)};
     empty_folder(traces);
-    std::vector<std::string> command = program_command(program_binary(tree, section, Whose::student), part, traces);
-    command.insert(command.begin(), {"sh", "-c", limited, "sh"});
-    const Finished finished = run(command, {.quiet = true, .deadline = deadline, .folder = traces});
+    const Finished finished = run(program_command(program_binary(tree, section, Whose::student), part, traces),
+                                  {.deadline = deadline, .folder = traces, .limits = student_limits});
     if (finished.code == unknown_part && !part.empty()) throw Complaint{last_line(finished.err)};
     return {true, finished, student_trouble(section, finished, deadline)};
 }

@@ -53,13 +53,7 @@ bool is_only_unfinished(const Finished &finished);
 /// The last line of a text that is not blank.
 std::string last_line(const std::string &text);
 
-/// Brings one target of the build up to date; what it printed is plain text. The caller holds the Lock.
-Finished build_target(const Tree &tree, const std::string &target);
-
 /// What keeps a student's file from being compiled, by what the build printed: in the words of `course check`.
 std::string student_error(const Tree &tree, const Section &section, const std::string &printed);
-
-/// The first error of a compiler or linker in what a build printed, shortened to one line; "" if there is none.
-std::string first_error(const std::string &printed);
 
 } // namespace course

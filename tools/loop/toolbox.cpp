@@ -1,9 +1,9 @@
 #include "loop/toolbox.hpp"
 
+#include "ground/build.hpp"
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
-#include "ground/process.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -36,7 +36,6 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
             w.quick = compiler(*quick);
             w.quick_link = quick->at("link");
         }
-        w.cmake = json.at("cmake");
         w.nm = json.at("nm");
         w.node = json.at("node");
         w.link = json.at("link");
@@ -87,9 +86,10 @@ void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &t
     const fs::path stamp = tree.build / "loop" / (section.name + ".checked");
     std::error_code never;
     const auto checked = fs::last_write_time(stamp, never);
-    if (!never && checked >= newest(tree, section)) return;
+    const bool complete = fs::exists(tree.test_program(section)) && fs::exists(tools.server);
+    if (complete && !never && checked >= newest(tree, section)) return;
     const Lock lock{tree};
-    const auto built = run({tools.cmake, "--build", tree.build.string(), "--target", section.name + "_loop"});
+    const auto built = build_target(tree, section.name + "_loop");
     if (built.code != 0)
         throw Complaint{"the course's own files do not build; `cmake --build " + tree.build.string() + "` shows why."};
     write_file(stamp, "");

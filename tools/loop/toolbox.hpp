@@ -22,7 +22,7 @@ struct Compiler {
 struct Toolbox {
     Compiler compiler;             ///< of the whole course
     std::optional<Compiler> quick; ///< Clang beside GCC, at -O0, with its templates compiled beforehand: see `judge`
-    std::string cmake, nm, node;
+    std::string nm, node;
     std::vector<std::string> link, quick_link; ///< the last: also, for what the quick compiler has compiled
     std::vector<std::string> assembler;        ///< before the file where it lists what it reads; empty if it cannot
     std::filesystem::path server, missing;

@@ -2,6 +2,7 @@
 
 #include "figures/own_figures.hpp"
 #include "figures/section_figures.hpp"
+#include "ground/build.hpp"
 #include "ground/files.hpp"
 #include "ground/text.hpp"
 #include "loop/memory.hpp"

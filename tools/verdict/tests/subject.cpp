@@ -2,6 +2,7 @@
 
 #include "ground/complaint.hpp"
 #include "ground/hidden.hpp"
+#include "ground/limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,6 @@
 #include <poll.h>
 #include <sstream>
 #include <string>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -42,12 +42,6 @@ std::array<int, 2> make_pipe() {
     }
     return ends;
 }
-
-void limit(decltype(RLIMIT_CPU) what, rlim_t soft, rlim_t hard) {
-    const rlimit both{soft, hard};
-    ::setrlimit(what, &both);
-}
-void limit(decltype(RLIMIT_CPU) what, rlim_t most) { limit(what, most, most); }
 
 void set_limits() {
     limit(RLIMIT_CORE, 0);

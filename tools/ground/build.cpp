@@ -1,0 +1,14 @@
+#include "ground/build.hpp"
+
+#include "ground/plain.hpp"
+
+namespace course {
+
+Finished build_target(const Tree &tree, const std::string &target) {
+    Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
+    built.out = plain_output(built.out);
+    built.err = plain_output(built.err);
+    return built;
+}
+
+} // namespace course
