@@ -294,8 +294,9 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
     }
 }
 
-/// What the last call answers in a new process, where no other came before it; nothing if it does not answer.
-std::optional<std::string> Session::ask_alone() const {
+/// What the last call answers in a new process, where no other came before it; nothing if it does not answer, or if
+/// the machine has no room for another process.
+std::optional<std::string> Session::ask_alone() const try {
     Subject alone{program, answer};
     const auto until = Clock::now() + std::chrono::seconds{1};
     const auto hello = alone.receive(until);
@@ -305,6 +306,8 @@ std::optional<std::string> Session::ask_alone() const {
     const auto reply = alone.receive(until);
     if (!reply || reply->header.frame != wire::Frame::result) return {};
     return reply->payload;
+} catch (const MachineTrouble &) {
+    return {};
 }
 
 /// Says so if the last call is answered differently without the calls before it. Asked twice: code that answers anything
