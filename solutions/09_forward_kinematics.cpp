@@ -1,12 +1,114 @@
 #include "forward_kinematics.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace forward_kinematics {
 
-//> Solution 9.1: the pull of a spring
-double pull(double stiffness, double stretch) {
-    course::require_range(stiffness, stretch);
-    course::require(stiffness > 0, "stiffness [N/m] must be positive", stiffness);
-    return -stiffness * stretch;
+//> Solution: a good link
+static void require_link(const Link &link) {
+    course::require_range(link.length, link.angle);
+    course::require(link.length >= 0, "length [m] must not be negative", link.length);
+}
+
+//> Solution: a direction
+static Vec2 at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+//> Solution 9.1: two links
+ElbowAndHand two_links(const Link &first, const Link &second) {
+    require_link(first);
+    require_link(second);
+    const Vec2 elbow = first.length * at_angle(first.angle);
+    return {elbow, elbow + second.length * at_angle(first.angle + second.angle)};
+}
+
+//> Solution: a good frame
+static void require_frame(const Frame &frame) { course::require_range(frame.x_axis, frame.y_axis, frame.origin); }
+
+//> Solution: a vector of a frame
+static Vec2 seen_from_the_world(const Frame &frame, const Vec2 &v) {
+    return v.x() * frame.x_axis + v.y() * frame.y_axis;
+}
+
+//> Solution 9.2: compose
+Frame compose(const Frame &outer, const Frame &inner) {
+    require_frame(outer);
+    require_frame(inner);
+    return {seen_from_the_world(outer, inner.x_axis), seen_from_the_world(outer, inner.y_axis),
+            outer.origin + seen_from_the_world(outer, inner.origin)};
+}
+
+//> Solution: good links
+static void require_links(const std::vector<Link> &links) {
+    for (const Link &link : links) require_link(link);
+}
+
+//> Solution 9.3: joints
+std::vector<Vec2> joints(const Vec2 &base, const std::vector<Link> &links) {
+    course::require_range(base);
+    require_links(links);
+    std::vector<Vec2> all{base};
+    double angle = 0; // of the link, as the world sees it [rad]
+    for (const Link &link : links) {
+        angle += link.angle;
+        all.push_back(all.back() + link.length * at_angle(angle));
+    }
+    return all;
+}
+
+//> Solution 9.4: Jacobian
+std::vector<Vec2> jacobian(const std::vector<Link> &links) {
+    require_links(links);
+    const std::vector<Vec2> all = joints({0, 0}, links);
+    std::vector<Vec2> columns;
+    for (int i = 0; i < int(links.size()); ++i) {
+        const Vec2 arm = all.back() - all[i];   // from the joint to the hand
+        columns.push_back({-arm.y(), arm.x()}); // a quarter turn to the left of it
+    }
+    return columns;
+}
+
+//> Solution 9.5: to local
+Vec2 to_local(const Frame &frame, const Vec2 &point) {
+    require_frame(frame);
+    course::require_range(point);
+    const Vec2 way = point - frame.origin;
+    return {way.dot(frame.x_axis), way.dot(frame.y_axis)};
+}
+
+//> Solution: nothing below the ground
+static void require_above_ground(const std::vector<Vec2> &points) {
+    for (const Vec2 &point : points)
+        course::require(point.y() >= -1e-5, "each joint and the hand must be above the ground, y [m]", point.y());
+}
+
+//> Solution: down to the ground
+/// How far a point can turn about a joint, anticlockwise, until it goes below the ground [rad].
+static double turn_until_below(const Vec2 &arm, double height) {
+    const double radius = arm.norm();
+    if (radius <= height) return 2 * course::largest; // its circle is above the ground
+    const double dip = std::asin(height / radius);    // its circle meets the ground at -dip, and at pi + dip
+    const double above = std::numbers::pi + 2 * dip;  // the part of the circle between them
+    const double turn = std::numbers::pi + dip - std::atan2(arm.y(), arm.x());
+    return turn > above / 2 + std::numbers::pi ? std::max(0.0, turn - 2 * std::numbers::pi) : turn;
+}
+
+//> Solution 9.6: turn above ground
+double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int joint, double by) {
+    course::require_range(base, by);
+    require_links(links);
+    course::require(joint >= 0 && joint < int(links.size()), "joint must be the index of a link", joint);
+    const std::vector<Vec2> all = joints(base, links);
+    require_above_ground(all);
+
+    double turn = std::abs(by);
+    for (int i = joint + 1; i < int(all.size()); ++i) {
+        Vec2 arm = all[i] - all[joint];
+        if (by < 0) arm.x() = -arm.x(); // in a mirror, clockwise is anticlockwise
+        turn = std::min(turn, turn_until_below(arm, std::max(0.0, all[joint].y())));
+    }
+    return by < 0 ? -turn : turn;
 }
 //>
 } // namespace forward_kinematics

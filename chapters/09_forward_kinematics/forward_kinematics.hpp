@@ -16,7 +16,7 @@ using course::Vec2;
 /// A stiff part of an arm, between two joints, or between the last joint and the hand.
 struct Link {
     double length{}; ///< [m], not negative
-    double angle{};  ///< by how much it is turned, as seen from the link before it; the first one, from the x axis [rad]
+    double angle{}; ///< by how much it is turned, as seen from the link before it; the first one, from the x axis [rad]
     COURSE_FIELDS("m, rad", length, angle)
 };
 
@@ -35,9 +35,9 @@ ElbowAndHand two_links(const Link &first, const Link &second);
 
 //> A frame
 /// A frame of reference that is turned and moved: the first two columns of a homogeneous matrix are its axes, the third
-/// is its origin.
+/// is its origin. What a function answers for axes that are not as said here does not matter.
 struct Frame {
-    Vec2 x_axis{1, 0}; ///< of length 1, as all functions here make it [1]
+    Vec2 x_axis{1, 0}; ///< of length 1 [1]
     Vec2 y_axis{0, 1}; ///< a quarter turn to the left of `x_axis` [1]
     Vec2 origin{0, 0}; ///< [m]
     COURSE_FIELDS("1, 1, m", x_axis, y_axis, origin)
@@ -70,12 +70,15 @@ Vec2 to_local(const Frame &frame, const Vec2 &point);
 //> Turn above ground
 /// How far one joint can turn before the arm touches the ground, the line y = 0 [rad]: `by`, or less of it, with the same
 /// sign. All links from that joint on turn with it, as one stiff piece; no joint of them, and not the hand, gets below
-/// the ground on the way.
+/// the ground on the way. One that is on the ground already allows no turn that takes it below, and any that lifts it.
+/// No more than 1e-5 m below the ground counts as on it; and what gets no deeper than that on its way may end the turn or
+/// not. Where the turn ends early, what touches the ground is at y = 0 to nine digits of the largest number that goes in,
+/// or of 1 if that is larger.
 /// @param base   the first joint [m]
 /// @param joint  which angle changes: 0 for the first link's
 /// @param by     how far it should turn [rad]; negative: clockwise
-/// @throws std::invalid_argument if a joint or the hand is below the ground to begin with, if there is no such link, if a
-///         length is negative, or a number is not within ±1e5.
+/// @throws std::invalid_argument if a joint or the hand is more than 1e-5 m below the ground to begin with, if there is no
+///         such link, if a length is negative, or a number is not within ±1e5.
 double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int joint, double by);
 
 //> The exercises

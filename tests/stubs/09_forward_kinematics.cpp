@@ -1,15 +1,72 @@
-// Section 9, Forward kinematics. Replace a `throw` by your own code, save, and see:  ./course check 9
-// The lines that refuse bad input are written for you.
+// Section 9, forward kinematics. Replace a whole `throw ...;` with your own code, save, and look:  ./course check 9
+// The lines above each `throw` refuse numbers that make no sense; leave them as they are.
 
 #include "forward_kinematics.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace forward_kinematics {
 
+static void require_link(const Link &link) {
+    course::require_range(link.length, link.angle);
+    course::require(link.length >= 0, "length [m] must not be negative", link.length);
+}
+
 // 9.1 core
-double pull(double stiffness, double stretch) {
-    course::require_range(stiffness, stretch);
-    course::require(stiffness > 0, "stiffness [N/m] must be positive", stiffness);
-    throw course::NotYet{"which way does a spring pull when you make it longer?"};
+ElbowAndHand two_links(const Link &first, const Link &second) {
+    require_link(first);
+    require_link(second);
+    throw course::NotYet{"how far along x, and how far along y, is the end of the first link?"};
+}
+
+static void require_frame(const Frame &frame) { course::require_range(frame.x_axis, frame.y_axis, frame.origin); }
+
+// 9.2 core
+Frame compose(const Frame &outer, const Frame &inner) {
+    require_frame(outer);
+    require_frame(inner);
+    throw course::NotYet{"which way does the inner x axis point, if you walk along the outer axes?"};
+}
+
+static void require_links(const std::vector<Link> &links) {
+    for (const Link &link : links) require_link(link);
+}
+
+// 9.3 core
+std::vector<Vec2> joints(const Vec2 &base, const std::vector<Link> &links) {
+    course::require_range(base);
+    require_links(links);
+    throw course::NotYet{"which way does a link point, and where does it begin?"};
+}
+
+// 9.4 stretch
+std::vector<Vec2> jacobian(const std::vector<Link> &links) {
+    require_links(links);
+    throw course::NotYet{"where is the hand, as seen from each joint?"};
+}
+
+// 9.5 stretch
+Vec2 to_local(const Frame &frame, const Vec2 &point) {
+    require_frame(frame);
+    course::require_range(point);
+    throw course::NotYet{"where is the point, as seen from the origin of the frame?"};
+}
+
+static void require_above_ground(const std::vector<Vec2> &points) {
+    for (const Vec2 &point : points)
+        course::require(point.y() >= -1e-5, "each joint and the hand must be above the ground, y [m]", point.y());
+}
+
+// 9.6 challenge
+double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int joint, double by) {
+    course::require_range(base, by);
+    require_links(links);
+    course::require(joint >= 0 && joint < int(links.size()), "joint must be the index of a link", joint);
+    const std::vector<Vec2> all = joints(base, links); // yours, of 9.3
+    require_above_ground(all);
+    throw course::NotYet{"at which angle, as seen from the joint, does each of the others meet the ground?"};
 }
 
 } // namespace forward_kinematics
