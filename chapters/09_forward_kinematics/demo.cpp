@@ -1,0 +1,274 @@
+#include "../demo.hpp"
+
+#include "game.hpp"
+
+//> The demo
+namespace play {
+using namespace forward_kinematics;
+using demo::Colour, demo::Input, demo::Shape;
+
+enum Game { you_guess, drawing, digging, swinging, arrows, carrying, grounded };
+
+const std::vector<std::string_view> games{
+    "you guess",     "an arm that draws (9.1)", "a digger (9.2)", "tentacle (9.3)", "how the hand moves (9.4)",
+    "pick up (9.5)", "above the ground (9.6)"};
+
+std::vector<std::string_view> in_games(std::initializer_list<Game> which) {
+    std::vector<std::string_view> names;
+    for (const Game game : which) names.push_back(games[game]);
+    return names;
+}
+
+const demo::About about{"Arms of two links and of many: where are their hands?",
+                        {-9, -5.3},
+                        {9, 5.3},
+                        {demo::choice("The game", games, you_guess),
+                         {"first motor", "rad/s", -6, 6, 1, 1, {}, in_games({drawing})},
+                         {"second motor", "rad/s", -6, 6, 1, 4, {}, in_games({drawing})},
+                         {"second length", "m", 0, 3, 0.5, 2, {}, in_games({drawing})},
+                         {"place", "m", -5, 5, 0.1, -3, {}, in_games({digging})},
+                         {"slope", "°", -20, 20, 1, 0, {}, in_games({digging})},
+                         {"boom", "°", 0, 90, 1, 50, {}, in_games({digging})},
+                         {"stick", "°", -150, 0, 1, -70, {}, in_games({digging})},
+                         {"bucket", "°", -120, 60, 1, -30, {}, in_games({digging})},
+                         {"links", "", 1, 40, 1, 20, {}, in_games({swinging})},
+                         {"swing", "°", 0, 30, 1, 8, {}, in_games({swinging})},
+                         {"lag", "rad", 0, 1, 0.05, 0.25, {}, in_games({swinging})},
+                         {"joint", "", 1, 3, 1, 1, {}, in_games({arrows, carrying, grounded})}},
+                        {{"f", "Show", in_games({you_guess})},
+                         {"c", "Wipe", in_games({drawing})},
+                         {"t", "Take, or let go", in_games({carrying})},
+                         {"u", "Turn left", in_games({arrows, carrying, grounded})},
+                         {"d", "Turn right", in_games({arrows, carrying, grounded})}}};
+const demo::Still still{1.6, "f"};
+
+struct State {
+    Game game = you_guess;
+    bool shown = false;                  ///< whether the truth is
+    Vec2 guess{4, 2};                    ///< where the hand may be [m]
+    Arm arm{};                           ///< that draws
+    Vec2 base{0, 0};                     ///< of the links [m]
+    std::vector<Link> links{};           ///< of the arm whose joints one turns
+    Box box{};                           ///< that it picks up
+    double time{}, spare{}, chosen = -1; ///< [s], [s], the sum of all controls
+};
+
+State begin() { return {}; }
+
+/// Not inline, which saves the page some bytes.
+[[gnu::noinline]] Frame hand_frame(const State &now) { return hand_of(now.base, now.links); }
+
+/// The choice of the game begins it anew; the other controls do not.
+void start(State &now) {
+    now.time = 0;
+    now.base = {-1, -2.5};
+    if (now.game == drawing) now.arm = {{3, 0}, {2, 0}, {}};
+    if (now.game == arrows) now.links = {{3, 45 * degree}, {2, 90 * degree}};
+    if (now.game == carrying) {
+        now.links = {{3, 100 * degree}, {2.5, -60 * degree}, {1, -40 * degree}};
+        now.box = {{{1, 0}, {0, 1}, {3.5, 0.5}}, {}, false};
+    }
+    if (now.game == grounded) {
+        now.links = {{2.2, 100 * degree}, {1.8, -60 * degree}, {1.2, -30 * degree}};
+        now.base = {0, 2};
+    }
+}
+
+/// The arm above the ground is drawn this much lower [m].
+constexpr double sunk = 3.5;
+
+/// Turns one joint of the arm; above the ground, as far as that allows.
+void turn(State &now, int joint, double by) {
+    if (now.game == grounded) by = turn_above_ground(now.base, now.links, joint, by);
+    now.links[std::size_t(joint)].angle += by;
+}
+
+/// From an arrow's direction to another's, the shorter way [rad].
+double angle_from(const Vec2 &from, const Vec2 &to) {
+    return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+}
+
+/// A link follows the pointer as well as it can: it points there.
+void drag(State &now, const Input &in) {
+    if (now.game == you_guess) now.guess = in.pointer;
+    if (now.game == drawing) {
+        const auto [elbow, hand] = two_links(now.arm.first, now.arm.second);
+        if (in.handle == 0) now.arm.first.angle += angle_from(elbow, in.pointer);
+        else now.arm.second.angle += angle_from(hand - elbow, in.pointer - elbow);
+    }
+    if (now.game != arrows && now.game != carrying && now.game != grounded) return;
+    Vec2 there = in.pointer;
+    if (now.game == grounded) there.y() += sunk;
+    const std::vector<Vec2> all = joints(now.base, now.links);
+    const std::size_t i = std::size_t(in.handle);
+    turn(now, in.handle, angle_from(all[i + 1] - all[i], there - all[i]));
+}
+
+void press(State &now, const Input &in) {
+    if (in.key == "f") now.shown = true;
+    if (in.key == "c") now.arm.trail.clear();
+    if (in.key == "t" && now.box.held) now.box.held = false;
+    else if (in.key == "t") take(now.box, hand_frame(now));
+    const int joint = std::min(int(in["joint"]), int(now.links.size())) - 1;
+    if (in.key == "u") turn(now, joint, 5 * degree);
+    if (in.key == "d") turn(now, joint, -5 * degree);
+}
+
+void step(State &now, const Input &in) {
+    now.time += frame_time;
+    if (now.game == drawing) {
+        now.arm.second.length = in["second length"];
+        next_frame(now.arm, in["first motor"], in["second motor"], frame_time);
+        if (now.arm.trail.size() > 900) now.arm.trail.clear();
+    }
+    if (now.game == carrying) next_frame(now.box, hand_frame(now));
+}
+
+State next(State now, const Input &in) {
+    if (const double chosen = in["The game"]; chosen != now.chosen) {
+        now.chosen = chosen;
+        now.game = static_cast<Game>(chosen);
+        start(now);
+    }
+    if (in.handle >= 0) drag(now, in);
+    press(now, in);
+    for (int due = demo::steps_due(now.spare, in, frame_time); due > 0; --due) step(now, in);
+    return now;
+}
+
+// ------------------------------------------------------------------------------------------------------ the picture
+
+void add_list(demo::Picture &seen, Shape::Kind kind, Colour colour, double size, const std::vector<Vec2> &points,
+              double strength = 1) {
+    seen.shapes.push_back({kind, colour, size, strength, points});
+}
+void add(demo::Picture &seen, Shape::Kind kind, Colour colour, double size, const std::initializer_list<Vec2> &points,
+         double strength = 1) {
+    add_list(seen, kind, colour, size, points, strength);
+}
+void add_words(demo::Picture &seen, const Vec2 &at, const char *words, Colour colour = Colour::ink) {
+    seen.shapes.push_back({Shape::words, colour, 0, 1, {at}, words});
+}
+/// Without the last digits, which are rounding, and without a negative zero.
+void say(demo::Picture &seen, const char *name, const char *unit, double value, int decimals = 2) {
+    seen.readouts.push_back({name, unit, std::round(value * 1e6) / 1e6 + 0.0, decimals});
+}
+void say_place(demo::Picture &seen, const Vec2 &hand) {
+    say(seen, "hand, to the right", "m", hand.x());
+    say(seen, "hand, up", "m", hand.y());
+}
+/// An area whose corners are given as seen from a frame.
+void add_part(demo::Picture &seen, const Frame &frame, Colour colour, std::initializer_list<Vec2> corners,
+              double strength = 1) {
+    std::vector<Vec2> points;
+    for (const Vec2 &corner : corners) points.push_back(in_world(frame, corner));
+    add_list(seen, Shape::area, colour, 0, points, strength);
+}
+void add_arm(demo::Picture &seen, const std::vector<Vec2> &all, bool handles = true) {
+    add_list(seen, Shape::line, Colour::blue, 6, all);
+    add_list(seen, Shape::discs, Colour::ink, 0.12, all);
+    for (std::size_t i = 1; handles && i < all.size(); ++i) add(seen, Shape::handle, Colour::orange, 0, {all[i]});
+}
+
+void draw_guess(demo::Picture &seen, const State &now) {
+    for (int i = -1; i <= 5; ++i) {
+        add(seen, Shape::line, Colour::line, 1, {{i + 0.0, -1}, {i + 0.0, 5}});
+        add(seen, Shape::line, Colour::line, 1, {{-1, i + 0.0}, {5, i + 0.0}});
+    }
+    const auto [elbow, hand] = two_links({3, 30 * degree}, {2, 45 * degree});
+    if (now.shown) add_arm(seen, {{0, 0}, elbow, hand}, false);
+    add(seen, Shape::discs, Colour::ink, 0.15, {{0, 0}});
+    add_words(seen, now.guess + Vec2{0.3, 0.3}, "hand?", Colour::orange);
+    add(seen, Shape::handle, Colour::orange, 0, {now.guess});
+    if (!now.shown) return;
+    say_place(seen, hand);
+    say(seen, "off by", "m", (now.guess - hand).norm());
+}
+
+void draw_drawing(demo::Picture &seen, const State &now) {
+    const auto [elbow, hand] = two_links(now.arm.first, now.arm.second);
+    if (now.arm.trail.size() > 1) add_list(seen, Shape::line, Colour::pink, 2, now.arm.trail);
+    add_arm(seen, {{0, 0}, elbow, hand});
+    say_place(seen, hand);
+}
+
+void draw_digger(demo::Picture &seen, const Input &in) {
+    const double slope = in["slope"] * degree, c = std::cos(slope), s = std::sin(slope);
+    const Vec2 along{c, s}, up{-s, c}, stone{3.5, -2.6};
+    Digger it{{along, up, Vec2{0, -3} + in["place"] * along},
+              {3.2, in["boom"] * degree},
+              {2.4, in["stick"] * degree},
+              {0.5, in["bucket"] * degree}};
+    const Parts parts = parts_of(it);
+    add(seen, Shape::line, Colour::dim, 2, {Vec2{0, -3} - 12 * along, Vec2{0, -3} + 12 * along});
+    add(seen, Shape::discs, Colour::dim, 0.25, {stone});
+    add_part(seen, parts.cab, Colour::ink, {{-1.6, 0}, {1.2, 0}, {1.4, 0.3}, {1.2, 0.55}, {-1.6, 0.55}, {-1.8, 0.3}});
+    add_part(seen, parts.cab, Colour::amber,
+             {{-1.5, 0.65}, {0.9, 0.65}, {0.9, 1.3}, {0.3, 2.3}, {-0.6, 2.3}, {-0.8, 1.4}, {-1.5, 1.4}});
+    const Vec2 joint = in_world(parts.cab, {0.5, 1.2});
+    add(seen, Shape::line, Colour::orange, 8, {joint, parts.boom.origin, parts.stick.origin});
+    add_part(seen, parts.bucket, Colour::ink, {{-0.6, 0.1}, {0.1, 0.15}, {0.5, -0.45}, {0, -0.75}, {-0.55, -0.5}});
+    add(seen, Shape::discs, Colour::ink, 0.1, {joint, parts.boom.origin, parts.stick.origin});
+    const Vec2 teeth = in_world(parts.bucket, {0.5, -0.45});
+    say(seen, "to the stone", "m", (teeth - stone).norm());
+}
+
+void draw_arrows(demo::Picture &seen, const State &now) {
+    const std::vector<Vec2> all = joints(now.base, now.links), columns = jacobian(now.links);
+    const Vec2 hand = all.back(), a = columns[0], b = columns[1];
+    add(seen, Shape::area, Colour::amber, 0, {hand, hand + a, hand + a + b, hand + b}, 0.3);
+    add_arm(seen, all);
+    add(seen, Shape::arrow, Colour::pink, 3, {hand, hand + a});
+    add(seen, Shape::arrow, Colour::green, 3, {hand, hand + b});
+    add_words(seen, hand + 1.07 * a, "by the first joint", Colour::pink);
+    add_words(seen, hand + 1.1 * b, "by the elbow", Colour::green);
+    say(seen, "area", "m²", a.x() * b.y() - a.y() * b.x());
+}
+
+void draw_carrying(demo::Picture &seen, const State &now) {
+    const Frame hand = hand_frame(now);
+    const Vec2 there = to_local(hand, now.box.place.origin);
+    add_part(seen, now.box.place, Colour::violet, {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}},
+             now.box.held ? 1 : 0.5);
+    add_arm(seen, joints(now.base, now.links));
+    add(seen, Shape::arrow, Colour::pink, 2, {hand.origin, hand.origin + hand.x_axis});
+    add(seen, Shape::arrow, Colour::green, 2, {hand.origin, hand.origin + hand.y_axis});
+    say(seen, "box, to the right", "m", now.box.place.origin.x());
+    say(seen, "box, up", "m", now.box.place.origin.y());
+    say(seen, "along the hand's x axis", "m", there.x());
+    say(seen, "along its y axis", "m", there.y());
+}
+
+void draw_grounded(demo::Picture &seen, const State &now) {
+    std::vector<Vec2> all = joints(now.base, now.links);
+    double lowest = all[0].y();
+    for (Vec2 &at : all) {
+        lowest = std::min(lowest, at.y());
+        at.y() -= sunk;
+    }
+    add(seen, Shape::area, Colour::dim, 0, {{-9, -5.3}, {9, -5.3}, {9, -sunk}, {-9, -sunk}}, 0.4);
+    add(seen, Shape::line, Colour::ink, 3, {{0, -sunk}, all[0]});
+    add_arm(seen, all);
+    say(seen, "lowest", "m", lowest);
+    say(seen, "hand, up", "m", all.back().y() + sunk);
+}
+
+demo::Picture draw(const State &now, const Input &in) {
+    demo::Picture seen;
+    switch (now.game) {
+    case you_guess: draw_guess(seen, now); break;
+    case drawing: draw_drawing(seen, now); break;
+    case digging: draw_digger(seen, in); break;
+    case swinging: {
+        const std::vector<Vec2> all =
+            joints({0, -4}, tentacle(int(in["links"]), 8, in["swing"] * degree, in["lag"], now.time));
+        add_arm(seen, all, false);
+        break;
+    }
+    case arrows: draw_arrows(seen, now); break;
+    case carrying: draw_carrying(seen, now); break;
+    case grounded: draw_grounded(seen, now); break;
+    }
+    return seen;
+}
+} // namespace play
