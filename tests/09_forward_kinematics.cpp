@@ -2,31 +2,890 @@
 
 #include "forward_kinematics.hpp"
 
-using namespace forward_kinematics::subject; // pull: the student's
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
 
-//> Worked example
-TEST_CASE("the worked example: a spring of 30 N/m, 0.25 m longer than at rest, pulls back with 7.5 N", "[9.1]") {
-    CHECK_THAT(pull(30, 0.25), IsNear(-7.5, rounding)); // -30 N/m * 0.25 m
+using forward_kinematics::ElbowAndHand;
+using forward_kinematics::Frame;
+using forward_kinematics::Link;
+using namespace forward_kinematics::subject; // two_links, compose, ... turn_above_ground: the student's
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double digits = 1e-10; // what the header promises, for numbers of a usual size
+
+constexpr double degrees(double angle) { return angle * pi / 180; } // [rad]
+
+Vec2 at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+Vec2 quarter_turned(const Vec2 &v) { return {-v.y(), v.x()}; }
+
+Link link(Dice &dice) { return {dice.real(0.2, 3), dice.real(-4, 4)}; }
+std::vector<Link> arm(Dice &dice, int count) {
+    std::vector<Link> links;
+    while (int(links.size()) < count) links.push_back(link(dice));
+    return links;
 }
 
-//> What the energy says
-TEST_CASE("the pull is what the stored energy loses for each metre, for soft and stiff springs", "[9.1]") {
-    const double stiffness = GENERATE(0.4, 30.0, 9e4);
-    const double stretch = GENERATE(take(20, random(-2.0, 2.0)), 0.0);
-    const auto energy = [&](double x) { return stiffness * x * x / 2; }; // [J]
+Frame frame(double angle, const Vec2 &origin) { return {at_angle(angle), quarter_turned(at_angle(angle)), origin}; }
+Frame frame(Dice &dice) { return frame(dice.real(-pi, pi), dice.point(-5, 5)); }
 
-    const double loss = energy(stretch - 0.5) - energy(stretch + 0.5); // over one metre, exact for a square
+/// Where each joint is, by complex numbers: a link is multiplied by all turns before it.
+std::vector<Vec2> walked(const Vec2 &base, const std::vector<Link> &links) {
+    std::vector<Vec2> points{base};
+    std::complex<double> at{base.x(), base.y()}, turn{1, 0};
+    for (const Link &each : links) {
+        turn *= std::polar(1.0, each.angle);
+        at += each.length * turn;
+        points.emplace_back(at.real(), at.imag());
+    }
+    return points;
+}
 
-    CHECK_THAT(pull(stiffness, stretch), IsNear(loss, 1e-11)); // a dozen roundings of 3e5 J, beside up to 2e5 N
+} // namespace
+
+// ------------------------------------------------------------------------------------------------------- 9.1 two_links
+
+//> Worked example: 3 m and 5 m
+TEST_CASE("3 m at 45°, and 5 m bent by 90° more: elbow (2.121, 2.121), hand (-1.414, 5.657)", "[9.1]") {
+    // 3 / √2 each way; the second link points to 135°, which is -5 / √2 along x and 5 / √2 along y
+    const ElbowAndHand want{Vec2{3, 3} / std::sqrt(2), Vec2{-2, 8} / std::sqrt(2)};
+    CHECK_THAT(two_links({3, degrees(45)}, {5, degrees(90)}), IsNear(want, digits));
+}
+
+//> First link level
+TEST_CASE("while the first link is level, the second points to its own angle", "[9.1]") {
+    CHECK_THAT(two_links({3, 0}, {5, degrees(90)}), IsNear(ElbowAndHand{{3, 0}, {3, 5}}, digits));
+    CHECK_THAT(two_links({3, 0}, {5, degrees(30)}),
+               IsNear(ElbowAndHand{{3, 0}, {3 + 5 * std::sqrt(0.75), 2.5}}, digits));
+}
+
+//> Straight
+TEST_CASE("an arm that is not bent is one straight line, whatever its angle", "[9.1]") {
+    CHECK_THAT(two_links({3, 0}, {5, 0}), IsNear(ElbowAndHand{{3, 0}, {8, 0}}, digits));
+    CHECK_THAT(two_links({3, degrees(90)}, {5, 0}), IsNear(ElbowAndHand{{0, 3}, {0, 8}}, digits));
+    CHECK_THAT(two_links({5, std::atan2(4, 3)}, {10, 0}), IsNear(ElbowAndHand{{3, 4}, {9, 12}}, digits));
+}
+
+//> Folded
+TEST_CASE("an arm that is bent by half a turn comes back over its first link", "[9.1]") {
+    CHECK_THAT(two_links({3, 0}, {5, pi}), IsNear(ElbowAndHand{{3, 0}, {-2, 0}}, digits));
+    CHECK_THAT(two_links({5, degrees(90)}, {5, -pi}), IsNear(ElbowAndHand{{0, 5}, {0, 0}}, digits));
+}
+
+//> The opening's arm
+TEST_CASE("3 m at 30°, and 2 m bent by 45° more: the hand is at (3.116, 3.432)", "[9.1]") {
+    const double root3 = std::sqrt(3), root2 = std::sqrt(2), root6 = std::sqrt(6); // 75°: (√6 ∓ √2) / 4
+    CHECK_THAT(two_links({3, degrees(30)}, {2, degrees(45)}),
+               IsNear(ElbowAndHand{{1.5 * root3, 1.5}, {1.5 * root3 + (root6 - root2) / 2, 1.5 + (root6 + root2) / 2}},
+                      digits));
+}
+
+//> Up, and back
+TEST_CASE("angles that cancel make the second link level; clockwise is negative", "[9.1]") {
+    CHECK_THAT(two_links({3, degrees(90)}, {5, degrees(-90)}), IsNear(ElbowAndHand{{0, 3}, {5, 3}}, digits));
+    CHECK_THAT(two_links({3, degrees(-90)}, {5, degrees(90)}), IsNear(ElbowAndHand{{0, -3}, {5, -3}}, digits));
+    CHECK_THAT(two_links({3, degrees(30)}, {5, degrees(60)}),
+               IsNear(ElbowAndHand{{3 * std::sqrt(0.75), 1.5}, {3 * std::sqrt(0.75), 6.5}}, digits));
+}
+
+//> No length
+TEST_CASE("a link of no length has both ends at one point, but bends the arm all the same", "[9.1]") {
+    CHECK_THAT(two_links({0, degrees(90)}, {5, degrees(90)}), IsNear(ElbowAndHand{{0, 0}, {-5, 0}}, digits));
+    CHECK_THAT(two_links({3, degrees(90)}, {0, 1}), IsNear(ElbowAndHand{{0, 3}, {0, 3}}, digits));
+    CHECK_THAT(two_links({0, 1}, {0, 2}), IsNear(ElbowAndHand{{0, 0}, {0, 0}}, digits));
+}
+
+//> A triangle
+TEST_CASE("each link has its length, and the hand's distance follows from the law of cosines", "[9.1]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        const Link first = link(dice), second = link(dice);
+        const double a = first.length, b = second.length;
+
+        const auto [elbow, hand] = two_links(first, second);
+
+        CHECK_THAT(elbow.norm(), IsNear(a, digits).of("length of the first link [m]"));
+        CHECK_THAT((hand - elbow).norm(), IsNear(b, digits).of("length of the second link [m]"));
+        CHECK_THAT(hand.squaredNorm(), IsNear(a * a + b * b + 2 * a * b * std::cos(second.angle), digits)
+                                           .of("squared distance of the hand from the first joint [m²]"));
+        CHECK_THAT(elbow.x() * hand.y() - elbow.y() * hand.x(),
+                   IsNear(a * b * std::sin(second.angle), digits).of("determinant of elbow and hand [m²]"));
+    }
+}
+
+//> By complex numbers
+TEST_CASE("elbow and hand are where products of complex numbers say", "[9.1]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        const Link first = link(dice), second = link(dice);
+        const std::vector<Vec2> want = walked({0, 0}, {first, second});
+        CHECK_THAT(two_links(first, second), IsNear(ElbowAndHand{want[1], want[2]}, digits));
+    }
+}
+
+//> Whole turns
+TEST_CASE("whole turns more or less of either angle change nothing", "[9.1]") {
+    const int turns = GENERATE(-100, -1, 1, 3);
+    const ElbowAndHand want{Vec2{3, 3} / std::sqrt(2), Vec2{-2, 8} / std::sqrt(2)};
+    CHECK_THAT(two_links({3, degrees(45) + turns * 2 * pi}, {5, degrees(90)}), IsNear(want, 1e-8));
+    CHECK_THAT(two_links({3, degrees(45)}, {5, degrees(90) + turns * 2 * pi}), IsNear(want, 1e-8));
+}
+
+//> Erratum E9.1
+TEST_CASE("erratum E9.1: a link's own length and angle lead to its end; those of the first do not lead to the hand",
+          "[9.1]") {
+    const ElbowAndHand got = two_links({3, degrees(45)}, {5, degrees(90)});
+    const Vec2 printed = got.elbow + 3 * at_angle(degrees(45)); // "from the elbow, by the first length and angle"
+    CHECK_THAT((got.hand - printed).norm(), IsNear(std::sqrt(34), digits).of("hand's distance from the printed [m]"));
+}
+
+//> Erratum E9.3
+TEST_CASE("erratum E9.3: the hand of the example is at 5.657 m, rounded; the printed 5.656 is cut off", "[9.1]") {
+    const double y = two_links({3, degrees(45)}, {5, degrees(90)}).hand.y();
+    CHECK_THAT(std::round(1000 * y), IsNear(5657.0).of("y of the hand, in whole millimetres"));
+    CHECK_THAT(std::floor(1000 * y), IsNear(5656.0).of("y of the hand, cut off at a millimetre"));
 }
 
 //>
-TEST_CASE("the largest input is accepted, and its answer may be larger still", "[9.1]") {
-    CHECK_THAT(pull(1e5, -1e5), IsNear(1e10, rounding));
+TEST_CASE("lengths and angles up to 1e5 are allowed, and tiny ones", "[9.1]") {
+    CHECK_THAT(two_links({1e5, 0}, {1e5, 0}), IsNear(ElbowAndHand{{1e5, 0}, {2e5, 0}}, 1e-10));
+    CHECK_THAT(two_links({1e5, degrees(90)}, {1e5, degrees(-90)}).hand, IsNear(Vec2{1e5, 1e5}, 1e-10.of("hand [m]"));
+    const Vec2 far = at_angle(std::fmod(1e5, 2 * pi));
+    CHECK_THAT(two_links({1, 1e5}, {1, -1e5}), IsNear(ElbowAndHand{far, far + Vec2{1, 0}}, 1e-5));
+    CHECK_THAT(two_links({1, -1e5}, {1, 1e5}).hand, IsNear(Vec2{far.x() + 1, -far.y()}, 1e-5.of("hand [m]"));
+    CHECK_THAT(two_links({3e-9, 0}, {5e-9, degrees(90)}).hand, IsNear(Vec2{3e-9, 5e-9}, 1e-15.of("hand [m]"));
+    CHECK_THAT(two_links({3, 1e-7}, {5, 0}), IsNear(ElbowAndHand{{3, 3e-7}, {8, 8e-7}}, digits));
+    CHECK_THAT(two_links({3, 0}, {5, 1e-7}), IsNear(ElbowAndHand{{3, 0}, {8, 5e-7}}, digits));
+    CHECK_THAT(two_links({3, 0}, {5, 7}), IsNear(ElbowAndHand{{3, 0}, Vec2{3, 0} + 5 * at_angle(7)}, digits));
+    CHECK_THAT(two_links({3, -7}, {5, 0}).elbow, IsNear(Vec2{3 * at_angle(-7)}, digits.of("elbow [m]"));
+    CHECK_THAT(two_links({0.001, 0}, {0.001, 0}), IsNear(ElbowAndHand{{0.001, 0}, {0.002, 0}}, digits));
 }
 
-TEST_CASE("a stiffness that is not positive, and numbers out of range, are refused", "[9.1]") {
-    CHECK_OUT_OF_RANGE_REFUSED(pull, {30.0, 0.25});
-    CHECK_REFUSED(pull(0, 0.25), "stiffness is zero");
-    CHECK_REFUSED(pull(-30, 0.25), "stiffness is negative");
+TEST_CASE("a negative length, or a number out of range, is refused", "[9.1]") {
+    for (const double bad : {-1e-9, -3.0, -1e5}) {
+        CHECK_REFUSED(two_links({bad, 1}, {5, 1}), "the first length is negative");
+        CHECK_REFUSED(two_links({3, 1}, {bad, 1}), "the second length is negative");
+    }
+    CHECK_OUT_OF_RANGE_REFUSED(two_links, {Link{3, 0.5}, Link{5, 1}});
+    two_links({3, 0.5}, {5, 1}); // good input is still answered
+}
+
+// --------------------------------------------------------------------------------------------------------- 9.2 compose
+
+//> Worked example: a turned and moved frame
+TEST_CASE("in a frame at (3, 1) whose x axis is (0.8, 0.6), the point (2, 1) is at (4, 3) of the world", "[9.2]") {
+    // two along (0.8, 0.6), and one along (-0.6, 0.8), from (3, 1): (3 + 1.6 - 0.6, 1 + 1.2 + 0.8)
+    CHECK_THAT(compose({{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}, {{1, 0}, {0, 1}, {2, 1}}),
+               IsNear(Frame{{0.8, 0.6}, {-0.6, 0.8}, {4, 3}}, digits));
+}
+
+//> Not turned
+TEST_CASE("two frames that are moved, and not turned, add up", "[9.2]") {
+    CHECK_THAT(compose({{1, 0}, {0, 1}, {3, 1}}, {{1, 0}, {0, 1}, {2, 5}}),
+               IsNear(Frame{{1, 0}, {0, 1}, {5, 6}}, digits));
+}
+
+//> Outer frame not turned
+TEST_CASE("in a frame that is moved only, the inner one keeps its axes", "[9.2]") {
+    CHECK_THAT(compose({{1, 0}, {0, 1}, {3, 1}}, {{0.8, 0.6}, {-0.6, 0.8}, {2, 5}}),
+               IsNear(Frame{{0.8, 0.6}, {-0.6, 0.8}, {5, 6}}, digits));
+}
+
+//> Only turned
+TEST_CASE("two quarter turns about one point are half a turn, and three are a quarter turn clockwise", "[9.2]") {
+    const Frame quarter{{0, 1}, {-1, 0}, {0, 0}}, half{{-1, 0}, {0, -1}, {0, 0}}, back{{0, -1}, {1, 0}, {0, 0}};
+    CHECK_THAT(compose(quarter, quarter), IsNear(half, digits));
+    CHECK_THAT(compose(quarter, half), IsNear(back, digits));
+    CHECK_THAT(compose(half, quarter), IsNear(back, digits));
+}
+
+//> Both turned
+TEST_CASE("a frame turned by 0.8 and 0.6, in one that is turned alike, is turned by twice the angle", "[9.2]") {
+    const Frame turned{{0.8, 0.6}, {-0.6, 0.8}, {0, 0}};
+    // cos 2a = 0.64 - 0.36, sin 2a = 2 · 0.8 · 0.6
+    CHECK_THAT(compose(turned, turned), IsNear(Frame{{0.28, 0.96}, {-0.96, 0.28}, {0, 0}}, digits));
+}
+
+//> Order
+TEST_CASE("turned first or moved first makes a difference", "[9.2]") {
+    const Frame quarter{{0, 1}, {-1, 0}, {0, 0}}, moved{{1, 0}, {0, 1}, {5, 0}};
+    CHECK_THAT(compose(quarter, moved), IsNear(Frame{{0, 1}, {-1, 0}, {0, 5}}, digits));
+    CHECK_THAT(compose(moved, quarter), IsNear(Frame{{0, 1}, {-1, 0}, {5, 0}}, digits));
+}
+
+//> The world's own frame
+TEST_CASE("a frame in the world's own is itself, and so is the world's own in it", "[9.2]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(200); ++i) {
+        const Frame any = frame(dice);
+        CHECK_THAT(compose(Frame{}, any), IsNear(any, digits));
+        CHECK_THAT(compose(any, Frame{}), IsNear(any, digits));
+    }
+}
+
+//> And back
+TEST_CASE("a frame, and what undoes it, make the world's own", "[9.2]") {
+    CHECK_THAT(compose({{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}, {{0.8, -0.6}, {0.6, 0.8}, {-3, 1}}),
+               IsNear(Frame{}, digits)); // 3 · 0.8 + 1 · 0.6 = 3, and -3 · 0.6 + 1 · 0.8 = -1
+    CHECK_THAT(compose({{0.8, -0.6}, {0.6, 0.8}, {-3, 1}}, {{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}), IsNear(Frame{}, digits));
+}
+
+//> Angles add up
+TEST_CASE("angles add up, and the inner origin is turned by the outer angle", "[9.2]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        const double outer = dice.real(-pi, pi), inner = dice.real(-pi, pi), towards = dice.real(-pi, pi);
+        const double far = dice.real(0, 5);
+        const Vec2 at = dice.point(-5, 5);
+        CHECK_THAT(compose(frame(outer, at), frame(inner, far * at_angle(towards))),
+                   IsNear(frame(outer + inner, at + far * at_angle(outer + towards)), digits));
+    }
+}
+
+//> Three frames
+TEST_CASE("of three frames, it does not matter which two are put together first", "[9.2]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        const Frame a = frame(dice), b = frame(dice), c = frame(dice);
+        const Frame left = compose(compose(a, b), c), right = compose(a, compose(b, c));
+        CHECK_THAT(Vec2{left.origin - right.origin}, IsNear(Vec2{0, 0}, digits).of("difference of the origins [m]"));
+        CHECK_THAT(Vec2{left.x_axis - right.x_axis}, IsNear(Vec2{0, 0}, digits).of("difference of the x axes [1]"));
+        CHECK_THAT(Vec2{left.y_axis - right.y_axis}, IsNear(Vec2{0, 0}, digits).of("difference of the y axes [1]"));
+    }
+}
+
+//> An arm of frames
+TEST_CASE("turn by 45°, go 3 m, turn by 90°, go 5 m: the frame of the hand is at (-1.414, 5.657)", "[9.2]") {
+    Frame hand = frame(degrees(45), {0, 0});
+    hand = compose(hand, frame(0, {3, 0}));
+    hand = compose(hand, frame(degrees(90), {0, 0}));
+    hand = compose(hand, frame(0, {5, 0}));
+    CHECK_THAT(hand.origin, IsNear(Vec2{Vec2{-2, 8} / std::sqrt(2)}, digits).of("origin of the hand's frame [m]"));
+    CHECK_THAT(hand.x_axis, IsNear(Vec2{Vec2{-1, 1} / std::sqrt(2)}, digits).of("x axis of the hand's frame [1]"));
+}
+
+//> Around the clock
+TEST_CASE("twelve hours, each 30° and a step of 1 m, lead once around a polygon, back to the start", "[9.2]") {
+    Frame walker;
+    for (int hour = 0; hour < 12; ++hour) walker = compose(walker, frame(degrees(30), {1, 0}));
+    CHECK_THAT(walker.origin, IsNear(Vec2{0, 0}, digits).of("where the way ends [m]"));
+    CHECK_THAT(walker.x_axis, IsNear(Vec2{1, 0}, digits).of("x axis in the end [1]"));
+}
+
+//>
+TEST_CASE("origins up to 1e5 are allowed, and tiny turns", "[9.2]") {
+    CHECK_THAT(compose({{1, 0}, {0, 1}, {1e5, -1e5}}, {{1, 0}, {0, 1}, {1e5, -1e5}}),
+               IsNear(Frame{{1, 0}, {0, 1}, {2e5, -2e5}}, 1e-10)); // larger than what goes in
+    CHECK_THAT(compose({{0, 1}, {-1, 0}, {-1e5, 0}}, {{1, 0}, {0, 1}, {1e5, 1e5}}).origin,
+               IsNear(Vec2{-2e5, 1e5}, 1e-10.of("origin [m]"));
+    CHECK_THAT(compose({{1, 0}, {0, 1}, {3e-9, 0}}, {{0.8, 0.6}, {-0.6, 0.8}, {0, 5e-9}}).origin,
+               IsNear(Vec2{3e-9, 5e-9}, 1e-15.of("origin [m]"));
+    CHECK_THAT(compose(frame(1e-7, {0, 0}), frame(0, {1, 0})).origin, IsNear(Vec2{1, 1e-7}, digits.of("origin [m]"));
+    CHECK_THAT(compose(frame(0, {0, 0}), frame(1e-7, {0, 0})).x_axis, IsNear(Vec2{1, 1e-7}, digits.of("x axis [1]"));
+    CHECK_THAT(compose(frame(1e-7, {0, 0}), frame(-1e-7, {0, 0})), IsNear(Frame{}, digits));
+    CHECK_THAT(compose({{-1, 0}, {0, -1}, {0, 0}}, {{-1, 0}, {0, -1}, {1, 2}}),
+               IsNear(Frame{{1, 0}, {0, 1}, {-1, -2}}, digits));
+    CHECK_THAT(compose({{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}, {{1, 0}, {0, 1}, {0, 0}}),
+               IsNear(Frame{{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}, digits));
+}
+
+TEST_CASE("frames with a number out of range are refused by compose", "[9.2]") {
+    CHECK_OUT_OF_RANGE_REFUSED(compose,
+                               {Frame{{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}, Frame{{0.8, 0.6}, {-0.6, 0.8}, {2, 1}}});
+    compose(Frame{}, Frame{}); // good input is still answered
+}
+
+// ---------------------------------------------------------------------------------------------------------- 9.3 joints
+
+//> Worked example: three links at 30° each
+TEST_CASE("from (1, 0), three links of 2 m, each bent by 30° more: the last one points straight up", "[9.3]") {
+    const double wide = std::sqrt(3); // 2 m at 30° is (√3, 1), 2 m at 60° is (1, √3), 2 m at 90° is (0, 2)
+    CHECK_THAT(joints({1, 0}, {{2, degrees(30)}, {2, degrees(30)}, {2, degrees(30)}}),
+               IsNear(std::vector<Vec2>{{1, 0}, {1 + wide, 1}, {2 + wide, 1 + wide}, {2 + wide, 3 + wide}}, digits));
+}
+
+//> No link
+TEST_CASE("without any link, the hand is at the base: one point", "[9.3]") {
+    CHECK_THAT(joints({3, -2}, {}), IsNear(std::vector<Vec2>{{3, -2}}, digits));
+}
+
+//> One link
+TEST_CASE("one link leads from the base to its end", "[9.3]") {
+    CHECK_THAT(joints({0, 0}, {{5, std::atan2(4, 3)}}), IsNear(std::vector<Vec2>{{0, 0}, {3, 4}}, digits));
+    CHECK_THAT(joints({1, 2}, {{5, degrees(-90)}}), IsNear(std::vector<Vec2>{{1, 2}, {1, -3}}, digits));
+}
+
+//> Two links again
+TEST_CASE("two links of 3 m and 5 m, at 45° and 90°, end where the arm of two links ends", "[9.3]") {
+    CHECK_THAT(joints({0, 0}, {{3, degrees(45)}, {5, degrees(90)}}),
+               IsNear(std::vector<Vec2>{{0, 0}, Vec2{3, 3} / std::sqrt(2), Vec2{-2, 8} / std::sqrt(2)}, digits));
+}
+
+//> Two links, elsewhere
+TEST_CASE("a base at (4, -1) moves each joint of two links by as much", "[9.3]") {
+    CHECK_THAT(joints({4, -1}, {{3, degrees(90)}, {5, degrees(-90)}}),
+               IsNear(std::vector<Vec2>{{4, -1}, {4, 2}, {9, 2}}, digits));
+}
+
+//> Straight line
+TEST_CASE("links that are not bent lie on a straight line", "[9.3]") {
+    CHECK_THAT(joints({0, 1}, {{1, 0}, {2, 0}, {3, 0}, {4, 0}}),
+               IsNear(std::vector<Vec2>{{0, 1}, {1, 1}, {3, 1}, {6, 1}, {10, 1}}, digits));
+    CHECK_THAT(joints({0, 1}, {{1, degrees(90)}, {2, 0}, {3, 0}}),
+               IsNear(std::vector<Vec2>{{0, 1}, {0, 2}, {0, 4}, {0, 7}}, digits));
+}
+
+//> A square
+TEST_CASE("four links of 2 m, with three bends of 90°, are a square: the hand is back at the base", "[9.3]") {
+    CHECK_THAT(joints({1, 1}, {{2, 0}, {2, degrees(90)}, {2, degrees(90)}, {2, degrees(90)}}),
+               IsNear(std::vector<Vec2>{{1, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 1}}, digits));
+}
+
+//> A staircase
+TEST_CASE("bends to the left and to the right in turn make a staircase", "[9.3]") {
+    CHECK_THAT(joints({0, 0}, {{1, 0}, {2, degrees(90)}, {1, degrees(-90)}, {2, degrees(90)}}),
+               IsNear(std::vector<Vec2>{{0, 0}, {1, 0}, {1, 2}, {2, 2}, {2, 4}}, digits));
+}
+
+//> A joint without a link
+TEST_CASE("links of no length leave the point where it is, but bend the arm", "[9.3]") {
+    CHECK_THAT(joints({0, 0}, {{0, degrees(90)}, {0, degrees(45)}, {0, degrees(45)}, {3, 0}}),
+               IsNear(std::vector<Vec2>{{0, 0}, {0, 0}, {0, 0}, {0, 0}, {-3, 0}}, digits));
+}
+
+//> Lengths and bends
+TEST_CASE("each link has its length, and each bend its angle, for arms of up to twelve links", "[9.3]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        const std::vector<Link> links = arm(dice, dice.whole(1, 12));
+
+        const std::vector<Vec2> got = joints(dice.point(-5, 5), links);
+
+        CHECK_THAT(got, HasSize(links.size() + 1).of("joints and hand"));
+        Vec2 before{1, 0}; // the x axis, from which the first link is turned
+        for (std::size_t k = 0; k < links.size(); ++k) {
+            const Vec2 along = got[k + 1] - got[k];
+            CHECK_THAT(along.norm(), IsNear(links[k].length, digits).of("length of a link [m]"));
+            CHECK_THAT(before.dot(along) / before.norm() / along.norm(),
+                       IsNear(std::cos(links[k].angle), 1e-9).of("cosine of a bend"));
+            CHECK_THAT((before.x() * along.y() - before.y() * along.x()) / before.norm() / along.norm(),
+                       IsNear(std::sin(links[k].angle), 1e-9).of("sine of a bend"));
+            before = along;
+        }
+    }
+}
+
+//> Walked
+TEST_CASE("the joints are where products of complex numbers say", "[9.3]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        const Vec2 base = dice.point(-5, 5);
+        const std::vector<Link> links = arm(dice, dice.whole(0, 12));
+        CHECK_THAT(joints(base, links), IsNear(walked(base, links), digits));
+    }
+}
+
+//> A shorter arm
+TEST_CASE("an arm that ends sooner has the same joints up to there", "[9.3]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(300); ++i) {
+        std::vector<Link> links = arm(dice, 5);
+        std::vector<Vec2> want = joints({1, 2}, links);
+        links.pop_back(), links.pop_back();
+        const std::vector<Vec2> got = joints({1, 2}, links);
+        CHECK_THAT(got, HasSize(4).of("joints of the shorter arm"));
+        for (int k = 0; k < 4; ++k)
+            CHECK_THAT(Vec2{got[k] - want[k]}, IsNear(Vec2{0, 0}, digits).of("difference of a joint [m]"));
+    }
+}
+
+//> A polygon of a hundred links
+TEST_CASE("a hundred links, each bent by a hundredth of a turn, close a polygon", "[9.3]") {
+    const std::vector<Link> links(100, Link{1, 2 * pi / 100});
+    const std::vector<Vec2> got = joints({5, 5}, links);
+    CHECK_THAT(got, HasSize(101).of("joints and hand"));
+    CHECK_THAT(got[100], IsNear(Vec2{5, 5}, 1e-9).of("the hand [m]"));
+    CHECK_THAT((got[50] - got[0]).norm(), IsNear(1 / std::sin(pi / 100), 1e-9).of("the polygon's width [m]"));
+}
+
+//> Erratum E9.2
+TEST_CASE("erratum E9.2: a base is not turned; as printed, one at (10, 0) brings the hand to (-8.485, 12.728)",
+          "[9.3]") {
+    const std::vector<Vec2> got = joints({10, 0}, {{3, degrees(45)}, {5, degrees(90)}});
+    CHECK_THAT(got.back(), IsNear(Vec2{10 - std::sqrt(2), 4 * std::sqrt(2)}, digits).of("the hand [m]"));
+    // all turns together are 135°: the printed product turns the base by as much
+    const Vec2 printed = got.back() - Vec2{10, 0} + 10 * at_angle(degrees(135));
+    CHECK_THAT(printed, IsNear(Vec2{-6 * std::sqrt(2), 9 * std::sqrt(2)}, digits).of("the hand, as printed [m]"));
+}
+
+//>
+TEST_CASE("a base and links up to 1e5 are allowed, tiny ones, and many turns", "[9.3]") {
+    CHECK_THAT(joints({1e5, -1e5}, {{1e5, 0}, {1e5, 0}, {0, 0}}),
+               IsNear(std::vector<Vec2>{{1e5, -1e5}, {2e5, -1e5}, {3e5, -1e5}, {3e5, -1e5}}, 1e-10));
+    const Vec2 far = at_angle(std::fmod(1e5, 2 * pi));
+    CHECK_THAT(joints({0, 0}, {{1, 1e5}, {1, -1e5}}).back(), IsNear(Vec2{far + Vec2{1, 0}}, 1e-5).of("the hand [m]"));
+    CHECK_THAT(joints({0, 0}, {{1, -1e5}}).back(), IsNear(Vec2{far.x(), -far.y()}, 1e-5).of("the hand [m]"));
+    CHECK_THAT(joints({1e-9, 2e-9}, {{3e-9, 0}, {5e-9, degrees(90)}}).back(),
+               IsNear(Vec2{4e-9, 7e-9}, 1e-15).of("the hand [m]"));
+    CHECK_THAT(joints({0, 0}, {{1, 1e-7}, {1, 1e-7}, {1, 1e-7}}).back(),
+               IsNear(Vec2{3, 6e-7}, digits).of("the hand [m]"));
+    CHECK_THAT(joints({0, 0}, {{1, 3}, {1, 3}, {1, 3}}).back(),
+               IsNear(Vec2{at_angle(3) + at_angle(6) + at_angle(9)}, digits).of("the hand [m]"));
+    CHECK_THAT(joints({0, 0}, std::vector<Link>(2000, Link{0.5, 0})).back(),
+               IsNear(Vec2{1000, 0}, digits).of("the hand [m]"));
+    CHECK_THAT(joints({0, 0}, {{2, 1}}), IsNear(std::vector<Vec2>{{0, 0}, 2 * at_angle(1)}, digits)); // shorter again
+    CHECK_THAT(joints({7, 7}, {}), IsNear(std::vector<Vec2>{{7, 7}}, digits));
+}
+
+TEST_CASE("a negative length of any link, or a number out of range, is refused by joints", "[9.3]") {
+    for (const double bad : {-1e-9, -3.0, -1e5}) {
+        CHECK_REFUSED(joints({0, 0}, {{bad, 1}, {5, 1}, {4, 1}}), "the first length is negative");
+        CHECK_REFUSED(joints({0, 0}, {{3, 1}, {bad, 1}, {4, 1}}), "the second length is negative");
+        CHECK_REFUSED(joints({0, 0}, {{3, 1}, {5, 1}, {bad, 1}}), "the last length is negative");
+    }
+    CHECK_OUT_OF_RANGE_REFUSED(joints, {Vec2{1, 2}, std::vector<Link>{{3, 0.5}, {5, 1}, {2, -1}}});
+    CHECK_REFUSED(joints({too_large, 0}, {}), "a base out of range, without links");
+    joints({0, 0}, {{3, 0.5}, {5, 1}}); // good input is still answered
+}
+
+// -------------------------------------------------------------------------------------------------------- 9.4 jacobian
+
+//> Worked example: the hand's two velocities
+TEST_CASE("3 m at 45° and 5 m bent by 90°: the hand moves by (-5.657, -1.414), and by (-3.536, -3.536)", "[9.4]") {
+    // from the first joint the hand is at (-1.414, 5.657), from the second at (-3.536, 3.536): a quarter turn to the left
+    CHECK_THAT(jacobian({{3, degrees(45)}, {5, degrees(90)}}),
+               IsNear(std::vector<Vec2>{Vec2{-8, -2} / std::sqrt(2), Vec2{-5, -5} / std::sqrt(2)}, digits));
+}
+
+//> One link turns
+TEST_CASE("one link of 5 m: the hand goes round a circle, at a right angle to the link", "[9.4]") {
+    CHECK_THAT(jacobian({{5, 0}}), IsNear(std::vector<Vec2>{{0, 5}}, digits));
+    CHECK_THAT(jacobian({{5, degrees(90)}}), IsNear(std::vector<Vec2>{{-5, 0}}, digits));
+    CHECK_THAT(jacobian({{5, std::atan2(4, 3)}}), IsNear(std::vector<Vec2>{{-4, 3}}, digits));
+}
+
+//> No link turns
+TEST_CASE("without any link, nothing moves the hand: an empty list", "[9.4]") {
+    CHECK_THAT(jacobian({}), IsNear(std::vector<Vec2>{}, digits));
+}
+
+//> A straight arm
+TEST_CASE("while the arm is straight, each angle moves the hand in the same direction", "[9.4]") {
+    CHECK_THAT(jacobian({{3, 0}, {5, 0}}), IsNear(std::vector<Vec2>{{0, 8}, {0, 5}}, digits));
+    CHECK_THAT(jacobian({{1, degrees(90)}, {2, 0}, {3, 0}}),
+               IsNear(std::vector<Vec2>{{-6, 0}, {-5, 0}, {-3, 0}}, digits));
+}
+
+//> A folded arm
+TEST_CASE("folded onto its first joint, the hand is not moved by the first angle", "[9.4]") {
+    CHECK_THAT(jacobian({{3, 0}, {3, pi}}), IsNear(std::vector<Vec2>{{0, 0}, {0, -3}}, digits));
+}
+
+//> Three links
+TEST_CASE("three links in an arch: the first angle moves the hand straight up", "[9.4]") {
+    // up 2 m, right 3 m, down 2 m: from the three joints the hand is at (3, 0), (3, -2) and (0, -2)
+    CHECK_THAT(jacobian({{2, degrees(90)}, {3, degrees(-90)}, {2, degrees(-90)}}),
+               IsNear(std::vector<Vec2>{{0, 3}, {2, 3}, {2, 0}}, digits));
+}
+
+//> Area
+TEST_CASE("for two links the determinant is both lengths times the sine of the second angle", "[9.4]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        const Link first = link(dice), second = link(dice);
+        const std::vector<Vec2> got = jacobian({first, second});
+        CHECK_THAT(got, HasSize(2).of("columns"));
+        CHECK_THAT(got[0].x() * got[1].y() - got[0].y() * got[1].x(),
+                   IsNear(first.length * second.length * std::sin(second.angle), digits).of("determinant [m²]"));
+    }
+}
+
+//> A small turn
+TEST_CASE("each column is what a small turn of that angle does to the hand, divided by the turn", "[9.4]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        const std::vector<Link> links = arm(dice, dice.whole(1, 8));
+        const std::vector<Vec2> got = jacobian(links);
+        CHECK_THAT(got, HasSize(links.size()).of("columns"));
+        for (std::size_t k = 0; k < links.size(); ++k) {
+            std::vector<Link> more = links, less = links;
+            more[k].angle += 1e-4, less[k].angle -= 1e-4;
+            const Vec2 want = (walked({0, 0}, more).back() - walked({0, 0}, less).back()) / 2e-4;
+            CHECK_THAT(Vec2{got[k] - want}, IsNear(Vec2{0, 0}, 1e-6).of("difference from a small turn [m/rad]"));
+        }
+    }
+}
+
+//> As far as the hand
+TEST_CASE("each column is as long as the way from its joint to the hand, and at a right angle to it", "[9.4]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        const std::vector<Link> links = arm(dice, dice.whole(1, 8));
+        const std::vector<Vec2> at = walked({0, 0}, links), got = jacobian(links);
+        CHECK_THAT(got, HasSize(links.size()).of("columns"));
+        for (std::size_t k = 0; k < links.size(); ++k) {
+            const Vec2 way = at.back() - at[k];
+            CHECK_THAT(got[k].dot(way), IsNear(0.0, 1e-9).of("dot product of a column and its way [m²]"));
+            CHECK_THAT(way.x() * got[k].y() - way.y() * got[k].x(),
+                       IsNear(way.squaredNorm(), digits).of("determinant of a way and its column [m²]"));
+        }
+    }
+}
+
+//> All together
+TEST_CASE("the whole arm turned by an angle turns all columns by it", "[9.4]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(300); ++i) {
+        std::vector<Link> links = arm(dice, 4);
+        const std::vector<Vec2> before = jacobian(links);
+        const double by = dice.real(-pi, pi);
+        links[0].angle += by;
+        const std::vector<Vec2> after = jacobian(links);
+        CHECK_THAT(after, HasSize(4).of("columns"));
+        for (int k = 0; k < 4; ++k)
+            CHECK_THAT(Vec2{after[k] - before[k].x() * at_angle(by) - before[k].y() * quarter_turned(at_angle(by))},
+                       IsNear(Vec2{0, 0}, digits).of("difference from the turned column [m/rad]"));
+    }
+}
+
+//>
+TEST_CASE("the jacobian of links up to 1e5 m, tiny ones, none, and many turns", "[9.4]") {
+    CHECK_THAT(jacobian({{1e5, 0}, {1e5, 0}}), IsNear(std::vector<Vec2>{{0, 2e5}, {0, 1e5}}, 1e-10));
+    CHECK_THAT(jacobian({{3e-9, 0}, {5e-9, degrees(90)}}), IsNear(std::vector<Vec2>{{-5e-9, 3e-9}, {-5e-9, 0}}, 1e-15));
+    CHECK_THAT(jacobian({{0, 1}, {5, -1}, {0, 2}}), IsNear(std::vector<Vec2>{{0, 5}, {0, 5}, {0, 0}}, digits));
+    CHECK_THAT(jacobian({{3, degrees(45) + 20 * pi}, {5, degrees(90) - 40 * pi}}),
+               IsNear(std::vector<Vec2>{Vec2{-8, -2} / std::sqrt(2), Vec2{-5, -5} / std::sqrt(2)}, 1e-9));
+    const Vec2 far = at_angle(std::fmod(1e5, 2 * pi));
+    CHECK_THAT(jacobian({{1, 1e5}, {1, -1e5}}), IsNear(std::vector<Vec2>{{-far.y(), 1 + far.x()}, {0, 1}}, 1e-5));
+    CHECK_THAT(jacobian({{1, -1e5}}), IsNear(std::vector<Vec2>{{far.y(), far.x()}}, 1e-5));
+    CHECK_THAT(jacobian({{3, 1e-7}, {5, 0}}), IsNear(std::vector<Vec2>{{-8e-7, 8}, {-5e-7, 5}}, digits));
+    CHECK_THAT(jacobian(std::vector<Link>(500, Link{0.5, 0})).front(),
+               IsNear(Vec2{0, 250}, digits).of("column [m/rad]"));
+    CHECK_THAT(jacobian({{2, 0}}), IsNear(std::vector<Vec2>{{0, 2}}, digits)); // shorter again
+}
+
+TEST_CASE("a negative length of any link, or a number out of range, is refused by jacobian", "[9.4]") {
+    for (const double bad : {-1e-9, -3.0, -1e5}) {
+        CHECK_REFUSED(jacobian({{bad, 1}, {5, 1}, {4, 1}}), "the first length is negative");
+        CHECK_REFUSED(jacobian({{3, 1}, {bad, 1}, {4, 1}}), "the second length is negative");
+        CHECK_REFUSED(jacobian({{3, 1}, {5, 1}, {bad, 1}}), "the last length is negative");
+    }
+    CHECK_OUT_OF_RANGE_REFUSED(jacobian, {std::vector<Link>{{3, 0.5}, {5, 1}, {2, -1}}});
+    jacobian({{3, 0.5}, {5, 1}}); // good input is still answered
+}
+
+// -------------------------------------------------------------------------------------------------------- 9.5 to_local
+
+//> Worked example: a point in the hand's frame
+TEST_CASE("from a frame at (3, 1) whose x axis is (0.8, 0.6), the world's (4, 3) is seen at (2, 1)", "[9.5]") {
+    // the way to it is (1, 2): 1 · 0.8 + 2 · 0.6 along x, and 1 · -0.6 + 2 · 0.8 along y
+    CHECK_THAT(to_local({{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}, {4, 3}), IsNear(Vec2{2, 1}, digits));
+}
+
+//> Turned, not moved
+TEST_CASE("in a frame that is turned about the world's origin, a point has the dot products with the axes", "[9.5]") {
+    CHECK_THAT(to_local({{0, 1}, {-1, 0}, {0, 0}}, {3, 5}), IsNear(Vec2{5, -3}, digits));
+    CHECK_THAT(to_local({{0.8, 0.6}, {-0.6, 0.8}, {0, 0}}, {1, 2}), IsNear(Vec2{2, 1}, digits));
+    CHECK_THAT(to_local({{-1, 0}, {0, -1}, {0, 0}}, {3, 5}), IsNear(Vec2{-3, -5}, digits));
+}
+
+//> Moved, not turned
+TEST_CASE("in a frame that is moved only, a point has the way from its origin", "[9.5]") {
+    CHECK_THAT(to_local({{1, 0}, {0, 1}, {3, 1}}, {4, 3}), IsNear(Vec2{1, 2}, digits));
+}
+
+//> The world itself
+TEST_CASE("in the world's own frame, a point is where it is", "[9.5]") {
+    CHECK_THAT(to_local(Frame{}, {4, -3}), IsNear(Vec2{4, -3}, digits));
+    CHECK_THAT(to_local(Frame{}, {0, 0}), IsNear(Vec2{0, 0}, digits));
+}
+
+//> Its origin and its axes
+TEST_CASE("the frame's own origin is at (0, 0), and the tips of its axes at (1, 0) and (0, 1)", "[9.5]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(300); ++i) {
+        const Frame any = frame(dice);
+        CHECK_THAT(to_local(any, any.origin), IsNear(Vec2{0, 0}, digits));
+        CHECK_THAT(to_local(any, any.origin + any.x_axis), IsNear(Vec2{1, 0}, digits));
+        CHECK_THAT(to_local(any, any.origin + any.y_axis), IsNear(Vec2{0, 1}, digits));
+    }
+}
+
+//> There and back
+TEST_CASE("walked from the origin along both axes, it is the point of the world", "[9.5]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        const Frame any = frame(dice);
+        const Vec2 point = dice.point(-10, 10), got = to_local(any, point);
+        CHECK_THAT(Vec2{any.origin + got.x() * any.x_axis + got.y() * any.y_axis},
+                   IsNear(point, digits).of("the point, walked to again [m]"));
+    }
+}
+
+//> By distance and angle
+TEST_CASE("its distance from the origin stays, and its angle is less by that of the frame", "[9.5]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        const double angle = dice.real(-pi, pi), towards = dice.real(-pi, pi), far = dice.real(0, 10);
+        const Vec2 at = dice.point(-5, 5);
+        CHECK_THAT(to_local(frame(angle, at), at + far * at_angle(towards)),
+                   IsNear(Vec2{far * at_angle(towards - angle)}, digits));
+    }
+}
+
+//> A box in the hand
+TEST_CASE("a box that is picked up stays where it is in the hand, however the hand moves and turns", "[9.5]") {
+    const Vec2 box = to_local(frame(degrees(90), {2, 3}), {2, 3.5}); // picked up, half a metre in front of the hand
+    CHECK_THAT(box, IsNear(Vec2{0.5, 0}, digits).of("the box, in the hand's frame [m]"));
+    CHECK_THAT(to_local(frame(degrees(180), {-1, 4}), {-1.5, 4}), IsNear(Vec2{0.5, 0}, digits));
+}
+
+//>
+TEST_CASE("points and origins up to 1e5 are allowed by to_local, and tiny ones", "[9.5]") {
+    CHECK_THAT(to_local({{1, 0}, {0, 1}, {-1e5, 1e5}}, {1e5, -1e5}), IsNear(Vec2{2e5, -2e5}, 1e-10));
+    CHECK_THAT(to_local({{0, 1}, {-1, 0}, {0, -1e5}}, {1e5, 1e5}), IsNear(Vec2{2e5, -1e5}, 1e-10));
+    CHECK_THAT(to_local({{0.8, 0.6}, {-0.6, 0.8}, {3e-9, 1e-9}}, {4e-9, 3e-9}), IsNear(Vec2{2e-9, 1e-9}, 1e-15));
+    CHECK_THAT(to_local(frame(1e-7, {0, 0}), {1, 0}), IsNear(Vec2{1, -1e-7}, digits));
+    CHECK_THAT(to_local(frame(0, {1e-7, 0}), {1, 0}), IsNear(Vec2{1 - 1e-7, 0}, digits));
+    CHECK_THAT(to_local({{0.8, 0.6}, {-0.6, 0.8}, {4, 3}}, {3, 1}), IsNear(Vec2{-2, -1}, digits));
+}
+
+TEST_CASE("a frame or a point out of range is refused by to_local", "[9.5]") {
+    CHECK_OUT_OF_RANGE_REFUSED(to_local, {Frame{{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}, Vec2{4, 3}});
+    to_local(Frame{}, {4, 3}); // good input is still answered
+}
+
+// ----------------------------------------------------------------------------------------------- 9.6 turn_above_ground
+
+namespace {
+
+constexpr double in_angle =
+    1e-8; // of worked examples [rad]: what an error of 1e-9 m makes where a height changes slowly
+
+/// The heights above the ground of all joints and of the hand, once one joint has turned so far [m].
+std::vector<double> heights(const Vec2 &base, std::vector<Link> links, int joint, double turn) {
+    links[joint].angle += turn;
+    std::vector<double> all;
+    for (const Vec2 &point : walked(base, links)) all.push_back(point.y());
+    return all;
+}
+double lowest(const std::vector<double> &heights) { return *std::min_element(heights.begin(), heights.end()); }
+
+/// An arm that is above the ground by some centimetres.
+struct Arm {
+    Vec2 base;
+    std::vector<Link> links;
+};
+Arm raised_arm(Dice &dice) {
+    for (;;) {
+        const Arm any{{dice.real(-2, 2), dice.real(0.1, 3)}, arm(dice, dice.whole(1, 5))};
+        if (lowest(heights(any.base, any.links, 0, 0)) > 0.05) return any;
+    }
+}
+
+} // namespace
+
+//> Worked example: down to the ground
+TEST_CASE("from 3 m up, a level link of 5 m can turn clockwise by 0.6435 rad: its sine is then 3/5", "[9.6]") {
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, -pi / 2), IsNear(-std::asin(0.6), in_angle));
+}
+
+//> Not so far
+TEST_CASE("a turn that ends above the ground is made to its end", "[9.6]") {
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, -0.6), IsNear(-0.6, digits));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, 3), IsNear(3.0, digits));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, 0), IsNear(0.0, digits));
+}
+
+//> Over the top
+TEST_CASE("anticlockwise, the same link comes down on the other side, half a turn farther", "[9.6]") {
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, 6), IsNear(pi + std::asin(0.6), in_angle));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, pi}}, 0, -6), IsNear(-pi - std::asin(0.6), in_angle));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, pi}}, 0, 6), IsNear(std::asin(0.6), in_angle));
+}
+
+//> Short enough
+TEST_CASE("a link that is shorter than its joint is high turns as often as it likes", "[9.6]") {
+    CHECK_THAT(turn_above_ground({0, 3}, {{2.9, 0}}, 0, -100), IsNear(-100.0, digits));
+    CHECK_THAT(turn_above_ground({0, 3}, {{2.9, 0}}, 0, 1e5), IsNear(1e5, digits));
+}
+
+//> The elbow touches first
+TEST_CASE("with the hand held up, it is the elbow that touches the ground", "[9.6]") {
+    // 5 m to the right, then 2 m straight up: the elbow is down after asin(3/5)
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}, {2, degrees(90)}}, 0, -2), IsNear(-std::asin(0.6), in_angle));
+}
+
+//> The hand touches first
+TEST_CASE("with the hand held down, it is the hand that touches the ground", "[9.6]") {
+    // 4 m to the right and 1 m down: the hand is √17 m away, and atan(1/4) below the level already
+    CHECK_THAT(turn_above_ground({0, 3}, {{4, 0}, {1, degrees(-90)}}, 0, -2),
+               IsNear(-std::asin(3 / std::sqrt(17)) + std::atan(0.25), in_angle));
+}
+
+//> The second joint
+TEST_CASE("where the elbow bends, only what is behind it turns", "[9.6]") {
+    // the elbow is at (3, 4), the hand 5 m to the right of it
+    const std::vector<Link> links{{5, std::atan2(4, 3)}, {5, -std::atan2(4, 3)}};
+    CHECK_THAT(turn_above_ground({0, 0}, links, 1, -2), IsNear(-std::asin(0.8), in_angle));
+    CHECK_THAT(turn_above_ground({0, 0}, links, 1, 6), IsNear(pi + std::asin(0.8), in_angle));
+}
+
+//> The middle of three
+TEST_CASE("of three links the middle joint turns two", "[9.6]") {
+    // up 3 m, right 4 m, down 1 m: the hand is √17 m from the elbow
+    const std::vector<Link> links{{3, degrees(90)}, {4, degrees(-90)}, {1, degrees(-90)}};
+    CHECK_THAT(turn_above_ground({0, 0}, links, 1, -2),
+               IsNear(-std::asin(3 / std::sqrt(17)) + std::atan(0.25), in_angle));
+    CHECK_THAT(turn_above_ground({0, 0}, links, 2, -100), IsNear(-100.0, digits)); // 1 m cannot reach 3 m down
+}
+
+//> From the ground
+TEST_CASE("with its base on the ground, a link turns from level to level", "[9.6]") {
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, degrees(30)}}, 0, 4), IsNear(degrees(150), in_angle));
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, degrees(30)}}, 0, -4), IsNear(degrees(-30), in_angle));
+    CHECK_THAT(turn_above_ground({7, 0}, {{5, degrees(90)}}, 0, 4), IsNear(degrees(90), in_angle));
+}
+
+//> On the ground
+TEST_CASE("a hand on the ground cannot go down, but up, and on to the other side", "[9.6]") {
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, 0}}, 0, -1), IsNear(0.0, in_angle));
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, 0}}, 0, 1), IsNear(1.0, digits));
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, 0}}, 0, 4), IsNear(pi, in_angle));
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, pi}}, 0, 1), IsNear(0.0, in_angle));
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, pi}}, 0, -4), IsNear(-pi, in_angle));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, -std::asin(0.6)}}, 0, -1), IsNear(0.0, in_angle));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, -std::asin(0.6)}}, 0, 6), IsNear(pi + 2 * std::asin(0.6), in_angle));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, pi + std::asin(0.6)}}, 0, -6),
+               IsNear(-pi - 2 * std::asin(0.6), in_angle));
+}
+
+//> Asked again
+TEST_CASE("asked again where it has stopped, the arm stays; and it may go back up", "[9.6]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        auto [base, links] = raised_arm(dice);
+        const int joint = dice.whole(0, int(links.size()) - 1);
+        const double by = dice.sign() * 10;
+        const double turned = turn_above_ground(base, links, joint, by);
+        if (turned == by) continue; // it touches nothing
+        links[joint].angle += turned;
+        CHECK_THAT(lowest(heights(base, links, joint, by / 1e3)), IsBelow(1e-9).of("height, one step farther [m]"));
+        if (lowest(heights(base, links, joint, by / 1e4)) > -1e-4) continue; // it hardly dips
+        CHECK_THAT(lowest(heights(base, links, joint, turn_above_ground(base, links, joint, by))),
+                   IsNear(0.0, 1e-8).of("height of the lowest joint, turned once more [m]"));
+        CHECK_THAT(turn_above_ground(base, links, joint, -turned), IsNear(-turned, digits));
+    }
+}
+
+//> Frame by frame
+TEST_CASE("by a tenth of a radian in each frame, it comes to the ground, and stays there for all frames", "[9.6]") {
+    std::vector<Link> links{{2, degrees(60)}, {3, degrees(-20)}, {1, degrees(-30)}};
+    double angle = links[0].angle;
+    for (int frame = 0; frame < 100; ++frame) {
+        links[0].angle = angle;
+        angle += turn_above_ground({0, 1}, links, 0, -0.1);
+    }
+    CHECK_THAT(lowest(heights({0, 1}, links, 0, 0)), IsNear(0.0, 1e-9).of("height of the lowest joint [m]"));
+}
+
+//> Never below
+TEST_CASE("no joint gets below the ground on the way, and where the turn ends early, one is on it", "[9.6]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        const auto [base, links] = raised_arm(dice);
+        const int joint = dice.whole(0, int(links.size()) - 1);
+        const double by = dice.real(-8, 8);
+
+        const double got = turn_above_ground(base, links, joint, by);
+
+        CHECK_THAT(got * by, IsAtLeast(0).of("the answer, times `by` [rad²]"));
+        CHECK_THAT(std::abs(got), IsAtMost(std::abs(by)).of("how far it turns [rad]"));
+        for (int step = 1; step <= 50; ++step)
+            CHECK_THAT(lowest(heights(base, links, joint, got * step / 50)),
+                       IsAtLeast(-1.1e-5).of("height of the lowest joint on the way [m]"));
+        if (std::abs(got) < std::abs(by) - 1e-9)
+            CHECK_THAT(lowest(heights(base, links, joint, got)),
+                       IsNear(0.0, 2e-9).of("height of the lowest joint where it ends [m]"));
+    }
+}
+
+//> In a mirror
+TEST_CASE("in a mirror, the arm turns the other way, as far", "[9.6]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        const auto [base, links] = raised_arm(dice);
+        std::vector<Link> mirrored = links;
+        for (Link &each : mirrored) each.angle = -each.angle;
+        mirrored[0].angle += pi;
+        const int joint = dice.whole(0, int(links.size()) - 1);
+        const double by = dice.real(-8, 8);
+        const double one = turn_above_ground(base, links, joint, by);
+        const double other = turn_above_ground({-base.x(), base.y()}, mirrored, joint, -by);
+        CHECK_THAT(one + other, IsNear(0.0, 1e-3).of("sum of a turn and its mirror image [rad]"));
+    }
+}
+
+//> Rounding below the ground
+TEST_CASE("by rounding, or by 5e-6 m, below the ground counts as on it", "[9.6]") {
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, -1e-16}}, 0, -1), IsNear(0.0, in_angle));
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, -1e-16}}, 0, 1), IsNear(1.0, digits));
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, -pi}}, 0, 1), IsNear(0.0, in_angle)); // its y is -6e-16
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, -pi}}, 0, -4), IsNear(-pi, in_angle));
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, -1e-6}}, 0, -1), IsNear(0.0, 2e-6));
+    CHECK_THAT(turn_above_ground({0, 0}, {{5, -1e-6}}, 0, 1), IsNear(1.0, digits));
+    CHECK_THAT(turn_above_ground({0, -5e-6}, {{5, degrees(90)}}, 0, 1), IsNear(1.0, digits));
+}
+
+//>
+TEST_CASE("links of no length, far and long arms, and joints that the ground is next to", "[9.6]") {
+    CHECK_THAT(turn_above_ground({0, 0}, {{0, 1}}, 0, -7), IsNear(-7.0, digits)); // nothing moves
+    CHECK_THAT(turn_above_ground({0, 0}, {{0, 1}, {5, 1}, {0, 3}}, 0, -7), IsNear(-2.0, in_angle));
+    CHECK_THAT(turn_above_ground({0, 2}, {{5, 0}, {0, 0}}, 1, -7), IsNear(-7.0, digits));
+    CHECK_THAT(turn_above_ground({1e5, 3}, {{5, 0}}, 0, -1), IsNear(-std::asin(0.6), 1e-8));
+    CHECK_THAT(turn_above_ground({0, 6e4}, {{1e5, 0}}, 0, -1e5), IsNear(-std::asin(0.6), 1e-8));
+    CHECK_THAT(turn_above_ground({0, 1e5}, {{1e5, 0}, {1e5, degrees(90)}}, 0, -1e5), IsNear(-pi / 2, 1e-3));
+    CHECK_THAT(turn_above_ground({0, 1e5}, {{9e4, 0}}, 0, 1e5), IsNear(1e5, digits));
+    CHECK_THAT(turn_above_ground({0, 0.003}, {{0.005, 0}}, 0, -1), IsNear(-std::asin(0.6), 1e-6));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 20 * pi}}, 0, -1), IsNear(-std::asin(0.6), in_angle));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, -20 * pi}}, 0, 6), IsNear(pi + std::asin(0.6), in_angle));
+    CHECK_THAT(turn_above_ground({0, 3}, {{3.001, 0}}, 0, -7),
+               IsNear(-std::asin(3 / 3.001), 1e-6)); // a millimetre deep
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, -0.643), IsNear(-0.643, digits));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, -0.644), IsNear(-std::asin(0.6), in_angle));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, -1e-7), IsNear(-1e-7, 1e-15));
+    CHECK_THAT(turn_above_ground({0, 5}, {{5, degrees(-80)}}, 0, 9e4), IsNear(9e4, 1)); // it may stop where it grazes
+}
+
+TEST_CASE("an arm that is below the ground to begin with is refused, wherever it is", "[9.6]") {
+    for (const double deep : {2e-5, 0.1, 1.0}) {
+        CHECK_REFUSED(turn_above_ground({0, -deep}, {{5, degrees(90)}}, 0, 1), "the base is below the ground");
+        CHECK_REFUSED(turn_above_ground({0, 0}, {{5, -std::asin(deep / 5)}}, 0, 1), "the hand is below the ground");
+        CHECK_REFUSED(turn_above_ground({0, 3}, {{5, -std::asin((3 + deep) / 5)}, {5, degrees(90)}}, 0, 1),
+                      "the elbow is below the ground");
+        CHECK_REFUSED(turn_above_ground({0, 3}, {{5, -std::asin((3 + deep) / 5)}, {5, degrees(90)}}, 1, 1),
+                      "the elbow, which turns, is below the ground");
+        CHECK_REFUSED(turn_above_ground({0, -deep}, {{5, degrees(90)}}, 0, 0), "the base is below the ground, by 0");
+    }
+    turn_above_ground({0, 3}, {{5, 0}}, 0, -1); // good input is still answered
+}
+
+TEST_CASE("a joint that there is not is refused", "[9.6]") {
+    CHECK_REFUSED(turn_above_ground({0, 3}, {{5, 0}, {2, 0}}, -1, 1), "joint -1");
+    CHECK_REFUSED(turn_above_ground({0, 3}, {{5, 0}, {2, 0}}, 2, 1), "joint 2 of two links");
+    CHECK_REFUSED(turn_above_ground({0, 3}, {{5, 0}, {2, 0}}, 100, 1), "joint 100 of two links");
+    CHECK_REFUSED(turn_above_ground({0, 3}, {}, 0, 1), "joint 0 of no links");
+    turn_above_ground({0, 3}, {{5, 0}, {2, 0}}, 1, 1); // good input is still answered
+}
+
+TEST_CASE("a negative length, or a number out of range, is refused by turn_above_ground", "[9.6]") {
+    for (const double bad : {-1e-9, -3.0}) {
+        CHECK_REFUSED(turn_above_ground({0, 3}, {{bad, 0}, {2, 0}}, 0, 1), "the first length is negative");
+        CHECK_REFUSED(turn_above_ground({0, 3}, {{2, 0}, {bad, 0}}, 0, 1), "the last length is negative");
+    }
+    CHECK_OUT_OF_RANGE_REFUSED(turn_above_ground, {Vec2{0, 3}, std::vector<Link>{{2, 0.1}, {1, 0.2}}, 0, 1.0});
+    turn_above_ground({0, 3}, {{2, 0.1}}, 0, 1); // good input is still answered
 }
