@@ -152,15 +152,15 @@ TEST_CASE("erratum E9.3: the hand of the example is at 5.657 m, rounded; the pri
 //>
 TEST_CASE("lengths and angles up to 1e5 are allowed, and tiny ones", "[9.1]") {
     CHECK_THAT(two_links({1e5, 0}, {1e5, 0}), IsNear(ElbowAndHand{{1e5, 0}, {2e5, 0}}, 1e-10));
-    CHECK_THAT(two_links({1e5, degrees(90)}, {1e5, degrees(-90)}).hand, IsNear(Vec2{1e5, 1e5}, 1e-10.of("hand [m]"));
+    CHECK_THAT(two_links({1e5, degrees(90)}, {1e5, degrees(-90)}).hand, IsNear(Vec2{1e5, 1e5}, 1e-10).of("hand [m]"));
     const Vec2 far = at_angle(std::fmod(1e5, 2 * pi));
     CHECK_THAT(two_links({1, 1e5}, {1, -1e5}), IsNear(ElbowAndHand{far, far + Vec2{1, 0}}, 1e-5));
-    CHECK_THAT(two_links({1, -1e5}, {1, 1e5}).hand, IsNear(Vec2{far.x() + 1, -far.y()}, 1e-5.of("hand [m]"));
-    CHECK_THAT(two_links({3e-9, 0}, {5e-9, degrees(90)}).hand, IsNear(Vec2{3e-9, 5e-9}, 1e-15.of("hand [m]"));
+    CHECK_THAT(two_links({1, -1e5}, {1, 1e5}).hand, IsNear(Vec2{far.x() + 1, -far.y()}, 1e-5).of("hand [m]"));
+    CHECK_THAT(two_links({3e-9, 0}, {5e-9, degrees(90)}).hand, IsNear(Vec2{3e-9, 5e-9}, 1e-15).of("hand [m]"));
     CHECK_THAT(two_links({3, 1e-7}, {5, 0}), IsNear(ElbowAndHand{{3, 3e-7}, {8, 8e-7}}, digits));
     CHECK_THAT(two_links({3, 0}, {5, 1e-7}), IsNear(ElbowAndHand{{3, 0}, {8, 5e-7}}, digits));
     CHECK_THAT(two_links({3, 0}, {5, 7}), IsNear(ElbowAndHand{{3, 0}, Vec2{3, 0} + 5 * at_angle(7)}, digits));
-    CHECK_THAT(two_links({3, -7}, {5, 0}).elbow, IsNear(Vec2{3 * at_angle(-7)}, digits.of("elbow [m]"));
+    CHECK_THAT(two_links({3, -7}, {5, 0}).elbow, IsNear(Vec2{3 * at_angle(-7)}, digits).of("elbow [m]"));
     CHECK_THAT(two_links({0.001, 0}, {0.001, 0}), IsNear(ElbowAndHand{{0.001, 0}, {0.002, 0}}, digits));
 }
 
@@ -280,11 +280,11 @@ TEST_CASE("origins up to 1e5 are allowed, and tiny turns", "[9.2]") {
     CHECK_THAT(compose({{1, 0}, {0, 1}, {1e5, -1e5}}, {{1, 0}, {0, 1}, {1e5, -1e5}}),
                IsNear(Frame{{1, 0}, {0, 1}, {2e5, -2e5}}, 1e-10)); // larger than what goes in
     CHECK_THAT(compose({{0, 1}, {-1, 0}, {-1e5, 0}}, {{1, 0}, {0, 1}, {1e5, 1e5}}).origin,
-               IsNear(Vec2{-2e5, 1e5}, 1e-10.of("origin [m]"));
+               IsNear(Vec2{-2e5, 1e5}, 1e-10).of("origin [m]"));
     CHECK_THAT(compose({{1, 0}, {0, 1}, {3e-9, 0}}, {{0.8, 0.6}, {-0.6, 0.8}, {0, 5e-9}}).origin,
-               IsNear(Vec2{3e-9, 5e-9}, 1e-15.of("origin [m]"));
-    CHECK_THAT(compose(frame(1e-7, {0, 0}), frame(0, {1, 0})).origin, IsNear(Vec2{1, 1e-7}, digits.of("origin [m]"));
-    CHECK_THAT(compose(frame(0, {0, 0}), frame(1e-7, {0, 0})).x_axis, IsNear(Vec2{1, 1e-7}, digits.of("x axis [1]"));
+               IsNear(Vec2{3e-9, 5e-9}, 1e-15).of("origin [m]"));
+    CHECK_THAT(compose(frame(1e-7, {0, 0}), frame(0, {1, 0})).origin, IsNear(Vec2{1, 1e-7}, digits).of("origin [m]"));
+    CHECK_THAT(compose(frame(0, {0, 0}), frame(1e-7, {0, 0})).x_axis, IsNear(Vec2{1, 1e-7}, digits).of("x axis [1]"));
     CHECK_THAT(compose(frame(1e-7, {0, 0}), frame(-1e-7, {0, 0})), IsNear(Frame{}, digits));
     CHECK_THAT(compose({{-1, 0}, {0, -1}, {0, 0}}, {{-1, 0}, {0, -1}, {1, 2}}),
                IsNear(Frame{{1, 0}, {0, 1}, {-1, -2}}, digits));
