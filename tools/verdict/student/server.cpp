@@ -19,7 +19,10 @@
 
 namespace {
 
-using namespace course::wire;
+namespace wire = course::wire; // name by name: a section has a Frame, too, and tests/answers has both in one file
+using wire::Arrived, wire::Header, wire::Reader, wire::Writer;
+using wire::largest_frame, wire::pipe_is_gone, wire::reply_fd, wire::request_fd;
+
 #ifdef __linux__
 long system_write(int file, const void *data, std::size_t size) { return ::syscall(SYS_write, file, data, size); }
 long system_read(int file, void *data, std::size_t size) { return ::syscall(SYS_read, file, data, size); }
@@ -60,14 +63,14 @@ std::uint32_t call_number = 0;
 struct Reply : Writer {
     Reply() { bytes.resize(sizeof(Header)); }
 
-    void send(Frame frame) {
+    void send(wire::Frame frame) {
         const Header header{frame, call_number, static_cast<std::uint32_t>(bytes.size() - sizeof(Header))};
         std::memcpy(bytes.data(), &header, sizeof header);
         write_all(bytes.data(), bytes.size());
     }
 };
 
-void answer(Frame frame, std::string_view first, std::string_view second = {}) {
+void answer(wire::Frame frame, std::string_view first, std::string_view second = {}) {
     Reply words;
     words.put(first);
     words.put(second);
@@ -93,23 +96,23 @@ void make_call(const std::string &request) {
         Reply result;
         served[exercise](in, result);
         std::cout.flush(); // the student may have taken it off stdio
-        result.send(Frame::result);
+        result.send(wire::Frame::result);
     } catch (const course::Missing &) {
-        answer(Frame::missing, "");
+        answer(wire::Frame::missing, "");
     } catch (const course::NotYet &hint) {
-        answer(Frame::not_yet, hint.what(), hint.function);
+        answer(wire::Frame::not_yet, hint.what(), hint.function);
     } catch (const std::invalid_argument &refusal) {
-        answer(Frame::refused, refusal.what());
+        answer(wire::Frame::refused, refusal.what());
     } catch (const std::bad_alloc &) {
-        answer(Frame::no_memory, "");
+        answer(wire::Frame::no_memory, "");
     } catch (const std::exception &error) {
-        answer(Frame::threw, thrown_type(), error.what());
+        answer(wire::Frame::threw, thrown_type(), error.what());
     } catch (const char *text) {
-        answer(Frame::threw, thrown_type(), text);
+        answer(wire::Frame::threw, thrown_type(), text);
     } catch (int number) {
-        answer(Frame::threw, thrown_type(), std::to_string(number));
+        answer(wire::Frame::threw, thrown_type(), std::to_string(number));
     } catch (...) {
-        answer(Frame::threw, thrown_type());
+        answer(wire::Frame::threw, thrown_type());
     }
 }
 
@@ -124,7 +127,7 @@ void on_crash(int signal, siginfo_t *info, void *) {
         Header header;
         std::uint64_t fault;
         std::uint32_t ran_out;
-    } message{{Frame::crashed, call_number, 12}, fault, ran_out};
+    } message{{wire::Frame::crashed, call_number, 12}, fault, ran_out};
     write_all(reinterpret_cast<const char *>(&message), sizeof(Header) + 12);
     ::signal(signal, SIG_DFL);
     ::raise(signal);
@@ -150,10 +153,10 @@ __attribute__((constructor(101))) void prepare() {
 int main() {
     Reply hello;
     hello.put(exercises);
-    hello.send(Frame::hello);
+    hello.send(wire::Frame::hello);
     Header header;
     std::string request;
-    while (read_all(&header, sizeof header) && header.frame == Frame::call && header.size <= largest_frame) {
+    while (read_all(&header, sizeof header) && header.frame == wire::Frame::call && header.size <= largest_frame) {
         request.resize(header.size);
         if (!read_all(request.data(), request.size())) break;
         call_number = header.call;
