@@ -25,7 +25,6 @@ const demo::About about{"Arms of two links and of many: where are their hands?",
                         {demo::choice("The game", games, you_guess),
                          {"first motor", "rad/s", -6, 6, 1, 1, {}, in_games({drawing})},
                          {"second motor", "rad/s", -6, 6, 1, 4, {}, in_games({drawing})},
-                         {"second length", "m", 0, 3, 0.5, 2, {}, in_games({drawing})},
                          {"place", "m", -5, 5, 0.1, -3, {}, in_games({digging})},
                          {"slope", "°", -20, 20, 1, 0, {}, in_games({digging})},
                          {"boom", "°", 0, 90, 1, 50, {}, in_games({digging})},
@@ -36,7 +35,6 @@ const demo::About about{"Arms of two links and of many: where are their hands?",
                          {"lag", "rad", 0, 1, 0.05, 0.25, {}, in_games({swinging})},
                          {"joint", "", 1, 3, 1, 1, {}, in_games({arrows, carrying, grounded})}},
                         {{"f", "Show", in_games({you_guess})},
-                         {"c", "Wipe", in_games({drawing})},
                          {"t", "Take, or let go", in_games({carrying})},
                          {"u", "Turn left", in_games({arrows, carrying, grounded})},
                          {"d", "Turn right", in_games({arrows, carrying, grounded})}}};
@@ -62,16 +60,11 @@ State begin() { return {}; }
 void start(State &now) {
     now.time = 0;
     now.base = {-1, -2.5};
-    if (now.game == drawing) now.arm = {{3, 0}, {2, 0}, {}};
+    now.arm = {{3, 0}, {2, 0}, {}};
+    now.box = {{{1, 0}, {0, 1}, {2.5, 0.5}}, {}, false};
+    now.links = {{2.2, 100 * degree}, {1.8, -60 * degree}, {1.2, -30 * degree}};
+    if (now.game == grounded) now.base = {0, 2};
     if (now.game == arrows) now.links = {{3, 45 * degree}, {2, 90 * degree}};
-    if (now.game == carrying) {
-        now.links = {{3, 100 * degree}, {2.5, -60 * degree}, {1, -40 * degree}};
-        now.box = {{{1, 0}, {0, 1}, {3.5, 0.5}}, {}, false};
-    }
-    if (now.game == grounded) {
-        now.links = {{2.2, 100 * degree}, {1.8, -60 * degree}, {1.2, -30 * degree}};
-        now.base = {0, 2};
-    }
 }
 
 /// The arm above the ground is drawn this much lower [m].
@@ -106,7 +99,6 @@ void drag(State &now, const Input &in) {
 
 void press(State &now, const Input &in) {
     if (in.key == "f") now.shown = true;
-    if (in.key == "c") now.arm.trail.clear();
     if (in.key == "t" && now.box.held) now.box.held = false;
     else if (in.key == "t") take(now.box, hand_frame(now));
     const int joint = std::min(int(in["joint"]), int(now.links.size())) - 1;
@@ -117,7 +109,6 @@ void press(State &now, const Input &in) {
 void step(State &now, const Input &in) {
     now.time += frame_time;
     if (now.game == drawing) {
-        now.arm.second.length = in["second length"];
         next_frame(now.arm, in["first motor"], in["second motor"], frame_time);
         if (now.arm.trail.size() > 900) now.arm.trail.clear();
     }
@@ -146,6 +137,9 @@ void add(demo::Picture &seen, Shape::Kind kind, Colour colour, double size, cons
          double strength = 1) {
     add_list(seen, kind, colour, size, points, strength);
 }
+void add_arrow(demo::Picture &seen, Colour colour, const Vec2 &from, const Vec2 &arrow) {
+    add(seen, Shape::arrow, colour, 3, {from, from + arrow});
+}
 void add_words(demo::Picture &seen, const Vec2 &at, const char *words, Colour colour = Colour::ink) {
     seen.shapes.push_back({Shape::words, colour, 0, 1, {at}, words});
 }
@@ -172,8 +166,9 @@ void add_arm(demo::Picture &seen, const std::vector<Vec2> &all, bool handles = t
 
 void draw_guess(demo::Picture &seen, const State &now) {
     for (int i = -1; i <= 5; ++i) {
-        add(seen, Shape::line, Colour::line, 1, {{i + 0.0, -1}, {i + 0.0, 5}});
-        add(seen, Shape::line, Colour::line, 1, {{-1, i + 0.0}, {5, i + 0.0}});
+        const double at = i;
+        add(seen, Shape::line, Colour::line, 1, {{at, -1}, {at, 5}});
+        add(seen, Shape::line, Colour::line, 1, {{-1, at}, {5, at}});
     }
     const auto [elbow, hand] = two_links({3, 30 * degree}, {2, 45 * degree});
     if (now.shown) add_arm(seen, {{0, 0}, elbow, hand}, false);
@@ -218,10 +213,10 @@ void draw_arrows(demo::Picture &seen, const State &now) {
     const Vec2 hand = all.back(), a = columns[0], b = columns[1];
     add(seen, Shape::area, Colour::amber, 0, {hand, hand + a, hand + a + b, hand + b}, 0.3);
     add_arm(seen, all);
-    add(seen, Shape::arrow, Colour::pink, 3, {hand, hand + a});
-    add(seen, Shape::arrow, Colour::green, 3, {hand, hand + b});
-    add_words(seen, hand + 1.07 * a, "by the first joint", Colour::pink);
-    add_words(seen, hand + 1.1 * b, "by the elbow", Colour::green);
+    add_arrow(seen, Colour::pink, hand, a);
+    add_arrow(seen, Colour::green, hand, b);
+    add_words(seen, hand + a, "by the first joint", Colour::pink);
+    add_words(seen, hand + b, "by the elbow", Colour::green);
     say(seen, "area", "m²", a.x() * b.y() - a.y() * b.x());
 }
 
@@ -231,8 +226,8 @@ void draw_carrying(demo::Picture &seen, const State &now) {
     add_part(seen, now.box.place, Colour::violet, {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}},
              now.box.held ? 1 : 0.5);
     add_arm(seen, joints(now.base, now.links));
-    add(seen, Shape::arrow, Colour::pink, 2, {hand.origin, hand.origin + hand.x_axis});
-    add(seen, Shape::arrow, Colour::green, 2, {hand.origin, hand.origin + hand.y_axis});
+    add_arrow(seen, Colour::pink, hand.origin, hand.x_axis);
+    add_arrow(seen, Colour::green, hand.origin, hand.y_axis);
     say(seen, "box, to the right", "m", now.box.place.origin.x());
     say(seen, "box, up", "m", now.box.place.origin.y());
     say(seen, "along the hand's x axis", "m", there.x());
@@ -246,7 +241,7 @@ void draw_grounded(demo::Picture &seen, const State &now) {
         lowest = std::min(lowest, at.y());
         at.y() -= sunk;
     }
-    add(seen, Shape::area, Colour::dim, 0, {{-9, -5.3}, {9, -5.3}, {9, -sunk}, {-9, -sunk}}, 0.4);
+    add(seen, Shape::line, Colour::dim, 4, {{-9, -sunk}, {9, -sunk}});
     add(seen, Shape::line, Colour::ink, 3, {{0, -sunk}, all[0]});
     add_arm(seen, all);
     say(seen, "lowest", "m", lowest);
@@ -259,12 +254,9 @@ demo::Picture draw(const State &now, const Input &in) {
     case you_guess: draw_guess(seen, now); break;
     case drawing: draw_drawing(seen, now); break;
     case digging: draw_digger(seen, in); break;
-    case swinging: {
-        const std::vector<Vec2> all =
-            joints({0, -4}, tentacle(int(in["links"]), 8, in["swing"] * degree, in["lag"], now.time));
-        add_arm(seen, all, false);
+    case swinging:
+        add_arm(seen, joints({0, -4}, tentacle(int(in["links"]), 8, in["swing"] * degree, in["lag"], now.time)), false);
         break;
-    }
     case arrows: draw_arrows(seen, now); break;
     case carrying: draw_carrying(seen, now); break;
     case grounded: draw_grounded(seen, now); break;

@@ -106,16 +106,12 @@ void trace_torso(std::ostream &out) {
 void trace_base(std::ostream &out) {
     out << "# x[m]\ty[m]\tas printed: x[m]\ty[m]\n";
     const Link first{3, 45 * degree}, second{5, 90 * degree};
-    const Frame base{{1, 0}, {0, 1}, {10, 0}};
-    const Frame elbow = compose(base, end_of(first)), hand = compose(elbow, end_of(second));
-    // as printed, the base comes first of all, so it is turned by all joints
-    const Frame last = compose(end_of(second), base), printed = compose(end_of(first), last);
-    const Frame before = compose(end_of(first), base);
-    out << base.origin.x() << '\t' << base.origin.y() << '\t' << base.origin.x() << '\t' << base.origin.y() << '\n';
-    out << elbow.origin.x() << '\t' << elbow.origin.y() << '\t' << before.origin.x() << '\t' << before.origin.y()
-        << '\n';
-    out << hand.origin.x() << '\t' << hand.origin.y() << '\t' << printed.origin.x() << '\t' << printed.origin.y()
-        << '\n';
+    const Vec2 base{10, 0};
+    const std::vector<Vec2> all = joints(base, {first, second});
+    // as printed, the base is where our hand is: the joints turn it
+    const Vec2 printed[]{base, in_world(end_of(first), base), in_world(compose(end_of(first), end_of(second)), base)};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        out << all[i].x() << '\t' << all[i].y() << '\t' << printed[i].x() << '\t' << printed[i].y() << '\n';
 }
 
 //> A tentacle, traced
