@@ -162,7 +162,7 @@ TEST_CASE("erratum E9.3: the hand of the example is at 5.657 m, rounded; the pri
 
 //>
 TEST_CASE("lengths and angles up to 1e5 are allowed, and tiny ones", "[9.1]") {
-    CHECK_THAT(two_links({1e5, 0}, {1e5, 0}), IsNear(ElbowAndHand{{1e5, 0}, {2e5, 0}}, 1e-10));
+    CHECK_THAT(two_links({1e5, 0}, {1e5, pi}), IsNear(ElbowAndHand{{1e5, 0}, {0, 0}}, 1e-5));
     CHECK_THAT(two_links({1e5, degrees(90)}, {1e5, degrees(-90)}).hand, IsNear(Vec2{1e5, 1e5}, 1e-10).of("hand [m]"));
     const Vec2 far = at_angle(std::fmod(1e5, 2 * pi));
     CHECK_THAT(two_links({1, 1e5}, {1, -1e5}), IsNear(ElbowAndHand{far, far + Vec2{1, 0}}, 1e-5));
@@ -435,8 +435,8 @@ TEST_CASE("erratum E9.2: a base is not turned; as printed, one at (10, 0) brings
 
 //>
 TEST_CASE("a base and links up to 1e5 are allowed, tiny ones, and many turns", "[9.3]") {
-    CHECK_THAT(joints({1e5, -1e5}, {{1e5, 0}, {1e5, 0}, {0, 0}}),
-               IsNear(std::vector<Vec2>{{1e5, -1e5}, {2e5, -1e5}, {3e5, -1e5}, {3e5, -1e5}}, 1e-10));
+    CHECK_THAT(joints({-1e5, -1e5}, {{1e5, 0}, {1e5, 0}, {0, 0}, {1e5, degrees(90)}}),
+               IsNear(std::vector<Vec2>{{-1e5, -1e5}, {0, -1e5}, {1e5, -1e5}, {1e5, -1e5}, {1e5, 0}}, 1e-10));
     const Vec2 far = at_angle(std::fmod(1e5, 2 * pi));
     CHECK_THAT(joints({0, 0}, {{1, 1e5}, {1, -1e5}}).back(), IsNear(Vec2{far + Vec2{1, 0}}, 1e-5).of("the hand [m]"));
     CHECK_THAT(joints({0, 0}, {{1, -1e5}}).back(), IsNear(Vec2{far.x(), -far.y()}, 1e-5).of("the hand [m]"));
@@ -565,7 +565,7 @@ TEST_CASE("the whole arm turned by an angle turns all columns by it", "[9.4]") {
 
 //>
 TEST_CASE("the jacobian of links up to 1e5 m, tiny ones, none, and many turns", "[9.4]") {
-    CHECK_THAT(jacobian({{1e5, 0}, {1e5, 0}}), IsNear(std::vector<Vec2>{{0, 2e5}, {0, 1e5}}, 1e-10));
+    CHECK_THAT(jacobian({{1e5, 0}, {1e5, degrees(90)}}), IsNear(std::vector<Vec2>{{-1e5, 1e5}, {-1e5, 0}}, 1e-10));
     CHECK_THAT(jacobian({{3e-9, 0}, {5e-9, degrees(90)}}), IsNear(std::vector<Vec2>{{-5e-9, 3e-9}, {-5e-9, 0}}, 1e-15));
     CHECK_THAT(jacobian({{0, 1}, {5, -1}, {0, 2}}), IsNear(std::vector<Vec2>{{0, 5}, {0, 5}, {0, 0}}, digits));
     CHECK_THAT(jacobian({{3, degrees(45) + 20 * pi}, {5, degrees(90) - 40 * pi}}),
@@ -802,7 +802,7 @@ TEST_CASE("by a tenth of a radian in each frame, it comes to the ground, and sta
         links[0].angle = angle;
         angle += turn_above_ground({0, 1}, links, 0, -0.1);
     }
-    CHECK_THAT(lowest(heights({0, 1}, links, 0, 0)), IsNear(0.0, 1e-9).of("height of the lowest joint [m]"));
+    CHECK_THAT(lowest(heights({0, 1}, links, 0, 0)), IsNear(0.0, 1e-7).of("height of the lowest joint [m]"));
 }
 
 //> Never below
@@ -860,7 +860,8 @@ TEST_CASE("links of no length, far and long arms, and joints that the ground is 
     CHECK_THAT(turn_above_ground({0, 2}, {{5, 0}, {0, 0}}, 1, -7), IsNear(-7.0, digits));
     CHECK_THAT(turn_above_ground({1e5, 3}, {{5, 0}}, 0, -1), IsNear(-std::asin(0.6), 1e-8));
     CHECK_THAT(turn_above_ground({0, 6e4}, {{1e5, 0}}, 0, -1e5), IsNear(-std::asin(0.6), 1e-8));
-    CHECK_THAT(turn_above_ground({0, 1e5}, {{1e5, 0}, {1e5, degrees(90)}}, 0, -1e5), IsNear(-pi / 2, 1e-3));
+    CHECK_THAT(turn_above_ground({0, 1e5}, {{8e4, 0}, {8e4, degrees(-90)}}, 0, -1e5),
+               IsNear(degrees(45) - std::asin(1 / (0.8 * std::sqrt(2))), 1e-8));
     CHECK_THAT(turn_above_ground({0, 1e5}, {{9e4, 0}}, 0, 1e5), IsNear(1e5, digits));
     CHECK_THAT(turn_above_ground({0, 0.003}, {{0.005, 0}}, 0, -1), IsNear(-std::asin(0.6), 1e-6));
     CHECK_THAT(turn_above_ground({0, 3}, {{5, 20 * pi}}, 0, -1), IsNear(-std::asin(0.6), in_angle));

@@ -5,7 +5,8 @@
 #include <vector>
 
 /// Section 9: where the joints and the hand of an arm are.
-/// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
+/// Each number that goes in must be within ±1e5, both ends included; an answer may be larger, but an arm that reaches
+/// farther than 1e5 m along x or y may be refused.
 /// Angles are in radians, anticlockwise, and may be of any number of turns. An answer is right to ten digits of the
 /// largest number that goes in, or of 1 if that is larger, unless its function says otherwise.
 namespace forward_kinematics {

@@ -24,7 +24,7 @@ double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int j
     for (const Vec2 &point : at)
         if (point.y() < -1e-5) throw std::invalid_argument{"below the ground"};
 
-    double floor = 0; // what is a hair below the ground may stay as low
+    double floor = -1e-10; // what is a hair below the ground may stay as low
     for (const Vec2 &point : at) floor = std::min(floor, point.y());
     const auto lowest = [&](double turn) {
         double y = at[joint].y();
@@ -37,11 +37,11 @@ double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int j
     };
     const double sign = by < 0 ? -1 : 1, all = std::min(std::abs(by), 7.0), step = 1e-3; // more than one turn is free
     for (double turned = 0; turned < all; turned += step) {
-        if (lowest(sign * std::min(turned + step, all)) >= floor - 1e-10) continue;
+        if (lowest(sign * std::min(turned + step, all)) >= floor) continue;
         double above = turned, below = std::min(turned + step, all);
         for (int i = 0; i < 60; ++i) {
             const double middle = (above + below) / 2;
-            (lowest(sign * middle) >= floor - 1e-10 ? above : below) = middle;
+            (lowest(sign * middle) >= floor ? above : below) = middle;
         }
         return sign * above;
     }
