@@ -82,7 +82,7 @@ struct Box {
 /// An arrow of the world, as seen from a frame.
 inline Vec2 arrow_in(const Frame &frame, const Vec2 &arrow) { return to_local(frame, frame.origin + arrow); }
 
-//> The frame loop: pick up and carry
+//> Pick up
 /// The hand takes the box: its place in the hand is remembered.
 inline void take(Box &box, const Frame &hand) {
     box.in_hand = {arrow_in(hand, box.place.x_axis), arrow_in(hand, box.place.y_axis),
@@ -90,6 +90,7 @@ inline void take(Box &box, const Frame &hand) {
     box.held = true;
 }
 
+//> The frame loop: carry
 /// One frame of the game: a box that is held goes where the hand goes.
 inline void next_frame(Box &box, const Frame &hand) {
     if (box.held) box.place = compose(hand, box.in_hand);

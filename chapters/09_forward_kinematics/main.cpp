@@ -34,7 +34,7 @@ void print_frames(std::ostream &out) {
         out << row({{name, 18}, {text(frame.x_axis), 14}, {text(frame.y_axis), 14}, {text(frame.origin), 0}});
 }
 
-//> Three links
+//> An arm of three links
 void print_joints(std::ostream &out) {
     const std::vector<Link> links(3, {2, 30 * degree});
     for (const Vec2 &joint : joints({1, 0}, links)) out << text(joint) << '\n';
