@@ -1,4 +1,4 @@
-// needs orocos_kdl orocos-kdl liborocos-kdl-dev
+// needs orocos_kdl orocos_kdl::orocos_kdl liborocos-kdl-dev
 // needs Boost Boost::headers libboost-dev
 // KDL is what robots calculate their arms with: chains of segments in space. Eigen has frames as one matrix, and its
 // inverse. Boost finds when a point meets the ground by a search for a root.
