@@ -19,7 +19,7 @@ std::vector<std::string_view> in_games(std::initializer_list<Game> which) {
     return names;
 }
 
-const demo::About about{"Arms of two links and of many: where are their hands?",
+const demo::About about{"Arms, and where their hands are.",
                         {-9, -5.3},
                         {9, 5.3},
                         {demo::choice("The game", games, you_guess),
@@ -38,7 +38,7 @@ const demo::About about{"Arms of two links and of many: where are their hands?",
                          {"t", "Take, or let go", in_games({carrying})},
                          {"u", "Turn left", in_games({arrows, carrying, grounded})},
                          {"d", "Turn right", in_games({arrows, carrying, grounded})}}};
-const demo::Still still{1.6, "f"};
+const demo::Still still{1.6};
 
 struct State {
     Game game = you_guess;
@@ -152,11 +152,10 @@ void say_place(demo::Picture &seen, const Vec2 &hand) {
     say(seen, "hand, up", "m", hand.y());
 }
 /// An area whose corners are given as seen from a frame.
-void add_part(demo::Picture &seen, const Frame &frame, Colour colour, std::initializer_list<Vec2> corners,
-              double strength = 1) {
+void add_part(demo::Picture &seen, const Frame &frame, Colour colour, std::initializer_list<Vec2> corners) {
     std::vector<Vec2> points;
     for (const Vec2 &corner : corners) points.push_back(in_world(frame, corner));
-    add_list(seen, Shape::area, colour, 0, points, strength);
+    add_list(seen, Shape::area, colour, 0, points, 1);
 }
 void add_arm(demo::Picture &seen, const std::vector<Vec2> &all, bool handles = true) {
     add_list(seen, Shape::line, Colour::blue, 6, all);
@@ -215,20 +214,19 @@ void draw_arrows(demo::Picture &seen, const State &now) {
     add_arm(seen, all);
     add_arrow(seen, Colour::pink, hand, a);
     add_arrow(seen, Colour::green, hand, b);
-    add_words(seen, hand + a, "by the first joint", Colour::pink);
-    add_words(seen, hand + b, "by the elbow", Colour::green);
+    add_words(seen, hand + a + Vec2{0, 0.4}, "by the first joint", Colour::pink);
+    add_words(seen, hand + b - Vec2{0, 0.4}, "by the elbow", Colour::green);
     say(seen, "area", "m²", a.x() * b.y() - a.y() * b.x());
 }
 
 void draw_carrying(demo::Picture &seen, const State &now) {
     const Frame hand = hand_frame(now);
     const Vec2 there = to_local(hand, now.box.place.origin);
-    add_part(seen, now.box.place, Colour::violet, {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}},
-             now.box.held ? 1 : 0.5);
+    add_part(seen, now.box.place, now.box.held ? Colour::violet : Colour::dim,
+             {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
     add_arm(seen, joints(now.base, now.links));
     add_arrow(seen, Colour::pink, hand.origin, hand.x_axis);
     add_arrow(seen, Colour::green, hand.origin, hand.y_axis);
-    say(seen, "box, to the right", "m", now.box.place.origin.x());
     say(seen, "box, up", "m", now.box.place.origin.y());
     say(seen, "along the hand's x axis", "m", there.x());
     say(seen, "along its y axis", "m", there.y());
