@@ -453,3 +453,9 @@ double one_word(Vec2 a, Vec2 b, Vec2 v, double t) {
     t = 3; a = a.dot(b) + b; t = b.norm();     // a.dot(b) is a number; a.dot(b) * b is a vector.
     return t;
 }
+std::vector<Vec2> an_arm(const Vec2 &base, const Spark &spark) {
+    Vec2 points = base;
+    points.push_back(base);                    // Only a list has push_back: std::vector<Vec2> list;
+    const double x = 2 * std::cos(spark);      // A Spark is a struct: use its fields, one at a time.
+    return {points};
+}

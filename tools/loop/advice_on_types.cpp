@@ -20,6 +20,7 @@ constexpr const char *fields_in_braces = "The braces hold the fields of the resu
                                          "it has a number, a.mass, say; where it "
                                          "has a Vec2, a.velocity; not the whole a.";
 constexpr const char *call_function = "That is a function: call it, with what it needs in parentheses.";
+constexpr const char *only_lists_grow = "Only a list has push_back: std::vector<Vec2> list;";
 constexpr const char *dot_is_number = "a.dot(b) is a number; a.dot(b) * b is a vector.";
 
 bool is_optional(std::string_view type) { return contains(type, "std::optional<"); }
@@ -38,6 +39,7 @@ std::string about_member(const Said &said) {
     const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
     if (names.size() < 2 || (!gcc && !clang)) return {};
     const std::string &asked = gcc ? names[0] : names[1];
+    if ((gcc ? names[1] : names[0]) == "push_back" && !contains(asked, "std::")) return only_lists_grow;
     if (const std::string name = struct_name(asked); !name.empty() && !contains(said.words, "did you mean"))
         return "Look up the fields of " + name + " in the header.";
     if (is_vector(asked) && (gcc ? names[1] : names[0]) == "length") return length_of_vector;
@@ -99,6 +101,21 @@ std::string about_dot(const Said &said) {
 std::string about_absolute(const Said &said) {
     const bool is_it = contains(said.words, "function for call to 'abs");
     return is_it && contains(said.words + said.notes, "Vec2") ? length_of_vector : "";
+}
+
+/// std::cos(link)
+std::string about_sine(const Said &said) {
+    std::string words = said.words;
+    if (const auto note = between(said.notes, "no known conversion from ", "\n"))
+        words += ' ' + with_short_names(std::string{*note});
+    for (const char *function : {"sin", "cos", "tan", "sqrt"}) {
+        if (!contains(words, "function for call to '" + std::string{function})) continue;
+        for (std::string type : in_quotes(words)) {
+            if (const auto given = between(type, std::string{function} + '(', ")")) type = *given;
+            if (type != function && !struct_name(type).empty()) return about_fields(struct_name(type));
+        }
+    }
+    return {};
 }
 
 /// Box.high: GCC points at the dot, Clang at the dot or at the type.
@@ -244,8 +261,8 @@ std::string about_two_types(const Said &said) {
 } // namespace
 
 std::string advice_on_types(const Said &said) {
-    return first_of({about_member, about_argument, about_dot, about_absolute, about_type_with_dot, about_function,
-                     about_operands, about_conversion, about_choice, about_two_types},
+    return first_of({about_member, about_argument, about_dot, about_absolute, about_sine, about_type_with_dot,
+                     about_function, about_operands, about_conversion, about_choice, about_two_types},
                     said);
 }
 
