@@ -15,7 +15,7 @@ set label '3 m' at 1.05,1.05 right textcolor lt 1
 set label '2 m' at 2.62,2.55 right textcolor lt 1
 set label '30°' at 1.25,0.3 left textcolor lt 6
 set label '45°' at 3.35,2.35 left textcolor lt 6
-yours = with_yours("ARG3 using 1:2 with linespoints lt 2 ps 1.5 title 'yours'")
+yours = with_yours("ARG3 using 1:2 with linespoints lt 2 pt 6 ps 1.8 title 'yours'")
 plot '+' using (5.2 * $0 / 199):(0) with lines lc rgb DIM lw 1 dt solid notitle, \
      '+' using (2.598 + 2.0 * $0 / 199):(1.5 + 1.1547 * $0 / 199) with lines lc rgb DIM lw 1 dt (4,4) notitle, \
      '+' using (1.1 * cos(pi / 6 * $0 / 199)):(1.1 * sin(pi / 6 * $0 / 199)) with lines lt 6 lw 1.5 dt solid notitle, \

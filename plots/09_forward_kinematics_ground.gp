@@ -13,7 +13,7 @@ set label 'ground' at -1.4,-0.3 left textcolor rgb INK
 set label 'this joint turns' at 0.85,3.0 right textcolor rgb INK
 set label 'before' at 3.2,2.5 left textcolor rgb DIM
 set label 'as far as it goes' at 1.75,1.3 left textcolor lt 1
-yours = with_yours("ARG3 using 3:4 with points lt 2 ps 1.6 title 'yours'")
+yours = with_yours("ARG3 using 3:4 with points lt 2 pt 6 ps 1.8 title 'yours'")
 plot ARG1 using 1:2 with linespoints lc rgb DIM lw 2.5 pt 7 dt (5,4) notitle, \
      ARG1 using 3:4 with linespoints lt 1 lw 3 notitle, \
      @yours

@@ -20,9 +20,9 @@ struct Arm {
 
 //> The frame loop: two motors
 /// One frame of the game: a motor turns each joint, at so many radians per second, and the hand leaves a mark.
-inline void next_frame(Arm &arm, double shoulder, double elbow, double dt) {
-    arm.first.angle += dt * shoulder;
-    arm.second.angle += dt * elbow;
+inline void next_frame(Arm &arm, double first_rate, double second_rate, double dt) {
+    arm.first.angle += dt * first_rate;
+    arm.second.angle += dt * second_rate;
     arm.trail.push_back(two_links(arm.first, arm.second).hand);
 }
 

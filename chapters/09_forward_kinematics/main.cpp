@@ -44,7 +44,7 @@ void print_joints(std::ostream &out) {
 double area(const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); }
 
 void print_jacobians(std::ostream &out) {
-    out << row({{"elbow [°]", 11}, {"shoulder's arrow [m]", 23}, {"elbow's arrow [m]", 23}, {"area [m²]", 0}});
+    out << row({{"elbow [°]", 11}, {"first joint [m/rad]", 23}, {"elbow [m/rad]", 23}, {"area [m²]", 0}});
     for (const double bent : {90.0, 60.0, 30.0, 0.0}) {
         const std::vector<Vec2> columns = jacobian({{3, 45 * degree}, {5, bent * degree}});
         out << row({{text(bent), 11},
@@ -126,7 +126,7 @@ void trace_tentacle(std::ostream &out) {
 
 //> How the hand moves, traced
 void trace_arrows(std::ostream &out) {
-    out << "# x[m]\ty[m]\tshoulder: x[m/s]\ty[m/s]\telbow: x[m/s]\ty[m/s]\n";
+    out << "# x[m]\ty[m]\tfirst joint: x[m/s]\ty[m/s]\telbow: x[m/s]\ty[m/s]\n";
     for (const double bent : {90.0, 0.0}) {
         const std::vector<Link> links{{3, 45 * degree}, {2, bent * degree}};
         const std::vector<Vec2> all = joints({0, 0}, links), columns = jacobian(links);

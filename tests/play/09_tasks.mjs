@@ -30,7 +30,9 @@ for (const row of rows('an arm that draws (9.1)', { 'second motor': -1 }, second
 }
 { // the digger: place and slope move all of it; the teeth can reach the stone, by two sliders, and not by place alone
   const away = (chosen) => after('a digger (9.2)', chosen, '')['to the stone'];
-  for (let place = -5; place <= 5; place += 0.5) assert.ok(away({ place }) > 1);
+  const alone = { place: [-5, 5, 0.5], slope: [-20, 20, 4], boom: [0, 90, 5], stick: [-150, 0, 5], bucket: [-120, 60, 10] };
+  for (const [name, [from, to, by]] of Object.entries(alone))
+    for (let at = from; at <= to; at += by) assert.ok(away({ [name]: at }) > 1, `${name} ${at}`);
   assert.ok(away({ place: -1.6, boom: 34 }) < 0.1);
 }
 { // how the hand moves: the area is that of 3 m and 2 m, whatever the first angle is
