@@ -91,6 +91,8 @@ static double turn_until_below(const Vec2 &arm, double height) {
     const double dip = std::asin(height / radius);    // its circle meets the ground at -dip, and at pi + dip
     const double above = std::numbers::pi + 2 * dip;  // the part of the circle between them
     const double turn = std::numbers::pi + dip - std::atan2(arm.y(), arm.x());
+    // On a way that is longer than this it would go through the lowest point of its circle: there is a whole turn too
+    // much. A rest below 0 says that it is a hair below the ground already.
     return turn > above / 2 + std::numbers::pi ? std::max(0.0, turn - 2 * std::numbers::pi) : turn;
 }
 

@@ -45,8 +45,7 @@ struct Frame {
 };
 
 //> Compose
-/// The frame `inner`, which is given as seen from the frame `outer`, as the world sees it: the product of the two
-/// matrices, `outer` on the left.
+/// The frame `inner`, which is given as seen from the frame `outer`, as the world sees it.
 /// @throws std::invalid_argument if a number is not within ±1e5.
 Frame compose(const Frame &outer, const Frame &inner);
 
