@@ -459,3 +459,13 @@ std::vector<Vec2> an_arm(const Vec2 &base, const Spark &spark) {
     const double x = 2 * std::cos(spark);      // A Spark is a struct: use its fields, one at a time.
     return {points};
 }
+struct Stick { double length{}; };
+double sticks_and_pairs(const std::vector<Stick> &sticks, const std::vector<Vec2> &points, Vec2 a, const Stick &stick) {
+    const double b = 2 * length;               // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
+    const double c = 2 * sticks.length;        // That is the whole list: one element of it is list[i], and how many it has is list.size().
+    const Vec2 last = points.last();           // The last element of a list is list.back().
+    a = a + (stick.length, 0.0);               // Two numbers make a vector in braces: Vec2{a, b}, not (a, b).
+    a = (stick.length, 0.0);                   // Two numbers make a vector in braces: Vec2{a, b}, not (a, b).
+    a = Vec2{std::cosinus(b), 1};              // Cosine and sine are std::cos(…) and std::sin(…).
+    return 2 * hand.x();                       // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
+}

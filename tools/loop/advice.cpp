@@ -26,6 +26,7 @@ constexpr const char *one_value =
     "push_back takes one value: a Vec2 or a struct in braces, push_back({a, b}), or one number at a time.";
 constexpr const char *once_each = "push_back takes one value: call it once for each number.";
 constexpr const char *name_taken = "The name is taken already: use what has it, or choose another name.";
+constexpr const char *short_names = "Cosine and sine are std::cos(…) and std::sin(…).";
 constexpr const char *count_in_size = "The size of a list is a std::size_t: for (std::size_t i = 0; …).";
 
 /// A slip that the compiler's words alone give away, or together with a word of its notes.
@@ -57,6 +58,8 @@ constexpr std::array slips{
     Slip{"reference to non-static member function must be called", "", call_it},
     Slip{"invalid use of member function", "", call_it},
     Slip{"invalid use of non-static member function", "", call_it},
+    Slip{"'cosinus'", "", short_names},
+    Slip{"'sinus'", "", short_names},
     Slip{"comparison in operand of", "", two_at_a_time},
     Slip{"do not have their mathematical meaning", "", two_at_a_time},
     Slip{"with boolean expression is always", "", two_at_a_time},

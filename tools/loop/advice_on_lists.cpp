@@ -12,6 +12,9 @@ constexpr const char *colon_for_in =
     "A loop over a list has a colon: for (const Vec2 &v : list), or for (int i : list).";
 constexpr const char *one_element = "That is a list: one element of it is list[i], the first is list[0].";
 constexpr const char *count_them = "How many elements a list has is list.size().";
+constexpr const char *element_or_size =
+    "That is the whole list: one element of it is list[i], and how many it has is list.size().";
+constexpr const char *last_one = "The last element of a list is list.back().";
 constexpr const char *to_add = "To add to a list, write list.push_back(a).";
 constexpr const char *close_angle = "Each < of a type needs its >: is one missing?";
 
@@ -32,10 +35,14 @@ std::string about_loop(const Said &said) {
 std::string about_list_member(const Said &said) {
     const auto names = in_quotes(said.words);
     const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
-    if (names.size() < 2 || (!gcc && !clang) || contains(said.words, "did you mean")) return {};
+    if (names.size() < 2 || (!gcc && !clang)) return {};
     const std::string &asked = names[gcc ? 0 : 1], &member = names[gcc ? 1 : 0];
     const auto element = between(asked, "std::vector<", ">");
     if (!element) return {};
+    if (member == "last") return last_one;
+    if (contains(said.words, "did you mean")) return {};
+    const bool may_be_field = !struct_name(*element).empty() && !contains(said.code, '.' + member + '(');
+    if (member == "length" && may_be_field) return element_or_size;
     for (const char *adds : {"add", "append", "push", "Add"})
         if (member == adds) return to_add;
     for (const char *counts : {"length", "count", "len"})
@@ -43,8 +50,7 @@ std::string about_list_member(const Said &said) {
     if (is_vector(*element))
         for (const char *of_a_vector : {"x", "y", "norm", "dot", "normalized", "squaredNorm"})
             if (member == of_a_vector) return one_element;
-    const bool is_field = !struct_name(*element).empty() && !contains(said.code, '.' + member + '(');
-    return is_field ? one_element : "";
+    return may_be_field ? one_element : "";
 }
 
 /// list(2)

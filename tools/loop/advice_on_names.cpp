@@ -49,7 +49,7 @@ std::string about_unknown_name(const Said &said) {
         return write_pi;
     if (!unknown || names.empty()) return {};
     if (names[0] == "pi" || names[0] == "PI") return write_pi;
-    if (names[0] == "norm" || names[0] == "length") return length_of_vector;
+    if (names[0] == "norm" || (names[0] == "length" && is_called(said.code, "length"))) return length_of_vector;
     if (names[0] == "dot") return write_dot;
     for (const char *one_word : {"elseif", "elsif", "elif"})
         if (names[0] == one_word) return "Write else if, in two words.";
@@ -65,7 +65,8 @@ std::string about_unknown_name(const Said &said) {
     if (names[0].size() == 2 && std::isalpha(static_cast<unsigned char>(names[0][0])) != 0
         && std::isdigit(static_cast<unsigned char>(names[0][1])) != 0)
         return letter_of_a_formula(names[0]);
-    if (contains(said.words, "did you mean")) return {};
+    const bool of_the_c_library = names.back() == "rand" || names.back() == "opterr"; // no good guess
+    if (contains(said.words, "did you mean") && !of_the_c_library) return {};
     return "A field needs its struct, as in start.velocity; a variable is known below the line that declares it, "
            "inside the same braces.";
 }

@@ -21,6 +21,7 @@ constexpr const char *fields_in_braces = "The braces hold the fields of the resu
                                          "has a Vec2, a.velocity; not the whole a.";
 constexpr const char *call_function = "That is a function: call it, with what it needs in parentheses.";
 constexpr const char *only_lists_grow = "Only a list has push_back: std::vector<Vec2> list;";
+constexpr const char *pair_in_braces = "Two numbers make a vector in braces: Vec2{a, b}, not (a, b).";
 constexpr const char *dot_is_number = "a.dot(b) is a number; a.dot(b) * b is a vector.";
 
 bool is_optional(std::string_view type) { return contains(type, "std::optional<"); }
@@ -154,6 +155,28 @@ bool has_dot_product(const Said &said) {
     return contains(std::string_view{said.code}.substr(begin, end - begin), ".dot(");
 }
 
+/// a + (x, y), a = (x, y): parentheses for braces.
+bool has_pair_in_parentheses(std::string_view code) {
+    for (std::size_t at = 0; (at = code.find('(', at)) != code.npos; ++at) {
+        const std::size_t before = at == 0 ? code.npos : code.find_last_not_of(' ', at - 1);
+        if (before == code.npos || !contains("=+-", code.substr(before, 1))) continue;
+        int open = 0;
+        for (std::size_t i = at; i < code.size(); ++i) {
+            if (contains("([{", code.substr(i, 1))) ++open;
+            if (contains(")]}", code.substr(i, 1)) && --open == 0) break;
+            if (code[i] == ',' && open == 1) return true;
+        }
+    }
+    return false;
+}
+
+/// GCC warns of the comma first, and Clang says no more than that = does not fit.
+std::string about_pair(const Said &said) {
+    const bool is_it =
+        contains(said.words, "left operand of comma") || said.words.starts_with("no viable overloaded '='");
+    return is_it && has_pair_in_parentheses(said.code) ? pair_in_braces : "";
+}
+
 /// Two operands that do not go together.
 std::string about_operands(const Said &said) {
     if ((contains(said.words, "operand type is '") || contains(said.words, "to unary expression"))
@@ -181,6 +204,7 @@ std::string about_operands(const Said &said) {
     if (is_vector(left) && is_vector(right) && contains(asked, gcc ? "operator/" : " / "))
         return "No vector can be divided by a vector: divide by its length, a / a.norm().";
     const bool mixed = (is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right));
+    if (mixed && has_pair_in_parentheses(said.code)) return pair_in_braces;
     if (mixed && has_dot_product(said)) return dot_is_number;
     if (mixed)
         return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
@@ -227,6 +251,7 @@ std::string about_conversion(const Said &said) {
         return "A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().";
     if (is_number(from) && is_vector(to)) {
         if (contains(said.code, ".norm();")) return "a.norm() is a number; a / a.norm() is a vector of length 1.";
+        if (has_pair_in_parentheses(said.code)) return pair_in_braces;
         return has_dot_product(said) ? dot_is_number : two_components;
     }
     if ((is_number(from) || is_vector(from)) && !struct_name(to).empty())
@@ -262,7 +287,7 @@ std::string about_two_types(const Said &said) {
 
 std::string advice_on_types(const Said &said) {
     return first_of({about_member, about_argument, about_dot, about_absolute, about_sine, about_type_with_dot,
-                     about_function, about_operands, about_conversion, about_choice, about_two_types},
+                     about_function, about_pair, about_operands, about_conversion, about_choice, about_two_types},
                     said);
 }
 
