@@ -851,6 +851,7 @@ TEST_CASE("by rounding, or by 5e-6 m, below the ground counts as on it", "[9.6]"
     CHECK_THAT(turn_above_ground({0, 0}, {{5, -1e-6}}, 0, -1), IsNear(0.0, 2e-6));
     CHECK_THAT(turn_above_ground({0, 0}, {{5, -1e-6}}, 0, 1), IsNear(1.0, digits));
     CHECK_THAT(turn_above_ground({0, -5e-6}, {{5, degrees(90)}}, 0, 1), IsNear(1.0, digits));
+    CHECK_THAT(turn_above_ground({0, 0}, {{1e-4, -0.05}}, 0, -1), IsNear(0.0, 1e-4)); // close to the joint
 }
 
 //>

@@ -8,7 +8,8 @@
 /// Each number that goes in must be within ±1e5, both ends included; an answer may be larger, but an arm that reaches
 /// farther than 1e5 m along x or y may be refused.
 /// Angles are in radians, anticlockwise, and may be of any number of turns. An answer is right to ten digits of the
-/// largest number that goes in, or of 1 if that is larger, unless its function says otherwise.
+/// largest number that goes in, or of 1 if that is larger, unless its function says otherwise. Fewer digits do where
+/// angles add up to more than 1000 rad.
 namespace forward_kinematics {
 
 using course::Vec2;
@@ -72,8 +73,8 @@ Vec2 to_local(const Frame &frame, const Vec2 &point);
 /// sign. All links from that joint on turn with it, as one stiff piece; no joint of them, and not the hand, gets below
 /// the ground on the way. One that is on the ground already allows no turn that takes it below, and any that lifts it.
 /// No more than 1e-5 m below the ground counts as on it; and what gets no deeper than that on its way may end the turn or
-/// not. Where the turn ends early, what touches the ground is at y = 0 to nine digits of the largest number that goes in,
-/// or of 1 if that is larger.
+/// not. Where the turn ends early, what touches the ground is at y = 0, or no deeper than the arm was to begin with, to
+/// nine digits of the largest number that goes in, or of 1 if that is larger.
 /// @param base   the first joint [m]
 /// @param joint  which angle changes: 0 for the first link's
 /// @param by     how far it should turn [rad]; negative: clockwise
