@@ -5,8 +5,8 @@
 #include <vector>
 
 /// Section 9: where the joints and the hand of an arm are.
-/// Each number that goes in must be within ±1e5, both ends included; an answer may be larger, but an arm that reaches
-/// farther than 1e5 m along x or y may be refused.
+/// Each number that goes in must be within ±1e5, both ends included; an answer may be larger, but an arm with a joint or
+/// its hand beyond ±1e5 m along x or y may be refused.
 /// Angles are in radians, anticlockwise, and may be of any number of turns. An answer is right to ten digits of the
 /// largest number that goes in, or of 1 if that is larger, unless its function says otherwise. Fewer digits do where
 /// angles add up to more than 1000 rad.
@@ -72,9 +72,10 @@ Vec2 to_local(const Frame &frame, const Vec2 &point);
 /// How far one joint can turn before the arm touches the ground, the line y = 0 [rad]: `by`, or less of it, with the same
 /// sign. All links from that joint on turn with it, as one stiff piece; no joint of them, and not the hand, gets below
 /// the ground on the way. One that is on the ground already allows no turn that takes it below, and any that lifts it.
-/// No more than 1e-5 m below the ground counts as on it; and what gets no deeper than that on its way may end the turn or
-/// not. Where the turn ends early, what touches the ground is at y = 0, or no deeper than the arm was to begin with, to
-/// nine digits of the largest number that goes in, or of 1 if that is larger.
+/// No more than 1e-5 m below the ground counts as on it. A point that comes down to the ground on its way, and goes no
+/// deeper than 1e-5 m, may end the turn there or not; one that stays where it is does not end it.
+/// Where the turn ends early, what touches the ground is at y = 0, or no deeper than the arm was to begin with, to nine
+/// digits of the largest number that goes in, or of 1 if that is larger.
 /// @param base   the first joint [m]
 /// @param joint  which angle changes: 0 for the first link's
 /// @param by     how far it should turn [rad]; negative: clockwise
