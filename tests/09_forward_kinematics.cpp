@@ -983,8 +983,8 @@ TEST_CASE("links of no length, far and long arms, and arms that the ground is ne
                IsNear(degrees(45) - std::asin(1 / (0.8 * std::sqrt(2))), 1e-8));
     CHECK_THAT(turn_above_ground({0, 1e5}, {{9e4, 0}}, 0, 1e5), IsNear(1e5, digits));
     CHECK_THAT(turn_above_ground({0, 0.003}, {{0.005, 0}}, 0, -1), IsNear(-std::asin(0.6), 1e-6));
-    CHECK_THAT(turn_above_ground({0, 3}, {{5, 20 * pi}}, 0, -1), IsNear(-std::asin(0.6), in_angle));
-    CHECK_THAT(turn_above_ground({0, 3}, {{5, -20 * pi}}, 0, 6), IsNear(pi + std::asin(0.6), in_angle));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, 20 * pi}}, 0, -1), IsNear(-std::asin(0.6), chained));
+    CHECK_THAT(turn_above_ground({0, 3}, {{5, -20 * pi}}, 0, 6), IsNear(pi + std::asin(0.6), chained));
     CHECK_THAT(turn_above_ground({0, 3}, {{3.001, 0}}, 0, -7),
                IsNear(-std::asin(3 / 3.001), 1e-6)); // a millimetre deep
     CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, -0.643), IsNear(-0.643, digits));

@@ -35,7 +35,7 @@ double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int j
         }
         return y;
     };
-    const double sign = by < 0 ? -1 : 1, all = std::min(std::abs(by), 7.0), step = 1e-3; // more than one turn is free
+    const double sign = by < 0 ? -1 : 1, all = std::min(std::abs(by), 7.0), step = 2e-4; // more than one turn is free
     for (double turned = 0; turned < all; turned += step) {
         if (lowest(sign * std::min(turned + step, all)) >= floor) continue;
         double above = turned, below = std::min(turned + step, all);
