@@ -862,7 +862,7 @@ TEST_CASE("the third joint stops where its hand comes to the ground, and so do t
 }
 
 //> One in between touches first
-TEST_CASE("a joint in between may touch first: neither the next one nor the hand, which are too near", "[9.6]") {
+TEST_CASE("a joint in between may touch first, where neither the next joint nor the hand reaches the ground", "[9.6]") {
     // from the first joint the others are at (0, 1), (4, 1), (4, 4), (1, 4), and the hand is at (1, 2)
     const std::vector<Link> links{
         {1, degrees(90)}, {4, degrees(-90)}, {3, degrees(90)}, {3, degrees(90)}, {2, degrees(90)}};
