@@ -46,7 +46,7 @@
     const box = id && document.getElementById(id)?.closest('.turn.folded');
     if (box) fold(box, false);
   }
-  const linked = () => unfoldFor(decodeURIComponent(location.hash.slice(1)));
+  const linked = () => unfoldFor(self.linkedId());
 
   // The contents: each section's entry, and the parts of this page whose boxes are all done.
   const boxes = all('.turn[data-exercise]');

@@ -162,7 +162,7 @@
     for (let fold = target.closest('details'); fold; fold = fold.parentElement.closest('details')) fold.open = true;
     target.scrollIntoView();
   }
-  const linked = () => openFor(decodeURIComponent(location.hash.slice(1)));
+  const linked = () => openFor(self.linkedId());
   addEventListener('hashchange', linked);
   if (location.hash) linked();
 

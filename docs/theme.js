@@ -8,4 +8,13 @@
   const system = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
   document.documentElement.dataset.theme = chosen === 'dark' || chosen === 'light' ? chosen : system;
   document.documentElement.classList.add('with-js');
+
+  // For the scripts that follow: the id a link leads to, or nothing if its escapes are broken, as in "#%".
+  self.linkedId = () => {
+    try {
+      return decodeURIComponent(location.hash.slice(1));
+    } catch {
+      return '';
+    }
+  };
 })();

@@ -52,6 +52,15 @@ describe('what is done', { concurrency: 1 }, () => {
     assert.equal(await inside.isVisible(), true, 'a link leads into it');
   });
 
+  test('survives a link whose escapes are broken, and so do search and keys', async (t) => {
+    done('7.2');
+    const { page, troubles } = await openCopy(t, 'index.html');
+    await page.goto(`${address(seven, copy)}#%`);
+    await page.keyboard.press('/');
+    assert.equal(await page.locator('#site-search').isVisible(), true);
+    assert.deepEqual(troubles, []);
+  });
+
   test('is in the contents: how many, all, and the parts of this page; and in its table of exercises', async (t) => {
     done('7.1', '7.3');
     const { page } = await openCopy(t, seven);
