@@ -110,64 +110,43 @@ std::string default_title(const Section &section) {
     return with_capital(title);
 }
 
-/// Where a new section is written, aside: it is complete as soon as it is there under its own name.
-fs::path aside(const Tree &tree) { return tree.memory() / "new"; }
-
-/// "# 13 Springs and so on" is a chapter's first line, and this its title.
-std::string title_of(const Tree &tree, const Section &section) {
-    const std::string chapter = read_file(tree.chapter(section)), beginning = "# " + section.short_number() + ' ';
-    return chapter.substr(beginning.size(), chapter.find('\n') - beginning.size());
-}
-
-/// Moves the files of a section into their places, and lists it. A kill may come at any moment: what has not been done
-/// is done by the next `new`. Its line in CMakeLists.txt comes last, when all else is there.
-void move_in(const Tree &tree, const Section &section) {
-    const fs::path from = aside(tree) / section.name;
-    std::vector<fs::path> files;
-    for (const auto &entry : fs::recursive_directory_iterator{from})
-        if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(from));
-    std::size_t moved = 0;
-    try {
-        for (; moved < files.size(); ++moved) {
-            fs::create_directories((tree.root / files[moved]).parent_path());
-            fs::rename(from / files[moved], tree.root / files[moved]);
-        }
-    } catch (const fs::filesystem_error &) { // a folder that is not ours to write: none, then
-        while (moved > 0) fs::remove(tree.root / files[--moved]);
-        fs::remove_all(from);
-        throw;
-    }
+/// Writes every file, and lists the section; if one can't be written, what this call wrote goes again.
+void write_all(const Tree &tree, const Section &section, const std::map<fs::path, std::string> &files,
+               const std::string &contents) {
+    const Undisturbed all_or_none;
     const fs::path list = tree.root / "CMakeLists.txt", book = tree.root / "book.md", chapter = tree.chapter(section);
-    std::string contents = read_file(book);
-    if (contents.find("](chapters/" + section.name + "/README.md)") == contents.npos)
-        contents = with_entry(contents, section, title_of(tree, section));
-    std::vector<Term> terms = terms_of(tree);
-    for (Term &term : terms_of(read_file(chapter), section.number(), tree.shown(chapter), chapter))
-        terms.push_back(std::move(term));
-    std::stable_sort(terms.begin(), terms.end(), [](const Term &a, const Term &b) { return a.section < b.section; });
-    write_file(book, weave_glossary(contents, book, terms).book);
-    write_file(list, with_section(read_file(list), section));
-    fs::remove_all(from);
-}
-
-/// What a `new` that was killed has left: a section that is complete moves in, half a one goes.
-void finish_earlier(const Tree &tree) {
-    if (!fs::exists(aside(tree))) return;
-    for (const auto &entry : fs::directory_iterator{aside(tree)}) {
-        const std::string name = entry.path().filename().string();
-        const std::vector<Section> listed = tree.sections();
-        const bool done = std::any_of(listed.begin(), listed.end(), [&](const Section &s) { return s.name == name; });
-        if (entry.path().extension() == ".draft" || done) fs::remove_all(entry.path());
-        else {
-            move_in(tree, {name});
-            std::cout << "An earlier `./course new " << name << "` was stopped halfway; its section is complete now.\n";
+    const std::string old_list = read_file(list), old_book = read_file(book);
+    std::vector<fs::path> written; // in order, each folder before what's in it
+    const auto note_folders = [&](const fs::path &file) {
+        std::vector<fs::path> missing;
+        for (fs::path up = file.parent_path(); !fs::exists(up); up = up.parent_path()) missing.push_back(up);
+        written.insert(written.end(), missing.rbegin(), missing.rend());
+    };
+    try {
+        for (const auto &[file, text] : files) {
+            note_folders(file);
+            written.push_back(file);
+            write_file(file, text);
         }
+        std::vector<Term> terms = terms_of(tree);
+        for (Term &term : terms_of(files.at(chapter), section.number(), tree.shown(chapter), chapter))
+            terms.push_back(std::move(term));
+        std::stable_sort(terms.begin(), terms.end(),
+                         [](const Term &a, const Term &b) { return a.section < b.section; });
+        write_file(book, weave_glossary(contents, book, terms).book);
+        write_file(list, with_section(old_list, section));
+    } catch (...) {
+        for (; !written.empty(); written.pop_back()) {
+            std::error_code ignored;
+            fs::remove(written.back(), ignored);
+        }
+        if (read_file(book) != old_book) write_file(book, old_book);
+        throw;
     }
 }
 
 void make(const Tree &tree, const std::string &name, std::string title) {
     const ShortLock alone{tree.memory() / "lock"};
-    finish_earlier(tree);
     require_well_formed(name);
     const Section section{name};
     require_new(tree, section);
@@ -185,18 +164,9 @@ void make(const Tree &tree, const std::string &name, std::string title) {
             throw Complaint{tree.shown(file)
                             + " is there already, and nothing is overwritten: move it away, or choose another name"};
     with_section(read_file(list), section); // says so if there is no place for it
-    with_entry(old_contents, section, title);
+    const std::string contents = with_entry(old_contents, section, title);
 
-    const Undisturbed all_or_none;
-    const fs::path draft = aside(tree) / (section.name + ".draft");
-    try {
-        for (const auto &[file, text] : files) write_file(draft / file.lexically_relative(tree.root), text);
-    } catch (const Complaint &) {
-        fs::remove_all(draft);
-        throw;
-    }
-    fs::rename(draft, aside(tree) / section.name);
-    move_in(tree, section);
+    write_all(tree, section, files, contents);
     for (const auto &[file, text] : files) std::cout << "  " << tree.shown(file) << '\n';
     const std::string number = section.short_number();
     std::cout << "These files make a section that builds and is tested; write yours over them, test by test.\n"
