@@ -272,15 +272,28 @@ TEST_CASE(
     CHECK(fs::is_empty(folder));
 
     course::write_file(folder / "a file", "");
-    const auto nowhere = check_into(folder / "a file/new.xml", "solutions/07_segment_intersection.cpp");
-    CHECK(nowhere.code == 2);
-    CHECK(nowhere.out.empty());
-    CHECK(count(nowhere.err, "cannot write") == 1);
+    for (const char *where : {"a file/new.xml", "nowhere/new.xml"}) {
+        const auto nowhere = check_into(folder / where, "solutions/07_segment_intersection.cpp");
+        CHECK(nowhere.code == 2);
+        CHECK(nowhere.out.empty());
+        CHECK(count(nowhere.err, "there's no folder " + (folder / where).parent_path().string()) == 1);
+    }
+    CHECK_FALSE(fs::exists(folder / "nowhere"));
     CHECK(check_into(folder, "solutions/07_segment_intersection.cpp").err
           == "course: --junit writes a file, and " + folder.string() + " is something else\n");
 
     CHECK(check_into(folder / "new.xml", "solutions/07_segment_intersection.cpp").code == 0);
     CHECK(course::read_file(folder / "new.xml").starts_with("<?xml"));
+}
+
+TEST_CASE("a check sweeps folders that a kill left over an hour ago, and no younger ones") {
+    const fs::path loop = fs::path{COURSE_BUILD} / "loop", old = loop / "judge.tstold", young = loop / "judge.tstnew";
+    for (const fs::path &left : {old, young}) course::write_file(left / "student.o", "half");
+    fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours{2});
+    CHECK(check({"7", "--file", COURSE_ROOT "/solutions/07_segment_intersection.cpp"}).code == 0);
+    CHECK_FALSE(fs::exists(old));
+    CHECK(fs::exists(young));
+    fs::remove_all(young);
 }
 
 TEST_CASE("a JUnit file takes the place of an empty file or an earlier report, and of no other file") {

@@ -187,6 +187,9 @@ void make_room(const fs::path &report) {
     if (fs::exists(report) && !may_be_replaced(report))
         throw Complaint{"--junit would overwrite " + report.string()
                         + ", which is not an earlier report: give it another name, or delete that file first"};
+    if (const fs::path folder = fs::absolute(report).parent_path(); !fs::is_directory(folder))
+        throw Complaint{"--junit can't write " + report.string() + ": there's no folder " + folder.string()
+                        + "; make it first, or name another"};
     write_file(report, "");
     fs::remove(report);
 }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -42,6 +43,7 @@ constexpr unsigned quick_enough = 5;
 class Scratch {
   public:
     explicit Scratch(const fs::path &build) {
+        sweep(build / "loop");
         std::string name = (build / "loop" / "judge.XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr)
             throw MachineTrouble{"cannot write in " + build.string() + " (" + std::strerror(errno)
@@ -58,6 +60,17 @@ class Scratch {
     fs::path operator/(const char *name) const { return folder / name; }
 
     fs::path folder;
+
+  private:
+    /// Those that a kill has left: no check takes an hour.
+    static void sweep(const fs::path &loop) {
+        std::error_code ignored;
+        const auto an_hour_ago = fs::file_time_type::clock::now() - std::chrono::hours{1};
+        for (const auto &entry : fs::directory_iterator{loop, ignored})
+            if (entry.path().filename().string().starts_with("judge.") && entry.last_write_time(ignored) < an_hour_ago
+                && !ignored)
+                fs::remove_all(entry.path(), ignored);
+    }
 };
 
 Judgement not_built(Verdict why, std::vector<std::string> warnings = {}) {
