@@ -288,6 +288,9 @@ TEST_CASE("a compiler's output is cut and cleaned before it is parsed") {
     CHECK(plain_line("\xf4\x90\x80\x80", 9) == "????");
     CHECK(plain_line("\xef\xbf\xbf", 9) == "?");
     CHECK(plain_line("€𝄞", 9) == "€𝄞");
+    for (const char *mark : {"\u061C", "\u200E", "\u200F", "\u202A", "\u202E", "\u2066", "\u2069"})
+        CHECK(plain_line(std::string{"a"} + mark + "b", 9) == "a?b");
+    CHECK(plain_line("\u2014\u2065\u206A", 9) == "\u2014\u2065\u206A"); // their neighbours stay
 }
 
 TEST_CASE("a failed check of a library is said in words, and on one line") {

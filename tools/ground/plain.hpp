@@ -26,8 +26,15 @@ inline std::size_t utf8_length(std::string_view text) {
     return longer_than_needed || no_character ? 0 : length;
 }
 
-/// A line of at most `most` characters, with `…` where it was cut. A tab becomes a blank; control characters and bytes
-/// that are not UTF-8 become question marks, so that no line moves a cursor, sets a colour or breaks an XML file.
+/// Whether this character changes the direction of writing: what's shown then isn't what's there.
+inline bool turns_text(std::string_view character) {
+    constexpr std::string_view marks = "\u061C\u200E\u200F\u202A\u202B\u202C\u202D\u202E\u2066\u2067\u2068\u2069";
+    return character.size() > 1 && marks.find(character) != marks.npos;
+}
+
+/// A line of at most `most` characters, with `…` where it was cut. A tab becomes a blank; control characters, marks of
+/// direction and bytes that are not UTF-8 become question marks, so that no line moves a cursor, sets a colour, runs
+/// backwards or breaks an XML file.
 inline std::string plain_line(std::string_view line, std::size_t most) {
     std::string text;
     for (std::size_t shown = 0; !line.empty(); ++shown) {
@@ -39,7 +46,7 @@ inline std::string plain_line(std::string_view line, std::size_t most) {
         const bool not_in_xml = length == 3 && line[0] == '\xEF' && second == 0xBF // U+FFFE and U+FFFF
                                 && static_cast<unsigned char>(line[2]) >= 0xBE;
         if (line.front() == '\t') text += ' ';
-        else if (length == 0 || control || not_in_xml) text += '?';
+        else if (length == 0 || control || not_in_xml || turns_text(line.substr(0, length))) text += '?';
         else text += line.substr(0, length);
         line.remove_prefix(length == 0 ? 1 : length);
     }
