@@ -5,6 +5,7 @@
 #include "ground/files.hpp"
 #include "ground/hidden.hpp"
 #include "ground/nearest.hpp"
+#include "ground/plain.hpp"
 #include "ground/process.hpp"
 
 #include <algorithm>
@@ -154,7 +155,7 @@ std::string explained(const UnknownSection &unknown) {
 
 int complain(const std::string &sentence, int code) {
     std::cout.flush();
-    std::cerr << "course: " << sentence << '\n';
+    std::cerr << plain_output("course: " + sentence); // a file's name or a word that was typed may hold escape codes
     return code;
 }
 

@@ -238,6 +238,20 @@ TEST_CASE("check --file takes a file of any name, and says what is wrong with on
     CHECK(said(folder / "none.cpp").ends_with("does it exist, and may you read it?\ncode 2"));
 }
 
+TEST_CASE("a file name or an argument can't send escape codes to the terminal") {
+    const course::OwnFolder own;
+    const fs::path file = own.path / "\x1b[2K\xe2\x9c\x93 all passed.cpp";
+    course::write_file(file, "int main( {\n");
+    const auto unbuilt = check({"7", "--file", file.string()}), missing = check({"7", "--file", "\x1b[2Knone.cpp"}),
+               unknown = check({"\x1b[2Kseven"});
+    CHECK(unbuilt.code == 1);
+    for (const auto &said : {unbuilt, missing, unknown}) {
+        CAPTURE(said.out, said.err);
+        CHECK((said.out + said.err).find("?[2K") != std::string::npos);
+        CHECK((said.out + said.err).find('\x1b') == std::string::npos);
+    }
+}
+
 TEST_CASE("an option or a section that is empty is an error, not one that was not given") {
     const std::vector<std::string> words =
         GENERATE(std::vector<std::string>{"7", "--file", ""}, std::vector<std::string>{"7", "--file="},

@@ -286,7 +286,7 @@ class Check {
     }
 
     void report(const Section &section, const Judgement &judgement) {
-        const std::string name = options.file.empty() ? "exercises/" + section.name + ".cpp" : options.file;
+        const std::string name = tree.shown(options.file.empty() ? tree.exercise(section) : fs::path{options.file});
         print_warnings(only ? warnings_of_it(section, judgement) : judgement.warnings, options.verbose);
         if (judgement.unbuilt) {
             print_unbuilt(*judgement.unbuilt, name);

@@ -2,6 +2,7 @@
 
 #include "ground/files.hpp"
 #include "ground/nearest.hpp"
+#include "ground/plain.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -104,7 +105,8 @@ Section Tree::section(std::string_view words) const {
 
 std::string Tree::shown(const fs::path &file) const {
     const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(root.lexically_normal());
-    return inside.empty() || *inside.begin() == ".." ? file.string() : inside.generic_string();
+    const bool outside = inside.empty() || *inside.begin() == "..";
+    return plain_line(outside ? file.string() : inside.generic_string(), 4096); // PATH_MAX: it's never cut
 }
 
 fs::path Tree::written_exercise(const Section &s) const {
