@@ -96,6 +96,12 @@ need_library(cmark-gfm cmark-gfm-core-extensions.h cmark-gfm-extensions cmark-gf
 need_library(GMP gmpxx.h gmpxx gmp)
 need_library(Gumbo gumbo.h gumbo)
 need_program(gnuplot GNUPLOT gnuplot)
+find_program(DOT dot) # tells its version only with -V, and to stderr
+if(DOT)
+  have(Graphviz here)
+else()
+  have(Graphviz "")
+endif()
 need_program(Doxygen DOXYGEN doxygen)
 need_program(Node.js NODE node nodejs)
 need_script(KaTeX KATEX_STYLE katex katex.min.css)

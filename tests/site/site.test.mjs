@@ -145,9 +145,14 @@ describe('reading', () => {
     assert.deepEqual(await page.$$eval('.map a', (links) => links.map((link) => link.getAttribute('href')).sort()), chapters, 'the map has a link to each');
     assert.ok((await page.locator('.map .to-come').count()) > 0);
     assert.equal(await page.locator('.map .to-come a').count(), 0);
+    const boxes = await page.$$eval('.map .node', (nodes) => nodes.map((node) => { const { left, top, right, bottom } = node.getBoundingClientRect(); return { left, top, right, bottom }; }));
+    assert.ok(boxes.length > chapters.length);
+    for (const [i, a] of boxes.entries())
+      for (const b of boxes.slice(i + 1)) assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, 'two boxes of the map meet');
     await page.setViewportSize({ width: 390, height: 844 });
-    const letters = await page.$eval('.map', (map) => (map.getBoundingClientRect().width / map.viewBox.baseVal.width) * parseFloat(getComputedStyle(map).fontSize));
-    assert.ok(letters > 11.5, `${letters} px on a phone`);
+    assert.equal(await page.locator('.map').isVisible(), false);
+    assert.deepEqual(await page.$$eval('.map-list a', (links) => links.map((link) => link.getAttribute('href'))), chapters, 'a phone shows a list');
+    assert.ok(await page.locator('.map-list').isVisible());
     await page.setViewportSize({ width: 1280, height: 900 });
     assert.equal(await page.locator('#site-contents').isVisible(), false, 'they are in the menu');
     await page.getByRole('button', { name: 'Contents' }).click();

@@ -83,6 +83,7 @@ libcmark-gfm-dev 0.29.0.gfm.6-6
 libpugixml-dev 1.13-0.2
 libgmp-dev 2:6.2.1
 gnuplot-nox 5.4.4
+graphviz 2.42.2-7
 doxygen 1.9.4-4
 libgumbo-dev 0.10.1+dfsg-5
 nodejs 18.20.4+dfsg-1
