@@ -78,8 +78,13 @@ constexpr const char *our_answer = "solutions/07_segment_intersection.cpp";
 
 } // namespace
 
-TEST_CASE("asked for one exercise that is passed, check names the next one that is open") {
-    const fs::path file = fs::temp_directory_path() / ("first alone " + std::to_string(::getpid()) + ".cpp");
+TEST_CASE("asked for one exercise that is passed, check names the next one that was open when it was last judged") {
+    const fs::path root = fs::temp_directory_path() / ("a course of my own " + std::to_string(::getpid()));
+    fs::create_directories(root / "exercises");
+    for (const auto &entry : fs::directory_iterator{COURSE_ROOT})
+        if (const fs::path name = entry.path().filename(); name != "exercises" && name != ".course" && name != ".git")
+            fs::create_symlink(entry.path(), root / name);
+    const fs::path file = root / "exercises/07_segment_intersection.cpp";
     std::string answer = course::read_file(fs::path{COURSE_ROOT} / our_answer);
     const auto leave_open = [&](const std::string &before) {
         const std::size_t begin = answer.find(before);
@@ -87,15 +92,30 @@ TEST_CASE("asked for one exercise that is passed, check names the next one that 
         answer.insert(answer.find("{\n", begin) + 2, "    throw course::NotYet{\"where does it begin?\"};\n");
         course::write_file(file, answer);
     };
+    const auto check_mine = [&](const std::string &what) {
+        return course::run(course::course_command({root, COURSE_BUILD}, {"check", what})).out;
+    };
     leave_open("\nBall move_and_bounce(");
-    CHECK(
-        check("7.2", file.string()).out.ends_with("\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n"));
-    CHECK(
-        check("7.6", file.string()).out.ends_with("\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n"));
+    check_mine("7");
+    const std::string ball = "\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n";
+    CHECK(check_mine("7.2").ends_with(ball));
+    CHECK(check_mine("7.6").ends_with(ball));
     leave_open("\nbool segments_intersect(");
-    CHECK(check("7.1", file.string())
-              .out.ends_with("\nNext: 7.2 segments_intersect. Where to begin: ./course hint 7.2\n"));
-    fs::remove(file);
+    check_mine("7.2");
+    CHECK(check_mine("7.1").ends_with("\nNext: 7.2 segments_intersect. Where to begin: ./course hint 7.2\n"));
+    fs::remove_all(root);
+}
+
+TEST_CASE("asked for one exercise, check runs no other's tests: an endless loop in another one takes no time") {
+    const auto one = check("7.2", "tests/verdicts/endless_loop.cpp"); // which is in 7.1
+    CHECK(one.out.starts_with("· 7.2 segments_intersect, core: not started\n"));
+    CHECK(count(one.out, "7.1") == 0);
+    const fs::path built = COURSE_BUILD;
+    const auto said =
+        course::run({(built / "tests/07_segment_intersection").string(),
+                     (built / "subjects/07_segment_intersection/stub").string(), "--json", "--exercise", "7.2"});
+    CHECK(count(said.out, "\"exercise\":\"7.2\"") == count(said.out, "\n"));
+    CHECK(count(said.out, "\n") > 0);
 }
 
 TEST_CASE("asked for one exercise, check speaks of no other that is passed, and leaves with its verdict") {

@@ -36,7 +36,7 @@ std::string attack(const std::string &what, Protection protection) {
     const fs::path victim = folder.path / "victim"; // a file that is ours to write and read
     write_file(victim, "");
     Subject subject{ATTACK, what + ':' + victim.string(), protection};
-    subject.finish(Clock::now() + 5s);
+    subject.finish({5});
     return subject.printed();
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("run by root, a subject is started where only root may look") {
     fs::permissions(closed, fs::perms::owner_all);
     CAPTURE(prepared());
     Subject subject{program, "many files:", {.limits = false}};
-    subject.finish(Clock::now() + 5s);
+    subject.finish({5});
     CHECK(subject.printed() == "done\n");
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("processes that a subject has started end with it, even if it was allo
     CAPTURE(prepared());
     {
         Subject subject{ATTACK, "leave a daemon:", {.files = false, .calls = false}};
-        CHECK(subject.finish(Clock::now() + 5s) == 0);
+        CHECK(subject.finish({5}) == 0);
         CHECK_FALSE(children().empty());
         const bool asked = GENERATE(true, false);
         if (asked) CHECK(subject.left_processes());

@@ -147,17 +147,17 @@ const Outcome *first_open(std::span<const Outcome> outcomes) {
     return nullptr;
 }
 
-/// What to do about this one.
-void print_next(const Outcome &open) {
-    const std::string needs = open.needs(),
-                      next = needs.empty() ? open.exercise.number + ' ' + open.exercise.function : needs;
-    const bool untouched = open.state() == Kind::not_started;
+/// What to do about an exercise that stands like this.
+void print_next(const Exercise &exercise, const std::string &standing) {
+    const bool needs = standing.starts_with("needs "),
+               untouched = needs || standing == name_of(Kind::not_started) || standing == "not checked";
+    const std::string next = needs ? standing.substr(6) : exercise.number + ' ' + exercise.function;
     std::cout << "Next: " << next << ". " << (untouched ? "Where to begin: " : "Stuck? ") << "./course hint "
               << next.substr(0, next.find(' ')) << '\n';
 }
 
 void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
-    if (const Outcome *open = first_open(outcomes)) print_next(*open);
+    if (const Outcome *open = first_open(outcomes)) print_next(open->exercise, open->standing());
     else
         std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.")
                   << " See your figures in the book: ./course open " << section.short_number() << " --mine\n";
@@ -214,9 +214,9 @@ class Check {
                 if (!options.junit.empty()) judged.push_back(report_on(section, {unreadable, {}, {}}));
                 continue;
             }
-            Judgement judgement = course::judge(tree, section, file_of(section), options.seed);
+            const Judgement judgement =
+                course::judge(tree, section, file_of(section), options.seed, only ? only->number : "");
             report(section, judgement);
-            if (only) std::erase_if(judgement.verdicts, [&](const Verdict &v) { return v.exercise != only->number; });
             code = std::max(code, judgement.our_fault()    ? +our_fault
                                   : judgement.all_passed() ? +all_well
                                                            : +something_to);
@@ -294,22 +294,24 @@ class Check {
             return;
         }
         auto outcomes = by_exercise(tree, section, judgement);
-        if (options.file.empty()) keep_in_mind(section, outcomes, Kind::passed);
-        const std::vector<Outcome> all = outcomes;
         if (only) std::erase_if(outcomes, [&](const Outcome &o) { return o.exercise.number != only->number; });
+        if (options.file.empty()) keep_in_mind(section, outcomes, Kind::passed);
         if (never_started(judgement)) print_failure(nameless(judgement.verdicts.front(), "no test could start:"));
         else
             for (const auto &outcome : outcomes) print(outcome, options.verbose);
-        if (only && outcomes.front().first_failure() == nullptr) print_after(all, section);
+        if (only && outcomes.front().first_failure() == nullptr) print_after(section);
         else print_next(outcomes, section);
     }
 
-    /// What to do after the exercise that was asked for, and is passed: the next one that is open, or else one before it.
-    void print_after(const std::vector<Outcome> &all, const Section &section) const {
+    /// What to do after the exercise that was asked for, and is passed: the next one that was open when it was last
+    /// judged, or else one before it. Of somebody's file nothing is known but this exercise.
+    void print_after(const Section &section) const {
+        auto standings = progress(tree, section).standings;
         const auto done =
-            std::find_if(all.begin(), all.end(), [&](const Outcome &o) { return o.exercise.number == only->number; });
-        if (const Outcome *later = first_open({done, all.end()})) print_next(*later);
-        else if (const Outcome *earlier = first_open(all)) print_next(*earlier);
+            std::ranges::find(standings, only->number, [](const Standing &s) { return s.exercise.number; });
+        std::rotate(standings.begin(), done, standings.end());
+        const auto open = std::ranges::find_if(standings, [](const Standing &s) { return s.state != "passed"; });
+        if (options.file.empty() && open != standings.end()) print_next(open->exercise, open->state);
         else std::cout << "The whole section: ./course check " << section.short_number() << '\n';
     }
 

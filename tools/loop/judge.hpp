@@ -13,7 +13,7 @@ namespace course {
 
 struct Judgement {
     std::optional<Verdict> unbuilt;    ///< why the file does not compile or link; then no test ran
-    std::vector<Verdict> verdicts;     ///< exactly one for each test of the section, in the order of its file
+    std::vector<Verdict> verdicts;     ///< exactly one for each test that was asked for, in the order of its file
     std::vector<std::string> warnings; ///< of the compiler: "exercises/07_….cpp:12: unused variable 'x'"
 
     bool all_passed() const;
@@ -24,8 +24,10 @@ struct Judgement {
 /// judge at once, in one build folder.
 /// @param file  a student's file, wherever it is
 /// @param seed  for generated values
+/// @param exercise  "7.2": only its tests are run; empty: all
 /// @throws Complaint if the file is not there, or the course cannot be built; MachineTrouble if the machine is in the way
-Judgement judge(const Tree &tree, const Section &section, const std::filesystem::path &file, unsigned seed);
+Judgement judge(const Tree &tree, const Section &section, const std::filesystem::path &file, unsigned seed,
+                const std::string &exercise = "");
 
 /// What the tests said, as one verdict for each test that there is: a test without one, or with two, has none, and so has
 /// one that is not known.

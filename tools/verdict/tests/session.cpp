@@ -11,12 +11,6 @@
 namespace course {
 namespace {
 
-Clock::duration as_duration(double seconds) {
-    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
-
-std::string seconds(double time) { return describe_number(time, 2) + " s"; }
-
 std::string leave_sentence(int code, bool before_main) {
     return "Your code ended the program"
            + std::string{before_main ? " before the first test, in the constructor of a global variable" : ""}
@@ -63,12 +57,10 @@ Session::Session(std::filesystem::path subject_, Patience patience_, std::string
     : program{std::move(subject_)}, answer{std::move(answer_)}, patience{patience_} {}
 
 void Session::begin(std::string exercise, std::string test) {
-    const double spent = std::chrono::duration<double>(Clock::now() - started).count();
-    constexpr double least = 0.2; // [s] a hundred times what working code takes
-    const bool hurry = exercise == hung || spent - starting > 2 * patience.all;
+    constexpr double least = 0.2; // [s] still far more than working code takes
+    const bool hurry = exercise == hung || spent > 2 * patience.all;
     allowed = hurry ? least : std::clamp((patience.all - lost) / 5, least, patience.a_case);
     large = false;
-    deadline = Clock::now() + as_duration(allowed);
     verdict = {};
     verdict.exercise = std::move(exercise);
     verdict.test = std::move(test);
@@ -82,7 +74,11 @@ void Session::begin(std::string exercise, std::string test) {
 void Session::allow(double seconds) {
     if (!large) allowed *= seconds / Patience{}.a_case; // a case with generated values says it again for each of them
     large = true;
-    deadline = Clock::now() + as_duration(allowed);
+}
+
+Allowance Session::allowance() const {
+    constexpr double clock = 20; // [s] the twentieth part of a core is enough
+    return {greeting + allowed, clock * std::max(allowed, 1.0)};
 }
 
 void Session::refuse_nameless() {
@@ -134,30 +130,39 @@ void Session::judge_end(int status, bool before_main) {
     else note_verdict(Kind::left, leave_sentence(WEXITSTATUS(status), before_main));
 }
 
+/// Nobody's fault but the machine's: then nothing is judged.
+void Session::over_starved() {
+    machine_trouble =
+        "this machine is so busy that your code got too little of the processor to answer; try again when "
+        "less is going on. Nothing was judged";
+    over(Kind::no_verdict, machine_trouble);
+}
+
 /// No answer: because of time, because the process is gone, or because what it said is not an answer.
 void Session::over_in_silence() {
     const bool before_main = !greeted;
+    if (subject->silence == Subject::Silence::starved) over_starved();
     if (subject->silence == Subject::Silence::late && before_main)
         over(Kind::too_long,
-             "Your code starts before the first test, in the constructor of a global variable, and does "
-             "not come to an end within "
-                 + seconds(patience.start) + '.');
+             "Your code starts before the first test, in the constructor of a global variable, and doesn't come to an "
+             "end.");
     if (subject->silence == Subject::Silence::late) {
         hung = verdict.exercise;
-        lost += allowed;
+        lost += subject->spent() - greeting;
         over(Kind::too_long,
-             "Your code gave no answer within " + seconds(allowed)
-                 + (large
-                        ? ". The input of this test is large: does your code do more work than it must? Or is there a "
-                          "loop that does not end?"
-                        : ": look for a loop that does not end."));
+             subject->slept() ? "Your code waits for something that never comes. An exercise computes its answer, and "
+                                "never sleeps."
+             : large
+                 ? "Your code takes far too long. This test's input is large: do you do more work than you must? Or "
+                   "is there a loop that never stops?"
+                 : "Your code gave no answer: look for a loop that never stops.");
     }
     if (subject->silence == Subject::Silence::too_large && !before_main)
         over(Kind::wrong, "Your answer is larger than " + std::to_string(wire::largest_frame >> 20)
                               + " MB: does a loop add to the list too often?");
     if (subject->silence == Subject::Silence::too_large || subject->silence == Subject::Silence::nonsense)
         answered_nonsense();
-    const auto status = subject->finish(Clock::now() + std::chrono::milliseconds{500});
+    const auto status = subject->finish(allowance());
     if (!status) over(Kind::out_of_turn, "Your code closed a file that it had not opened, and its answer was lost.");
     judge_end(*status, before_main);
     throw CaseOver{};
@@ -175,18 +180,15 @@ void Session::start() {
     greeted = false;
     if (starting > patience.all)
         over(Kind::too_long,
-             "Starting your code has taken " + seconds(starting)
-                 + " by now, as it is started again for each test: what does the constructor of a global "
-                   "variable do?");
-    const auto begin = Clock::now();
+             "Your code is started again for each test, and all these starts take too long: what does the constructor "
+             "of a global variable do?");
     subject = std::make_unique<Subject>(program, answer);
-    const auto hello = subject->receive(begin + as_duration(patience.start), patience.start);
-    const auto now = Clock::now();
-    starting += std::chrono::duration<double>(now - begin).count();
-    deadline = now + as_duration(allowed);
+    const auto hello = subject->receive({patience.start});
+    greeting = subject->spent();
+    starting += greeting;
     if (!hello) over_in_silence();
     if (hello->header.frame == wire::Frame::crashed) {
-        subject->finish(now + std::chrono::milliseconds{100});
+        subject->finish(allowance());
         over(Kind::crashed, "Before the first test, in the constructor of a global variable: your code crashed.");
     }
     wire::Reader reader{hello->payload};
@@ -207,6 +209,7 @@ void Session::over_not_started(const std::string &hint, std::string_view functio
 }
 
 std::string_view Session::call(const ExerciseLine &exercise, std::string arguments) {
+    if (!machine_trouble.empty()) over(Kind::no_verdict, machine_trouble);
     if (!verdict.passed()) throw CaseOver{};
     if (never_starts) {
         const auto [test, of] = std::pair{verdict.test, verdict.exercise};
@@ -231,8 +234,8 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
     last_arguments = std::move(arguments);
     last_result.clear();
     ++calls;
-    auto reply = subject->send(calls, exercise.index, last_arguments, deadline) ? subject->receive(deadline, allowed)
-                                                                                : std::nullopt;
+    auto reply = subject->send(calls, exercise.index, last_arguments, allowance()) ? subject->receive(allowance())
+                                                                                   : std::nullopt;
     if (!reply) over_in_silence();
     if (reply->header.call != calls) answered_nonsense();
 
@@ -298,12 +301,12 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
 /// the machine has no room for another process.
 std::optional<std::string> Session::ask_alone() const try {
     Subject alone{program, answer};
-    const auto until = Clock::now() + std::chrono::seconds{1};
-    const auto hello = alone.receive(until);
+    const Allowance most{patience.start + patience.a_case};
+    const auto hello = alone.receive(most);
     if (!hello || hello->header.frame != wire::Frame::hello
-        || !alone.send(1, last_exercise->index, last_arguments, until))
+        || !alone.send(1, last_exercise->index, last_arguments, most))
         return {};
-    const auto reply = alone.receive(until);
+    const auto reply = alone.receive(most);
     if (!reply || reply->header.frame != wire::Frame::result) return {};
     return reply->payload;
 } catch (const MachineTrouble &) {
@@ -324,8 +327,11 @@ Verdict Session::end(bool asserted_something) {
     if (verdict.passed() && !asserted_something)
         note_verdict(Kind::no_verdict, "This test asserts nothing: our mistake, not yours.");
     if (subject && verdict.passed()) {
-        const auto status = subject->finish(std::max(deadline, Clock::now() + std::chrono::milliseconds{100}), allowed);
-        if (!status)
+        const auto status = subject->finish(allowance());
+        if (!status && subject->silence == Subject::Silence::starved) try {
+                over_starved();
+            } catch (const CaseOver &) {}
+        else if (!status)
             note_verdict(Kind::too_long, "Your code answered, but its process did not end: has it started a thread?");
         else if (!WIFEXITED(*status)) judge_end(*status, false);
         else if (subject->said_more()) try {
@@ -357,8 +363,9 @@ Verdict Session::end(bool asserted_something) {
             verdict.sentence = "Your code was stopped by a check of the library that it uses: " + meaning + '.';
     }
     if (never_starts && never_starts->printed.empty()) never_starts->printed = verdict.printed;
+    if (subject) spent += subject->spent() - greeting;
     subject.reset();
-    if (verdict.call && calls > 1) look_for_memory();
+    if (verdict.call && calls > 1 && verdict.kind != Kind::too_long) look_for_memory();
     return std::move(verdict);
 }
 

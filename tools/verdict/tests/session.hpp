@@ -9,11 +9,12 @@
 
 namespace course {
 
-/// How long tests may take. A hang costs a case its own time, and all hangs together never more than `all`.
+/// What tests may take: Subject::spent, not the clock's time. A hang costs a case its own share, and all hangs together
+/// hardly more than `all`.
 struct Patience {
-    double a_case = 2; ///< [s]
+    double a_case = 1; ///< [s] some hundred times what working code takes
     double all = 10;   ///< [s]
-    double start = 5;  ///< [s] for a subject to start; all starts together: `all`
+    double start = 2;  ///< [s] for a subject to start; all starts together: `all`
 };
 
 class Session {
@@ -50,8 +51,10 @@ class Session {
   private:
     [[noreturn]] void over(Kind kind, std::string sentence);
     [[noreturn]] void over_in_silence();
+    [[noreturn]] void over_starved();
     [[noreturn]] void over_not_started(const std::string &hint, std::string_view function);
     void start();
+    Allowance allowance() const;
     void judge_end(int status, bool before_main);
     void note_verdict(Kind kind, std::string sentence);
     std::optional<std::string> ask_alone() const;
@@ -60,12 +63,12 @@ class Session {
     std::filesystem::path program;
     std::string answer;
     Patience patience;
-    Clock::time_point started = Clock::now();
-    Clock::time_point deadline;
     double allowed = 0;  ///< [s] for the running case
     bool large = false;  ///< whether that is more than usual
-    double starting = 0; ///< [s] until subjects had greeted
-    double lost = 0;     ///< [s] in hangs; a machine that is busy with other things takes no patience away
+    double greeting = 0; ///< [s] what the running case's subject had spent when it greeted
+    double starting = 0; ///< [s] the same, of all subjects
+    double lost = 0;     ///< [s] in hangs
+    double spent = 0;    ///< [s] in all cases
     std::string hung;    ///< the exercise that has used up a case's time: its other cases get less
 
     std::unique_ptr<Subject> subject;

@@ -13,8 +13,8 @@
 #include <fcntl.h>
 #include <fstream>
 #include <poll.h>
-#include <sstream>
 #include <string>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -117,6 +117,10 @@ std::vector<pid_t> children() {
     return all;
 }
 
+double in_seconds(const timeval &time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 void reap() {
     while (::waitpid(-1, nullptr, WNOHANG) > 0) {}
 }
@@ -181,7 +185,7 @@ Subject::~Subject() {
 }
 
 bool Subject::send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments,
-                   Clock::time_point deadline) {
+                   const Allowance &allowance) {
     const wire::Header header{wire::Frame::call, number,
                               static_cast<std::uint32_t>(sizeof exercise + arguments.size())};
     wire::Writer message;
@@ -192,40 +196,67 @@ bool Subject::send(std::uint32_t number, std::uint32_t exercise, std::string_vie
     for (std::string_view rest = message.bytes; !rest.empty();) {
         const ssize_t written = ::write(to, rest.data(), rest.size());
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0 && errno == EAGAIN && ready_for(POLLOUT, to, deadline)) continue;
+        if (written < 0 && errno == EAGAIN
+            && wait([this](Clock::time_point until) { return ready_for(POLLOUT, to, until); }, allowance))
+            continue;
         if (written <= 0) return false;
         rest.remove_prefix(static_cast<std::size_t>(written));
     }
     return true;
 }
 
-/// Whether it would go on computing, but has had less than this of the processor [s].
-bool Subject::is_starved([[maybe_unused]] double processor_time) const {
+/// [s] Time of the processor that it has had.
+double Subject::computed() const {
+#ifdef __linux__
+    clockid_t its{};
+    timespec had{};
+    if (process > 0 && ::clock_getcpuclockid(process, &its) == 0 && ::clock_gettime(its, &had) == 0)
+        return static_cast<double>(had.tv_sec) + 1e-9 * static_cast<double>(had.tv_nsec);
+    return computed_in_all;
+#else // nobody tells: all of the clock's
+    return std::chrono::duration<double>(Clock::now() - started).count();
+#endif
+}
+
+double Subject::spent() const { return computed() + asleep / 2; }
+
+/// Whether it neither computes nor waits for a core or a disk, at this moment.
+bool Subject::is_asleep() const {
 #ifdef __linux__
     std::string line;
     std::getline(std::ifstream{"/proc/" + std::to_string(process) + "/stat"}, line);
-    std::istringstream fields{line.substr(std::min(line.rfind(')'), line.size() - 1) + 1)}; // behind its name
-    std::string state, skipped;
-    fields >> state;
-    for (int i = 4; i < 14; ++i) fields >> skipped; // see proc(5)
-    double user = 0, system = 0;                    // [clock ticks]
-    fields >> user >> system;
-    return fields && state == "R" && (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK)) < processor_time;
+    const std::size_t name_ends = line.rfind(") "); // see proc(5)
+    return name_ends != line.npos && std::string_view{"STt"}.find(line[name_ends + 2]) != std::string_view::npos;
 #else
     return false;
 #endif
 }
 
-bool Subject::read_all(void *data, std::size_t size, Clock::time_point deadline, double processor_time) {
+/// Waits for something, and looks at the process now and then meanwhile.
+/// @param ready  waits for it until some time, and says whether it has come
+/// @return false if the process is not to be waited for any longer; `silence` says why
+template <class Ready> bool Subject::wait(Ready ready, const Allowance &allowance) {
+    constexpr double between = 0.05; // [s] so it is not seen at all while it answers as quickly as it should
+    const auto began = Clock::now();
+    for (int looks = 0, sleeping = 0; !ready(next_look);) {
+        const bool sleeps = is_asleep();
+        if (ready(Clock::time_point{})) return true; // it was only about to answer
+        ++looks;
+        if (sleeps) ++sleeping, asleep += between;
+        const bool timed_out = Clock::now() - began > std::chrono::duration<double>{allowance.clock};
+        if (spent() >= allowance.spent || timed_out) {
+            silence = timed_out && 2 * sleeping < looks && spent() < allowance.spent ? Silence::starved : Silence::late;
+            return false;
+        }
+        next_look = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>{between});
+    }
+    return true;
+}
+
+bool Subject::read_all(void *data, std::size_t size, const Allowance &allowance) {
     char *into = static_cast<char *>(data);
     while (!arrived.take(into, size)) {
-        while (!ready_for(POLLIN, from, deadline)) {
-            if (!is_starved(processor_time)) {
-                silence = Silence::late;
-                return false;
-            }
-            deadline = Clock::now() + std::chrono::milliseconds{20};
-        }
+        if (!wait([this](Clock::time_point until) { return ready_for(POLLIN, from, until); }, allowance)) return false;
         const ssize_t got = ::read(from, arrived.room.data(), arrived.room.size());
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) {
@@ -237,31 +268,35 @@ bool Subject::read_all(void *data, std::size_t size, Clock::time_point deadline,
     return true;
 }
 
-std::optional<Subject::Received> Subject::receive(Clock::time_point deadline, double processor_time) {
+std::optional<Subject::Received> Subject::receive(const Allowance &allowance) {
     Received received;
-    if (!read_all(&received.header, sizeof received.header, deadline, processor_time)) return {};
+    if (!read_all(&received.header, sizeof received.header, allowance)) return {};
     if (received.header.size > wire::largest_frame) {
         silence = received.header.frame == wire::Frame::result ? Silence::too_large : Silence::nonsense;
         return {};
     }
     received.payload.resize(received.header.size);
-    if (!read_all(received.payload.data(), received.payload.size(), deadline, processor_time)) return {};
+    if (!read_all(received.payload.data(), received.payload.size(), allowance)) return {};
     return received;
 }
 
-std::optional<int> Subject::finish(Clock::time_point deadline, double processor_time) {
+std::optional<int> Subject::finish(const Allowance &allowance) {
     if (to >= 0) ::close(std::exchange(to, -1)); // the server reads the end, and leaves
-    bool gone = false;                           // its end of the pipe is closed: a moment later the process is, too
-    for (int status = 0; process > 0;) {
-        if (::waitpid(process, &status, WNOHANG) == process) {
-            process = -1;
-            return status;
+    int status = 0;
+    bool gone = false; // its end of the pipe is closed: a moment later the process is, too
+    const auto ended = [&](Clock::time_point until) {
+        rusage used{};
+        while (::wait4(process, &status, WNOHANG, &used) != process) {
+            if (Clock::now() >= until) return false;
+            if (pollfd end{from, 0, 0}; !gone) gone = ::poll(&end, 1, 1) > 0;
+            else ::usleep(50);
         }
-        if (Clock::now() >= deadline && !is_starved(processor_time)) return {};
-        if (pollfd wait{from, 0, 0}; !gone) gone = ::poll(&wait, 1, 1) > 0;
-        else ::usleep(50);
-    }
-    return {};
+        process = -1;
+        computed_in_all = in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
+        return true;
+    };
+    if (process < 0 || !wait(ended, allowance)) return {};
+    return status;
 }
 
 bool Subject::said_more() {

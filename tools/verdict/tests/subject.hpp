@@ -20,6 +20,12 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t memory_limit = 256u << 20; ///< [bytes] of a subject; an exercise needs a few
 constexpr std::size_t print_limit = 4u << 20;    ///< [bytes] that it may write
 
+/// How long a student's process is waited for. None of it is what other programs leave of the machine.
+struct Allowance {
+    double spent;      ///< [s] see Subject::spent
+    double clock = 20; ///< [s] for one answer, by the clock: after that the process slept, or was never given a core
+};
+
 class Subject {
   public:
     /// Starts it, shut in and with everything it may use limited.
@@ -34,33 +40,43 @@ class Subject {
         wire::Header header;
         std::string payload;
     };
-    enum class Silence { ended, late, too_large, nonsense }; ///< too_large: an answer, by what it says itself
+    enum class Silence { ended, late, starved, too_large, nonsense }; ///< too_large: an answer, by what it says itself
 
     /// Sends it a call, the first, second, ... of this subject.
-    /// @return false if it reads no more
-    bool send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments, Clock::time_point deadline);
+    /// @return false if it reads no more, or not in time
+    bool send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments, const Allowance &allowance);
 
-    /// The next frame, if one comes before the deadline; otherwise `silence` says why not. Where it wants to compute and
-    /// other programs have kept the processor, it is waited for until it has had this much of it.
-    /// @param processor_time  [s]
-    std::optional<Received> receive(Clock::time_point deadline, double processor_time = 0);
+    /// The next frame, if one comes; otherwise `silence` says why not: it is late when it has spent what it may, and
+    /// starved when the machine never gave it the chance to.
+    std::optional<Received> receive(const Allowance &allowance);
     Silence silence = Silence::ended;
 
-    /// Waits for its end until the deadline, or until it has had this much of the processor [s], as above.
-    /// @return its wait status, or nothing if it had to be killed
-    std::optional<int> finish(Clock::time_point deadline, double processor_time = 0);
+    /// Waits for its end.
+    /// @return its wait status, or nothing if it had to be killed; then `silence` says why
+    std::optional<int> finish(const Allowance &allowance);
+
+    /// [s] What it has had by now: time in which it computed, and half of that in which it was seen asleep. However busy
+    /// the machine is, waiting for a core costs it nothing.
+    double spent() const;
+    bool slept() const { return asleep / 2 > computed(); } ///< rather than computed
 
     bool said_more();            ///< after finish: it had sent an answer without a question
     bool left_processes();       ///< after finish: something that it started still runs; it is ended
     std::string printed() const; ///< what it wrote to stdout and stderr
 
   private:
-    bool read_all(void *data, std::size_t size, Clock::time_point deadline, double processor_time);
-    bool is_starved(double processor_time) const;
+    template <class Ready> bool wait(Ready ready, const Allowance &allowance);
+    bool read_all(void *data, std::size_t size, const Allowance &allowance);
+    bool is_asleep() const;
+    double computed() const;
 
     pid_t process = -1;
     pid_t group = -1;
     int to = -1, from = -1;
+    Clock::time_point started = Clock::now();
+    Clock::time_point next_look = started; ///< at what the process does, while we wait
+    double asleep = 0;                     ///< [s]
+    double computed_in_all = 0;            ///< [s] known when it has ended
     wire::Arrived arrived;
     NamelessFile output;
 };
