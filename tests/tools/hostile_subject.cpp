@@ -66,6 +66,11 @@ int main() {
     if (mode == "drips")
         for (const char byte : bytes_of(2.5) + "123456789012")
             ::usleep(200'000), static_cast<void>(::write(reply_fd, &byte, 1) + 1);
+    if (mode == "computes_each_time")
+        for (std::uint32_t asked = call;; asked = next_call()) {
+            for (const auto until = std::clock() + 3 * CLOCKS_PER_SEC / 10; std::clock() < until;) {}
+            send(Frame::result, asked, bytes_of(2.5));
+        }
     if (mode.starts_with("computes")) { // for a fifth of a second of the processor's time, or for half a second
         while (std::clock() < CLOCKS_PER_SEC / (mode == "computes_for_long" ? 2 : 5)) {}
         send(Frame::result, call, bytes_of(2.5));

@@ -408,8 +408,8 @@ TEST_CASE("on a busy machine a verdict waits until the code has had its time of 
 
 TEST_CASE("code that gets hardly any of the processor is the machine's trouble, and code that sleeps is not") {
     const BusyMachine busy;
-    for (const auto &[mode, silence] :
-         {std::pair{"computes_for_long", Subject::Silence::starved}, std::pair{"sends_half_a_frame", Subject::Silence::late}}) {
+    for (const auto &[mode, silence] : {std::pair{"computes_for_long", Subject::Silence::starved},
+                                        std::pair{"sends_half_a_frame", Subject::Silence::late}}) {
         CAPTURE(mode);
         Subject subject{HOSTILE, mode};
         REQUIRE(subject.receive({5}));
@@ -453,6 +453,22 @@ TEST_CASE("a case of large input may be given more time, and its verdict says th
            "loop that never stops?");
     OwnSession usual{"computes_for_long", {0.25, 5}};
     CHECK(usual.half_of_five().sentence == "Your code gave no answer: look for a loop that never stops.");
+}
+
+TEST_CASE("a case of several large inputs has its time for each of them") {
+    OwnSession own{"computes_each_time", {0.5, 5}}; // for 0.3 s
+    const auto passes_twice = [&](bool renewed) {
+        own.begin("1.1", "two halves");
+        own.allow(1);
+        try {
+            own.call(half, bytes_of(5.0));
+            if (renewed) own.allow(1);
+            own.call(half, bytes_of(5.0));
+        } catch (const CaseOver &) {}
+        return own.end(true).passed();
+    };
+    CHECK(passes_twice(true));
+    CHECK_FALSE(passes_twice(false));
 }
 
 TEST_CASE("code that waits instead of computing is stopped after twice the time, and told so") {

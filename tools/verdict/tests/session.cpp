@@ -74,11 +74,20 @@ void Session::begin(std::string exercise, std::string test) {
 void Session::allow(double seconds) {
     if (!large) allowed *= seconds / Patience{}.a_case; // a case with generated values says it again for each of them
     large = true;
+    count_spent();
+}
+
+/// From now on the running case has all of its allowance again.
+void Session::count_spent() {
+    if (!subject) return;
+    const double now = subject->spent();
+    spent += now - counted;
+    counted = now;
 }
 
 Allowance Session::allowance() const {
     constexpr double clock = 20; // [s] the twentieth part of a core is enough
-    return {greeting + allowed, clock * std::max(allowed, 1.0)};
+    return {counted + allowed, clock * std::max(allowed, 1.0)};
 }
 
 void Session::refuse_nameless() {
@@ -148,7 +157,7 @@ void Session::over_in_silence() {
              "end.");
     if (subject->silence == Subject::Silence::late) {
         hung = verdict.exercise;
-        lost += subject->spent() - greeting;
+        lost += subject->spent() - counted;
         over(Kind::too_long,
              subject->slept() ? "Your code waits for something that never comes. An exercise computes its answer, and "
                                 "never sleeps."
@@ -184,8 +193,8 @@ void Session::start() {
              "of a global variable do?");
     subject = std::make_unique<Subject>(program, answer);
     const auto hello = subject->receive({patience.start});
-    greeting = subject->spent();
-    starting += greeting;
+    counted = subject->spent();
+    starting += counted;
     if (!hello) over_in_silence();
     if (hello->header.frame == wire::Frame::crashed) {
         subject->finish(allowance());
@@ -363,7 +372,7 @@ Verdict Session::end(bool asserted_something) {
             verdict.sentence = "Your code was stopped by a check of the library that it uses: " + meaning + '.';
     }
     if (never_starts && never_starts->printed.empty()) never_starts->printed = verdict.printed;
-    if (subject) spent += subject->spent() - greeting;
+    count_spent();
     subject.reset();
     if (verdict.call && calls > 1 && verdict.kind != Kind::too_long) look_for_memory();
     return std::move(verdict);

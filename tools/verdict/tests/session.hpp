@@ -55,6 +55,7 @@ class Session {
     [[noreturn]] void over_not_started(const std::string &hint, std::string_view function);
     void start();
     Allowance allowance() const;
+    void count_spent();
     void judge_end(int status, bool before_main);
     void note_verdict(Kind kind, std::string sentence);
     std::optional<std::string> ask_alone() const;
@@ -65,8 +66,8 @@ class Session {
     Patience patience;
     double allowed = 0;  ///< [s] for the running case
     bool large = false;  ///< whether that is more than usual
-    double greeting = 0; ///< [s] what the running case's subject had spent when it greeted
-    double starting = 0; ///< [s] the same, of all subjects
+    double counted = 0;  ///< [s] what the running case's subject had spent when its allowance began
+    double starting = 0; ///< [s] what all subjects had spent when they greeted
     double lost = 0;     ///< [s] in hangs
     double spent = 0;    ///< [s] in all cases
     std::string hung;    ///< the exercise that has used up a case's time: its other cases get less
