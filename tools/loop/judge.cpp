@@ -151,13 +151,18 @@ struct SubjectBuild {
         auto command = compile_command(tools.compiler);
         command.insert(command.end(), tools.assembler.begin(), tools.assembler.end());
         if (!tools.assembler.empty()) command.push_back(assembled());
+        fs::remove(includes()); // the quick compiler has left its own, and may have read other files
         const auto compiled = run(command, within(compiler_limits));
         const std::string said = plain_output(compiled.err);
         if (auto why = stopped_by_a_limit(compiled, said); !why.empty())
             return Verdict{.kind = Kind::does_not_compile, .sentence = std::move(why)};
-        if (compiled.code != 0) return diagnose_compiler(said, file, name, renamed(tree, section));
+        // before a word of the compiler's is passed on: it may quote what a foreign file says
+        if (!fs::exists(includes()) && !list_includes())
+            return Verdict{.kind = Kind::does_not_compile,
+                           .sentence = "The compiler can't tell what your file includes: include only headers that a "
+                                       "check allows, and each once."};
         auto elsewhere = foreign_header();
-        if (!elsewhere && !tools.assembler.empty()) // it is in the scratch folder, as is what the compiler hands to it
+        if (!elsewhere && fs::exists(assembled())) // it is in the scratch folder, as is what the compiler hands to it
             elsewhere = included_from_elsewhere(read_file(assembled()), file, scratch.folder, {scratch.folder});
         if (elsewhere)
             return Verdict{.kind = Kind::does_not_compile,
@@ -165,6 +170,7 @@ struct SubjectBuild {
                                "Your file includes " + tree.shown(*elsewhere)
                                + ", which a check does not allow: it may include headers of the system, of Eigen and "
                                  "of chapters/. Write what you need into the file itself."};
+        if (compiled.code != 0) return diagnose_compiler(said, file, name, renamed(tree, section));
         warnings = find_warnings(said, file, name);
         return {};
     }
@@ -193,6 +199,15 @@ struct SubjectBuild {
         auto command = compiler.command(tree, section, file, object());
         command.insert(command.end(), {"-MD", "-MF", includes()});
         return command;
+    }
+    /// Where the compiler gave up before it had listed what it reads: the preprocessor alone does, and passes over
+    /// headers that aren't there.
+    bool list_includes() const {
+        auto command = compile_command(tools.compiler);
+        std::replace(command.begin(), command.end(), std::string{"-MD"}, std::string{"-M"});
+        command.insert(command.end(), {"-MG", "-fmax-errors=0"});
+        run(command, within(compiler_limits));
+        return fs::exists(includes());
     }
     std::optional<fs::path> foreign_header() const {
         return included_from_elsewhere(read_file(includes()), file, scratch.folder, tools.includes);

@@ -1,0 +1,2 @@
+// Has the compiler quote a file that isn't its own.
+#include "/etc/passwd"
