@@ -103,14 +103,14 @@ endif()
 set(COURSE_INCLUDES ${PROJECT_SOURCE_DIR}/chapters ${PROJECT_BINARY_DIR}/loop ${eigen} ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES}
   /usr/include /usr/lib /usr/local/include)
 
-# Objects of `sources` as a student's file would be compiled.
-function(add_student_objects name)
+# Objects of `sources`, with the flags of the library `flags`, behind the header that stands before a student's file.
+function(add_student_objects name flags)
   add_library(${name} OBJECT ${ARGN})
   add_dependencies(${name} course_pch)
   set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS ${compiled})
-  target_link_libraries(${name} PRIVATE course_student_flags)
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/chapters/${section})
-  target_compile_options(${name} PRIVATE ${COURSE_LOOP_PCH})
+  target_link_libraries(${name} PUBLIC ${flags})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/chapters/${section})
+  target_compile_options(${name} PRIVATE ${COURSE_LOOP_PCH} -Winvalid-pch) # or GCC reads it all again without a word
 endfunction()
 
 # The objects of a library with every symbol made weak: a definition elsewhere takes precedence.
