@@ -3,7 +3,7 @@
 # then answers that loop or sleep, four at once, beside five busy loops a core, and compares each verdict with the one of a
 # quiet machine, byte for byte.
 #
-#     tests/under_load.sh [ROUNDS]      20 of them take about an hour on two cores
+#     tests/under_load.sh [ROUNDS]      a round takes a minute or two on two cores
 set -u
 cd "$(dirname "$0")/.." || exit 2
 rounds=${1:-20}

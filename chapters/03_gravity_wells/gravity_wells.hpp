@@ -46,7 +46,7 @@ struct Fall {
 Fall fall_and_land(const Fall &now, double g, double dt);
 
 //> Circular orbit
-/// The speed at which a ship circles a body of this mass [m/s].
+/// The speed at which a ship circles a body of this mass [m/s], which stays where it is: it is far heavier, or held.
 /// @param mass    of the body in the middle [kg], not negative
 /// @param radius  of the circle [m], more than 0
 /// @param G       the gravitational constant [N m²/kg²], not negative
