@@ -483,9 +483,10 @@ TEST_CASE("starting a subject has an allowance of its own, and all starts togeth
     CHECK(patient.half_of_five().passed());
     CHECK(patient.trouble().empty());
     CHECK(hasty.half_of_five().kind == Kind::too_long);
-    CHECK(tired.half_of_five().passed());
-    CHECK(tired.half_of_five().passed());
-    CHECK(tired.half_of_five().sentence.starts_with("Your code is started again for each test"));
+    Verdict verdict = tired.half_of_five();
+    CHECK(verdict.passed());
+    for (int starts = 1; verdict.passed() && starts < 10; ++starts) verdict = tired.half_of_five();
+    CHECK(verdict.sentence.starts_with("Your code is started again for each test"));
 }
 
 TEST_CASE("a program that this machine cannot start is the machine's trouble") {
