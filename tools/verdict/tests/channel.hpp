@@ -57,8 +57,8 @@ void note_mismatch(const Mismatch &mismatch);
 /// value that it had. The case goes on, and its verdict lists all of them.
 void note_accepted(const std::string &input, const std::string &value = {});
 
-/// The input of the running test case is large: working code may take so many seconds of computing, where others have one. To be
-/// called before the exercise.
+/// The input of the running test case is large: working code may take so many seconds of computing, where others have
+/// one. To be called before the exercise.
 void allow(double seconds);
 
 /// How many generated cases to run: `full` of them under `./course test`, a hundredth in a student's check.

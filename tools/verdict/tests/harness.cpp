@@ -170,14 +170,16 @@ class Queue {
     std::atomic<unsigned> *taken; ///< in memory that these processes share
 };
 
+/// A verdict as a line of JSON.
+std::string line_of(const Verdict &verdict) {
+    return nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
 /// One of several processes that run tests. It has children of its own, and so finds what a student's code has left
 /// behind. Its verdicts go where no subject can reach them, a line of JSON each, as they come.
 [[noreturn]] void work(const std::string &subject, unsigned seed, Queue &tests, int core, NamelessFile &lines) {
     try {
-        tell = [&](const Verdict &verdict) {
-            const auto json = nlohmann::json(verdict);
-            lines.append(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
-        };
+        tell = [&](const Verdict &verdict) { lines.append(line_of(verdict)); };
         prepare_for_subjects(core);
         Session here{subject, Patience{}};
         while (const auto test = tests.next())
@@ -246,8 +248,7 @@ int run_side_by_side(const std::string &subject, unsigned seed, const std::strin
         if (again.size() == 1) verdict = std::move(again.front());
         if (verdict.kind == Kind::too_long) proved.insert(of);
     }
-    for (const Verdict &verdict : said)
-        std::cout << nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    for (const Verdict &verdict : said) std::cout << line_of(verdict);
     return code;
 }
 
