@@ -5,12 +5,15 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
+if(DEFINED ENV{CI})
+  set(CMAKE_COMPILE_WARNING_AS_ERROR ON)
+endif()
 set(COURSE_WARNINGS
     -Wall -Wextra
     -Wconversion # 0.5 in an int is a classic slip of a beginner;
     -Wno-sign-conversion # an int as an index is none, but for Clang part of it
     -Wshadow)    # as is a second variable of the same name
-set(COURSE_OPTIMIZATION -O1 CACHE STRING "GCC compiles as fast with -O1 as with -O0: much of Eigen is gone before it is written out")
+set(COURSE_OPTIMIZATION -O1 CACHE STRING "For programs and answers. What only judges or builds has the property COURSE_UNOPTIMIZED")
 set(COURSE_CODE_FLAGS
     -ffp-contract=off    # a * b + c is rounded twice on every machine
     -ftrivial-auto-var-init=pattern # an uninitialized number has a strange value, never the right one by luck
@@ -22,7 +25,7 @@ set(COURSE_DEFINITIONS
 # Ours, and a student's: who has not begun has not used a parameter either. (For Clang the order of the two matters.)
 foreach(flags course_flags course_student_flags)
   add_library(${flags} INTERFACE)
-  target_compile_options(${flags} INTERFACE $<IF:$<BOOL:$<TARGET_PROPERTY:COURSE_FOR_DEBUGGER>>,-O0,${COURSE_OPTIMIZATION}> ${COURSE_CODE_FLAGS} ${COURSE_WARNINGS})
+  target_compile_options(${flags} INTERFACE $<IF:$<BOOL:$<TARGET_PROPERTY:COURSE_UNOPTIMIZED>>,-O0,${COURSE_OPTIMIZATION}> ${COURSE_CODE_FLAGS} ${COURSE_WARNINGS})
   target_compile_definitions(${flags} INTERFACE ${COURSE_DEFINITIONS})
   target_include_directories(${flags} INTERFACE ${PROJECT_SOURCE_DIR}/chapters)
   target_link_libraries(${flags} INTERFACE Eigen3::Eigen)

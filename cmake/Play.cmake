@@ -62,11 +62,10 @@ macro(section_demo)
   endif()
   if(EXISTS ${chapter}/demo.cpp)
     add_executable(${section}_demo tools/play/host/script.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
-    target_link_libraries(${section}_demo PRIVATE course_flags)
+    stand_behind_student_header(${section}_demo course_flags)
     target_compile_definitions(${section}_demo PRIVATE DEMO="${section}/demo.cpp")
-    target_include_directories(${section}_demo PRIVATE ${chapter})
     set_target_properties(${section}_demo PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/demo)
-    add_dependencies(checks ${section}_demo)
+    add_dependencies(${section}_checks ${section}_demo)
     add_test(NAME ${section}.demo COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/play/script.mjs $<TARGET_FILE:${section}_demo>
       ${PROJECT_SOURCE_DIR}/demos/${section}.js)
     file(GLOB tasks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section_number}_*.mjs) # what a place asks can be done

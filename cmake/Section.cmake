@@ -8,7 +8,7 @@
 # section(08_nt_collisions BUILDS_ON 07_segment_intersection): its header may include that of section 07, and all code of
 # section 08, a student's too, may call section 07's functions. Those are always our solution, never a student's answers.
 
-option(COURSE_THOROUGH "Judge tests/wrong, and solutions by all generated cases: neither depends on the compiler, so once is enough" ON)
+option(COURSE_THOROUGH "Judge tests/wrong, and solutions by all generated cases: neither depends on the compiler, so once is enough. OFF, for sanitizers, runs the tests with the solution in one process, too" ON)
 set(COURSE_SECTIONS "" CACHE INTERNAL "")
 add_custom_target(programs)
 add_custom_target(section-tests)
@@ -65,21 +65,12 @@ macro(find_earlier_sections)
   list(TRANSFORM earlier REPLACE "(.+)" "$<TARGET_OBJECTS:\\1_reference>" OUTPUT_VARIABLE earlier_objects)
 endmacro()
 
-# What gives COURSE_EXERCISE a meaning reads the headers of earlier sections first, while it has none:
-# so only this section's own exercises are tested and served.
-macro(read_earlier_headers_first target)
-  foreach(one ${earlier})
-    string(SUBSTRING ${one} 3 -1 earlier_slug)
-    target_compile_options(${target} PRIVATE "SHELL:-include ${one}/${earlier_slug}.hpp")
-  endforeach()
-endmacro()
-
 macro(section_programs)
-  add_student_objects(${section}_reference course_flags solutions/${section}.cpp)
+  add_library(${section}_reference OBJECT solutions/${section}.cpp)
+  stand_behind_student_header(${section}_reference course_flags)
 
   add_executable(${section} ${chapter}/main.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
-  target_link_libraries(${section} PRIVATE course_flags)
-  target_include_directories(${section} PRIVATE ${chapter})
+  stand_behind_student_header(${section} course_flags)
   set_target_properties(${section} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
   add_dependencies(programs ${section})
 
@@ -106,9 +97,9 @@ endmacro()
 macro(section_tests)
   add_library(${section}_cases OBJECT tests/${section}.cpp)
   target_include_directories(${section}_cases PRIVATE tests ${chapter})
-  read_earlier_headers_first(${section}_cases)
   target_link_libraries(${section}_cases PRIVATE course_harness)
-  target_compile_options(${section}_cases PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # verdicts say tests/NN_slug.cpp
+  set_target_properties(${section}_cases PROPERTIES COURSE_UNOPTIMIZED ON)
+  target_precompile_headers(${section}_cases REUSE_FROM course_harness)
   add_executable(${section}_tests $<TARGET_OBJECTS:${section}_cases> $<TARGET_OBJECTS:course_harness> ${earlier_objects})
   target_link_libraries(${section}_tests PRIVATE course_harness)
   set_target_properties(${section}_tests PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
@@ -118,16 +109,15 @@ macro(section_tests)
     COMMAND ${section}_tests --catalogue > ${catalogue} DEPENDS ${section}_tests VERBATIM COMMENT "")
 
   add_library(${section}_server OBJECT tools/verdict/student/server.cpp)
-  target_link_libraries(${section}_server PRIVATE course_flags)
-  target_include_directories(${section}_server PRIVATE ${chapter} tools)
-  read_earlier_headers_first(${section}_server)
+  stand_behind_student_header(${section}_server course_flags)
+  target_include_directories(${section}_server PRIVATE tools)
   target_compile_definitions(${section}_server PRIVATE COURSE_SECTION="${slug}.hpp")
 
-  add_student_objects(${section}_stub course_student_flags tests/stubs/${section}.cpp)
+  add_library(${section}_stub OBJECT tests/stubs/${section}.cpp)
+  stand_behind_student_header(${section}_stub course_student_flags)
   add_library(${section}_missing OBJECT tests/stubs/${section}.cpp)
-  target_link_libraries(${section}_missing PRIVATE course_flags)
-  target_include_directories(${section}_missing PRIVATE ${chapter})
-  target_compile_options(${section}_missing PRIVATE -w -DCOURSE_STUB_BEHIND -include ${PROJECT_SOURCE_DIR}/tools/verdict/student/missing.hpp)
+  stand_behind_student_header(${section}_missing course_flags)
+  target_compile_options(${section}_missing PRIVATE -w -DCOURSE_STUB_BEHIND "SHELL:-include ${PROJECT_SOURCE_DIR}/tools/verdict/student/missing.hpp")
   set(missing ${PROJECT_BINARY_DIR}/loop/${section}_missing.o)
   add_weak_object(${missing} ${section}_missing)
 
@@ -149,24 +139,28 @@ macro(section_tests)
   add_subject(stub none $<TARGET_OBJECTS:${section}_stub>)
   section_answers()
 
-  # Everything in one process, for sanitizers and where there is no fork;
-  add_executable(${section}_direct $<TARGET_OBJECTS:${section}_reference> $<TARGET_OBJECTS:${section}_cases>)
-  in_one_process(direct)
-  add_dependencies(checks ${section}_loop ${section}_direct ${section}_subject_solution ${section}_subject_stub ${section}_answers)
-  add_test(NAME ${section}.direct COMMAND ${section}_direct)
+  add_custom_target(${section}_checks DEPENDS ${section}_loop ${section}_subject_solution ${section}_subject_stub ${section}_answers)
+  add_dependencies(checks ${section}_checks)
+
+  # Everything in one process, for sanitizers;
+  if(NOT COURSE_THOROUGH)
+    add_executable(${section}_direct $<TARGET_OBJECTS:${section}_reference> $<TARGET_OBJECTS:${section}_cases>)
+    in_one_process(direct)
+    add_dependencies(${section}_checks ${section}_direct)
+    add_test(NAME ${section}.direct COMMAND ${section}_direct)
+  endif()
 
   # and with the student's file, compiled for a debugger.
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
     add_executable(${section}_debug EXCLUDE_FROM_ALL exercises/${section}.cpp tests/${section}.cpp)
     target_compile_options(${section}_debug PRIVATE -g)
-    set_target_properties(${section}_debug PROPERTIES COURSE_FOR_DEBUGGER ON)
+    set_target_properties(${section}_debug PROPERTIES COURSE_UNOPTIMIZED ON)
     in_one_process(debug)
   endif()
 endmacro()
 
 macro(in_one_process whose)
   target_sources(${section}_${whose} PRIVATE tools/verdict/tests/direct.cpp ${earlier_objects})
-  read_earlier_headers_first(${section}_${whose})
   target_link_libraries(${section}_${whose} PRIVATE course_student_flags Catch2::Catch2WithMain course::GMP)
   target_include_directories(${section}_${whose} PRIVATE tests tools ${chapter})
   target_compile_definitions(${section}_${whose} PRIVATE COURSE_SECTION="${slug}.hpp")
@@ -185,19 +179,17 @@ macro(section_answers)
     list(APPEND answers ${found})
   endforeach()
   set(unit ${PROJECT_BINARY_DIR}/answers/${section})
-  add_custom_command(OUTPUT ${unit}.cpp ${unit}.cmake
-    COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${section} ${unit}.cpp ${unit}.cmake $<TARGET_FILE:${section}_tests> $<TARGET_FILE:${section}_answers> ${kinds}
+  add_custom_command(OUTPUT ${unit}.cpp ${unit}.txt
+    COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${section} ${unit}.cpp ${unit}.txt ${kinds}
     DEPENDS answers-in-one ${answers} solutions/${section}.cpp ${chapter}/${slug}.hpp VERBATIM COMMENT "")
   add_executable(${section}_answers ${unit}.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
-  read_earlier_headers_first(${section}_answers)
-  target_link_libraries(${section}_answers PRIVATE course_student_flags)
-  target_include_directories(${section}_answers PRIVATE tests/answers tools ${chapter})
+  stand_behind_student_header(${section}_answers course_student_flags)
+  target_include_directories(${section}_answers PRIVATE tests/answers tools)
   target_compile_definitions(${section}_answers PRIVATE COURSE_SECTION="${slug}.hpp")
   target_compile_options(${section}_answers PRIVATE -w) # they are as their authors left them
   set_target_properties(${section}_answers PROPERTIES OUTPUT_NAME answers RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
-  # What ctest is to know of them is known once they are built.
-  file(WRITE ${unit}_if_built.cmake "if(EXISTS [[${unit}.cmake]])\n  include([[${unit}.cmake]])\nelse()\n  add_test(${section}.answers_are_not_built no)\nendif()\n")
-  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${unit}_if_built.cmake)
+  add_test(NAME ${section}.answers COMMAND ${section}_tests $<TARGET_FILE:${section}_answers> --answers ${unit}.txt)
+  set_tests_properties(${section}.answers PROPERTIES PROCESSORS 2)
 endmacro()
 
 # A program that serves the functions of one file, and the test that its verdicts are as expected.

@@ -1,8 +1,8 @@
-// Puts all of a section's wrong and right answers into one C++ file, and lists them for ctest.
+// Puts all of a section's wrong and right answers into one C++ file, and lists how each is to be judged.
 //
-//     answers-in-one ROOT NN_slug UNIT LIST TESTS SUBJECT KIND...
+//     answers-in-one ROOT NN_slug UNIT LIST KIND...
 //
-// It writes UNIT, the C++ file, and LIST, for ctest: TESTS is the program that judges, SUBJECT the one made of UNIT. A
+// It writes UNIT, the C++ file, and LIST, for the section's tests: a line `NAME EXERCISE EXPECTED` for each answer. A
 // KIND is `wrong` or `right`. An answer is a file, tests/KIND/NN_slug/name.cpp, or an entry in tests/KIND/NN_slug.diff:
 //
 //     7.2 meet_leaves_the_ends_open: a touch is no meeting
@@ -227,8 +227,8 @@ class Unit {
     }
 
     std::string code_of_all() const { return "#include \"choose.hpp\"\n" + code.str(); }
-    /// How each answer is to be judged, by its name: "--exercise 7.2 --expect red".
-    const std::map<std::string, std::string> &options_of_answers() const { return options; }
+    /// How each answer is to be judged, by its name: "7.2 red".
+    const std::map<std::string, std::string> &judgements() const { return judged; }
 
   private:
     void add_lines(const std::string &name, const std::string &exercise, const Lines &lines, const Line &head,
@@ -257,10 +257,8 @@ class Unit {
         const auto exercise = std::find_if(exercises.begin(), exercises.end(),
                                            [&](const Exercise &each) { return each.number == number; });
         if (exercise == exercises.end()) throw Complaint{head, "there is no exercise " + number + " in this section"};
-        const std::string expected = !name.starts_with("wrong_") ? "all"
-                                     : verdict.empty()           ? "red"
-                                                                 : "[=[" + verdict + "]=]";
-        if (!options.emplace(name, "--exercise " + number + " --expect " + expected).second)
+        const std::string expected = !name.starts_with("wrong_") ? "all" : verdict.empty() ? "red" : verdict;
+        if (!judged.emplace(name, number + ' ' + expected).second)
             throw Complaint{head, "there is an answer of this name already: choose another one"};
         code << "#line " << head.number << ' ' << *head.file << "\nconst Answer " << name << "_{\"" << name << "\", "
              << exercise - exercises.begin() << ", &" << slug << "::" << exercise->function << ", &" << name
@@ -273,24 +271,21 @@ class Unit {
     Solution solution;
     std::vector<Exercise> exercises;
     std::ostringstream code;
-    std::map<std::string, std::string> options;
+    std::map<std::string, std::string> judged;
 };
 
 } // namespace
 
 int main(int argc, char **argv) try {
-    if (argc < 8) {
-        std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST TESTS SUBJECT KIND...\n";
+    if (argc < 6) {
+        std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST KIND...\n";
         return 2;
     }
-    const std::string section = argv[2], tests = argv[5], subject = argv[6];
-    Unit unit{argv[1], section};
-    for (int kind = 7; kind < argc; ++kind) unit.add(argv[kind]);
+    Unit unit{argv[1], argv[2]};
+    for (int kind = 5; kind < argc; ++kind) unit.add(argv[kind]);
 
-    std::ostringstream list; // ctest's own language
-    for (const auto &[answer, options] : unit.options_of_answers())
-        list << "add_test([[" << section << '.' << answer << "]] [[" << tests << "]] [[" << subject << "]] --answer "
-             << answer << ' ' << options << ")\n";
+    std::ostringstream list;
+    for (const auto &[answer, judgement] : unit.judgements()) list << answer << ' ' << judgement << '\n';
     for (const auto &[file, text] : {std::pair{argv[3], unit.code_of_all()}, {argv[4], list.str()}})
         if (!(std::ofstream{file} << text << std::flush))
             throw std::runtime_error{std::string{file} + " cannot be written"};

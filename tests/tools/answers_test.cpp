@@ -41,8 +41,8 @@ int second() { return two(); }
     }
     Finished put_together(const std::string &differences) const {
         write(wrong, differences);
-        return run({ANSWERS_IN_ONE, tree.root.string(), "07_wall_meeting", path("unit.cpp"), path("list.cmake"),
-                    "tests", "subject", "right", "wrong"});
+        return run(
+            {ANSWERS_IN_ONE, tree.root.string(), "07_wall_meeting", path("unit.cpp"), path("list"), "right", "wrong"});
     }
     std::string path(const std::string &file) const { return (tree.root / file).string(); }
 
@@ -100,11 +100,13 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
                  + "int first() {\n    int i = 0;\nreturn i;\n    ++i;\n\n    // again\n    ++i;\nreturn 0;\n}\n}\n");
     CHECK_THAT(course.read("unit.cpp"),
                ContainsSubstring("#line 5 \"" + course.path(course.wrong) + "\"\n    int i = 1;\n"));
-    CHECK_THAT(course.read("list.cmake"),
-               ContainsSubstring("add_test([[07_wall_meeting.wrong_starts_at_one]] [[tests]] [[subject]] --answer "
-                                 "wrong_starts_at_one --exercise 7.1 --expect red)")
-                   && ContainsSubstring("--answer wrong_ends_twice --exercise 7.1 --expect [=[8 of 13, got [0]]=])")
-                   && ContainsSubstring("--answer right_solution_7_2 --exercise 7.2 --expect all)"));
+    CHECK(course.read("list")
+          == "right_solution_7_1 7.1 all\n"
+             "right_solution_7_2 7.2 all\n"
+             "wrong_begins_twice 7.1 red\n"
+             "wrong_ends_twice 7.1 8 of 13, got [0]\n"
+             "wrong_starts_at_one 7.1 red\n"
+             "wrong_two_is_one 7.2 red\n");
 }
 
 TEST_CASE("a mistake in a difference is an error, which names the place and what to do") {
@@ -137,7 +139,7 @@ TEST_CASE("a whole file is an answer as well, if it says of which exercise") {
     course.write("tests/right/07_wall_meeting/by_hand.cpp", "// 7.2: without help\nint second() { return 2; }\n");
     REQUIRE(course.put_together("").code == 0);
     CHECK_THAT(course.read("unit.cpp"), ContainsSubstring("by_hand.cpp\"\n") && ContainsSubstring("right_by_hand"));
-    CHECK_THAT(course.read("list.cmake"), ContainsSubstring("--answer right_by_hand --exercise 7.2 --expect all)"));
+    CHECK_THAT(course.read("list"), ContainsSubstring("right_by_hand 7.2 all\n"));
     course.write("tests/right/07_wall_meeting/by_hand.cpp", "int second() { return 2; }\n");
     const Finished done = course.put_together("");
     CHECK(done.code == 1);
@@ -145,19 +147,23 @@ TEST_CASE("a whole file is an answer as well, if it says of which exercise") {
 }
 
 TEST_CASE("a wrong answer that passes is found out, a right one that does not, and one that is not there") {
+    const SmallCourse course;
     const std::string built = COURSE_BUILD, section = "/07_segment_intersection";
-    const auto judged = [&](const std::string &answer, const std::string &exercise, const std::string &expect) {
-        return run({built + "/tests" + section, built + "/subjects" + section + "/answers", "--answer", answer,
-                    "--exercise", exercise, "--expect", expect})
-            .code;
+    const auto judge = [&](const std::string &list) {
+        course.write("list", list);
+        return run({built + "/tests" + section, built + "/subjects" + section + "/answers", "--answers",
+                    (course.tree.root / "list").string()});
     };
-    CHECK(judged("right_solution_7_1", "7.1", "all") == 0);
-    CHECK(judged("right_solution_7_1", "7.1", "red") == 1);
-    CHECK(judged("right_solution_7_1", "7.2", "all") == 1); // only 7.1 is answered,
-    CHECK(judged("right_solution_7_1", "7.2", "red") == 1); // and what is not started is not wrong
-    CHECK(judged("wrong_nobody", "7.1", "red") == 1);
-    CHECK(judged("right_nobody", "7.1", "all") == 1);
-    CHECK(judged("right_solution_7_1", "7.9", "all") == 1);
-    CHECK(judged("right_solution_7_1", "7.1", "20 of 20") == 0);
-    CHECK(judged("right_solution_7_1", "7.1", "19 of 20") == 1);
+    const std::string as_expected = "right_solution_7_1 7.1 all\nright_solution_7_1 7.1 20 of 20\n";
+    const Finished good = judge(as_expected);
+    CHECK(good.code == 0);
+    CHECK(good.out == "2 of 2 answers are judged as expected (seed 2026)\n");
+    const std::string other = GENERATE("right_solution_7_1 7.1 red", "right_solution_7_1 7.1 19 of 20",
+                                       "right_solution_7_1 7.2 all", // only 7.1 is answered,
+                                       "right_solution_7_1 7.2 red", // and what is not started is not wrong
+                                       "wrong_nobody 7.1 red", "right_nobody 7.1 all", "right_solution_7_1 7.9 all");
+    const Finished bad = judge(as_expected + other + '\n');
+    CHECK(bad.code == 1);
+    CHECK_THAT(bad.out, ContainsSubstring("NOT as expected: " + other) && ContainsSubstring("2 of 3 answers"));
+    CHECK(judge("").code == 2); // no answer at all is a mistake, too
 }

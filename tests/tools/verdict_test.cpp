@@ -150,7 +150,7 @@ std::string describe_half(const ExerciseLine &, std::string_view bytes) {
     wire::Reader reader{bytes};
     return describe(reader.take<double>(), "m");
 }
-const ExerciseLine half{"1.1", "core", "half", "x [m]", "m", describe_one, describe_half, 0};
+const ExerciseLine half{"numbers", "1.1", "core", "half", "x [m]", "m", describe_one, describe_half, 0};
 
 /// A session that the matchers speak to while it lives. Its subject behaves like `mode`: see hostile_subject.cpp.
 struct OwnSession : Session {

@@ -18,13 +18,21 @@ template <class Result, class... Arguments> void serve(Result (*function)(Argume
 }
 template <auto F> void serve_function(Reader &in, Writer &out) { serve(F, in, out); }
 
-struct Served {
-    explicit Served(Serve serve) { served[exercises++] = serve; }
+/// Whether a line is the section's own: its header includes those of earlier sections, whose functions are ours.
+consteval bool is_own(std::string_view section) {
+    const std::string_view header = COURSE_SECTION;
+    return header.substr(0, header.find('.')) == section;
+}
+
+template <bool Own> struct Served {
+    explicit Served(Serve serve) {
+        if constexpr (Own) served[exercises++] = serve;
+    }
 };
 
 } // namespace
 
-#undef COURSE_EXERCISE // it meant nothing in the headers of earlier sections
+#undef COURSE_EXERCISE
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
-    static const ::Served function##_served{&::serve_function<&section::function>};
+    static const ::Served<is_own(#section)> function##_served{&::serve_function<&section::function>};
 #include COURSE_SECTION

@@ -10,6 +10,7 @@ namespace course {
 
 /// What a COURSE_EXERCISE line says, and how to read the bytes of a call.
 struct ExerciseLine {
+    std::string_view section;   ///< its namespace
     std::string_view number;    ///< "7.2"
     std::string_view tier;      ///< core, stretch, challenge
     std::string_view function;  ///< its name

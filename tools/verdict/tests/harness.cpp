@@ -2,6 +2,7 @@
 //
 //     07_segment_intersection SUBJECT               what a student reads
 //     07_segment_intersection SUBJECT --json        the same for the `course` program, a line of JSON for each verdict
+//     07_segment_intersection SUBJECT --answers F   judges the answers of tests/wrong and tests/right that file F lists
 //     07_segment_intersection --catalogue           the section's exercises and tests, as JSON
 //
 // Catch2 finds the tests and runs them. What it would print is never looked at: the session owns the verdict.
@@ -16,19 +17,21 @@
 #include <catch2/catch_test_case_info.hpp>
 #include <catch2/interfaces/catch_interfaces_registry_hub.hpp>
 #include <catch2/interfaces/catch_interfaces_testcase.hpp>
+#include <catch2/internal/catch_clara.hpp>
 #include <catch2/internal/catch_sharding.hpp>
 #include <catch2/reporters/catch_reporter_event_listener.hpp>
 #include <catch2/reporters/catch_reporter_registrars.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <sys/mman.h>
@@ -175,34 +178,31 @@ std::string line_of(const Verdict &verdict) {
     return nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-/// One of several processes that run tests. It has children of its own, and so finds what a student's code has left
-/// behind. Its verdicts go where no subject can reach them, a line of JSON each, as they come.
-[[noreturn]] void work(const std::string &subject, unsigned seed, Queue &tests, int core, NamelessFile &lines) {
+/// What one of several processes does with an item of a list; it tells of it in lines, where no subject can reach them.
+using Job = std::function<void(unsigned item, NamelessFile &lines)>;
+
+/// Such a process. It has children of its own, and so finds what a student's code has left behind.
+[[noreturn]] void work(const Job &job, Queue &items, int core, NamelessFile &lines) {
     try {
-        tell = [&](const Verdict &verdict) { lines.append(line_of(verdict)); };
         prepare_for_subjects(core);
-        Session here{subject, Patience{}};
-        while (const auto test = tests.next())
-            run_tests(here, seed, {*test, static_cast<unsigned>(all_tests().size())});
-        if (here.trouble().empty()) ::_exit(all_well);
-        std::cerr << here.trouble() << std::endl;
+        while (const auto item = items.next()) job(*item, lines);
+        ::_exit(all_well);
     } catch (const MachineTrouble &trouble) {
         std::cerr << trouble.what() << std::endl;
     }
     ::_exit(machine_trouble);
 }
 
-/// Runs tests in some processes, and adds what they say.
+/// Does a job for each item, in as many processes as there are cores, but at most so many, and adds what they tell.
 /// @return all_well, or machine_trouble if the machine kept one of them from its end
-int run_in(std::size_t workers, const std::vector<unsigned> &which, const std::string &subject, unsigned seed,
-           std::vector<Verdict> &said) {
+int share(std::size_t most, const std::vector<unsigned> &items, const Job &job, std::vector<std::string> &told) {
     const std::vector<int> all = cores();
-    std::vector<NamelessFile> lines(std::min(all.size(), workers));
+    std::vector<NamelessFile> lines(std::min(all.size(), most));
     std::vector<pid_t> processes;
-    Queue tests{which};
+    Queue queue{items};
     for (std::size_t worker = 0; worker < lines.size(); ++worker) {
         processes.push_back(::fork());
-        if (processes.back() == 0) work(subject, seed, tests, all[worker], lines[worker]);
+        if (processes.back() == 0) work(job, queue, all[worker], lines[worker]);
     }
     int code = all_well;
     for (std::size_t worker = 0; worker < lines.size(); ++worker) {
@@ -214,10 +214,26 @@ int run_in(std::size_t workers, const std::vector<unsigned> &which, const std::s
             code = machine_trouble;
         }
         const std::string text = lines[worker].text(64u << 20);
-        for (const Line &line : lines_of(text))
-            if (const auto json = nlohmann::json::parse(line.text, nullptr, false); json.is_object())
-                said.push_back(json.get<Verdict>());
+        for (const Line &line : lines_of(text)) told.emplace_back(line.text);
     }
+    return code;
+}
+
+/// Runs tests in some processes, a part for each, and adds their verdicts.
+int run_in(std::size_t workers, const std::vector<unsigned> &which, const std::string &subject, unsigned seed,
+           std::vector<Verdict> &said) {
+    std::optional<Session> here; // a process has one for all of its tests
+    const Job run_one = [&](unsigned test, NamelessFile &lines) {
+        tell = [&](const Verdict &verdict) { lines.append(line_of(verdict)); };
+        if (!here) here.emplace(subject, Patience{});
+        run_tests(*here, seed, {test, static_cast<unsigned>(all_tests().size())});
+        if (!here->trouble().empty()) throw MachineTrouble{here->trouble()};
+    };
+    std::vector<std::string> lines;
+    const int code = share(workers, which, run_one, lines);
+    for (const std::string &line : lines)
+        if (const auto json = nlohmann::json::parse(line, nullptr, false); json.is_object())
+            said.push_back(json.get<Verdict>());
     return code;
 }
 
@@ -294,9 +310,67 @@ bool as_expected(std::string_view expect) {
     return !std::all_of(verdicts.begin(), verdicts.end(), passed);
 }
 
-void print(const Verdict &verdict) {
-    std::cout << (verdict.passed() ? "passed  " : "FAILED  ") << verdict.exercise << "  " << verdict.test << '\n';
-    if (!verdict.passed()) std::cout << "        " << name_of(verdict.kind) << '\n' << explain(verdict, 8);
+/// A verdict, for us.
+std::string in_words(const Verdict &verdict) {
+    std::ostringstream out;
+    out << (verdict.passed() ? "passed  " : "FAILED  ") << verdict.exercise << "  " << verdict.test << '\n';
+    if (!verdict.passed()) out << "        " << name_of(verdict.kind) << '\n' << explain(verdict, 8);
+    return out.str();
+}
+
+/// How long a subject is waited for whose verdicts are known. The machine may be slow; but a wrong one may well hang, and
+/// will be no less wrong after a minute. Where a count is expected, what a student sees as too slow must be too slow.
+Patience patience_for(const std::string &expect) {
+    if (expect == "red" || expect.starts_with("got ")) return {};
+    const bool all = expect == "all" || expect == "none";
+    return {.a_case = all ? 60 : Patience{}.a_case, .all = 600, .start = 60};
+}
+
+/// Judges a subject of which it is known what comes out, exercise by exercise or as a whole.
+/// @return whether that is what came out
+bool judge_known(const std::string &subject, const std::string &answer, const std::string &exercise,
+                 const std::string &expect, unsigned seed) {
+    verdicts.clear();
+    Session here{subject, patience_for(expect), answer};
+    const bool red = expect == "red" || expect.starts_with("got ");
+    run_tests(here, seed, {.exercise = exercise, .until_red = red});
+    if (!here.trouble().empty()) throw MachineTrouble{here.trouble()};
+    return as_expected(expect);
+}
+
+/// An answer of tests/wrong or tests/right, as tests/answers/generate.cpp lists it.
+struct Answer {
+    std::string name, exercise, expect;
+};
+
+/// Judges many answers, which are in one subject, and tells of those that are not judged as expected.
+/// @return the exit code
+int judge_answers(const std::string &subject, const std::string &list, unsigned seed) {
+    std::vector<Answer> answers;
+    std::ifstream in{list};
+    for (Answer next; in >> next.name >> next.exercise && std::getline(in >> std::ws, next.expect);)
+        answers.push_back(next);
+    if (answers.empty()) {
+        std::cerr << list << " lists no answers\n";
+        return 2;
+    }
+    std::vector<unsigned> all(answers.size());
+    std::iota(all.begin(), all.end(), 0u);
+    const std::string good = "as expected";
+    const Job judge_one = [&](unsigned which, NamelessFile &lines) {
+        const auto &[name, exercise, expect] = answers[which];
+        if (judge_known(subject, name, exercise, expect, seed)) return lines.append(good + '\n');
+        lines.append("NOT as expected: " + name + ' ' + exercise + ' ' + expect + ", but " + passed_of_all() + '\n');
+        for (const Verdict &verdict : verdicts)
+            if (!verdict.passed()) lines.append(in_words(verdict));
+    };
+    std::vector<std::string> told;
+    const int code = share(all.size(), all, judge_one, told);
+    const auto right = static_cast<std::size_t>(std::ranges::count(told, good));
+    for (const std::string &line : told)
+        if (line != good) std::cout << line << '\n';
+    std::cout << right << " of " << all.size() << " answers are judged as expected (seed " << seed << ")\n";
+    return code != all_well ? code : right == all.size() ? 0 : 1;
 }
 
 } // namespace
@@ -305,43 +379,39 @@ CATCH_REGISTER_LISTENER(Listener)
 
 int course::cases(int full) { return all_cases ? full : full / 100; }
 
-int main(int argc, char **argv) {
-    CLI::App app{"Tests of one section, run against a program with a student's code in it."};
-    std::string subject, answer, exercise, expect = "all";
+int main(int argc, char **argv) try {
+    std::string subject, answers, exercise, expect;
     bool json = false, list = false;
     unsigned seed = 2026;
-    app.add_option("subject", subject, "the program with the code to judge");
-    app.add_flag("--json", json, "print each verdict as a line of JSON");
-    app.add_option("--seed", seed, "for generated values")->capture_default_str();
-    app.add_option("--answer", answer, "which one, of a program that holds many answers");
-    app.add_option("--exercise", exercise, "only the tests of this one, as 7.2");
-    app.add_option("--expect", expect,
-                   "exit with 0 if the verdicts are: all (passed), none (started), red, or so many: \"8 of 13\", "
-                   "\"8 of 13, got 0.5\"");
-    app.add_flag("--all-cases", all_cases, "every generated case, instead of a hundredth");
-    app.add_flag("--catalogue", list, "list the exercises as JSON, and leave");
-    CLI11_PARSE(app, argc, argv);
-
+    using Catch::Clara::Opt;
+    const auto line =
+        Catch::Clara::Arg(subject, "subject")("the program with the code to judge")
+        | Opt(json)["--json"]("print each verdict as a line of JSON")
+        | Opt(seed, "number")["--seed"]("for generated values")
+        | Opt(exercise, "7.2")["--exercise"]("only the tests of this one")
+        | Opt(expect, "verdicts")["--expect"](
+            "exit with 0 if these come out: all (passed), none (started), red, or so many: \"8 of 13\", "
+            "\"8 of 13, got 0.5\"")
+        | Opt(all_cases)["--all-cases"]("every generated case, instead of a hundredth")
+        | Opt(answers, "list")["--answers"]("judge the answers that this file lists, which `subject` holds")
+        | Opt(list)["--catalogue"]("list the exercises as JSON, and leave");
+    if (const auto parsed = line.parse({argc, argv}); !parsed) {
+        std::cerr << parsed.errorMessage() << '\n' << line;
+        return 2;
+    }
     if (list) {
         std::cout << catalogue().dump(1) << '\n';
         return 0;
     }
     hide_from_other_processes();
-    if (json) try {
-            return run_side_by_side(subject, seed, exercise);
-        } catch (const MachineTrouble &trouble) {
-            std::cerr << trouble.what() << std::endl;
-            return machine_trouble;
-        }
-    tell = print;
+    if (json) return run_side_by_side(subject, seed, exercise);
+    if (!answers.empty()) return judge_answers(subject, answers, seed);
+    tell = [](const Verdict &verdict) { std::cout << in_words(verdict); };
     prepare_for_subjects(cores().front());
-    // In CI the machine may be slow; but a wrong one may well hang, and will be no less wrong after a minute. Where a count
-    // is expected, what a student sees as too slow must be too slow.
-    const bool red = expect == "red" || expect.starts_with("got "), all = expect == "all" || expect == "none";
-    const Patience in_ci{.a_case = all ? 60 : Patience{}.a_case, .all = 600, .start = 60};
-    Session here{subject, app.count("--expect") > 0 && !red ? in_ci : Patience{}, answer};
-    run_tests(here, seed, {.exercise = exercise, .until_red = red});
-
+    const bool good = judge_known(subject, {}, exercise, expect.empty() ? "all" : expect, seed);
     std::cout << passed_of_all() << " passed (seed " << seed << ")\n";
-    return as_expected(expect) ? 0 : 1;
+    return good ? 0 : 1;
+} catch (const MachineTrouble &trouble) {
+    std::cerr << trouble.what() << std::endl;
+    return machine_trouble;
 }

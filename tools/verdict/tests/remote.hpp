@@ -13,17 +13,20 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
   public:
     using Given = std::tuple<std::decay_t<Arguments>...>; ///< what goes in
 
-    Remote(std::string_view number, std::string_view tier, std::string_view function, std::string_view arguments,
-           std::string_view unit)
-        : exercise{.number = number,
+    Remote(std::string_view section, std::string_view number, std::string_view tier, std::string_view function,
+           std::string_view arguments, std::string_view unit)
+        : exercise{.section = section,
+                   .number = number,
                    .tier = tier,
                    .function = function,
                    .arguments = arguments,
                    .unit = unit,
                    .describe_arguments = &describe_all,
-                   .describe_result = &describe_one,
-                   .index = static_cast<std::uint32_t>(exercise_lines().size())} {
-        exercise_lines().push_back(&exercise);
+                   .describe_result = &describe_one} {
+        std::vector<const ExerciseLine *> &lines = exercise_lines();
+        if (!lines.empty() && lines.front()->section != section) lines.clear(); // an earlier one's, included first
+        exercise.index = static_cast<std::uint32_t>(lines.size());
+        lines.push_back(&exercise);
     }
     Remote(const Remote &) = delete;
     Remote &operator=(const Remote &) = delete;
@@ -68,6 +71,6 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
 
 } // namespace course
 
-#undef COURSE_EXERCISE // it meant nothing in the headers of earlier sections
+#undef COURSE_EXERCISE
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
-    static const course::Remote<&section::function> function{number, #tier, #function, arguments, unit};
+    static const course::Remote<&section::function> function{#section, number, #tier, #function, arguments, unit};
