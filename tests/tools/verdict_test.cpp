@@ -113,6 +113,10 @@ TEST_CASE("the first field that differs is named, with its unit") {
     const auto found = mismatch::find<Outer>({}, other, outer, 1e-9);
     REQUIRE(found);
     CHECK(found->got == "inner[0].place = (0.2, -2) m");
+    CHECK(found->whole == describe(outer));
+    CHECK(mismatch::find<std::vector<Inner>>({}, other.inner, outer.inner, 0)->whole
+          == "[0] = {place (1, -2) m, count 3}");
+    CHECK(mismatch::find<double>({}, 1, 2, 0)->whole.empty());
 }
 
 TEST_CASE("IsNear is absolute below 1, relative above it, and never true of NaN") {
@@ -197,7 +201,7 @@ TEST_CASE("what a test has computed is named in the verdict, with its unit") {
     CHECK(shown_for([] { return is_near(false, true, 0, split_label("both ends lie on one side")); })
           == "both ends lie on one side:\ngot   false\nwant  true\n");
     CHECK(shown_for([] { return is_near(outer, Outer{}, 0, split_label("the last one")); })
-          == "the last one:\ngot   time = 1.5 s\nwant  time = 0 s\n");
+          == "the last one:\nright {time 0 s, inner [], known nothing}\ngot   time = 1.5 s\nwant  time = 0 s\n");
     CHECK(shown_for([] {
               return has_size(std::vector{1, 2, 3}, 1, split_label("slots that changed"));
           })
@@ -518,6 +522,7 @@ TEST_CASE("a verdict survives its way through JSON") {
                     .got = "g",
                     .want = "w",
                     .tolerance = "1e-9",
+                    .whole = "{w, x}",
                     .file = "t.cpp",
                     .line = 12,
                     .printed = {"printed"},
@@ -533,7 +538,7 @@ TEST_CASE("a verdict survives its way through JSON") {
     CHECK(explain(verdict, 2).find("gave") == std::string::npos);
     verdict.label = "speed"; // of something that only looks like the answer
     const auto named = nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>();
-    CHECK(explain(named, 2).find("gave  {g, h}\n  speed:\n  got   {g, h}\n") != std::string::npos);
+    CHECK(explain(named, 2).find("gave  {g, h}\n  speed:\n  right {w, x}\n  got   {g, h}\n") != std::string::npos);
 }
 
 TEST_CASE("a struct of structs that is wider than a screen has a line for each part, and nothing else is broken") {

@@ -50,6 +50,7 @@ template <class V, class Visit> void for_each_field(V &verdict, const Visit &vis
     visit("got", verdict.got);
     visit("want", verdict.want);
     visit("tolerance", verdict.tolerance);
+    visit("whole", verdict.whole);
     visit("file", verdict.file);
     visit("line", verdict.line);
     visit("printed", verdict.printed);
@@ -113,6 +114,7 @@ std::string explain(const Verdict &v, int indent) {
             say("gave  " + in_lines(v.call->answer, margin.size() + 6));
     }
     if (!v.label.empty()) say(v.label + ':');
+    if (!v.whole.empty()) say("right " + in_lines(v.whole, margin.size() + 6));
     if (!v.got.empty()) say("got   " + v.got);
     if (!v.want.empty()) say("want  " + v.want + (v.tolerance.empty() ? "" : " ± " + v.tolerance));
     if (!v.file.empty() && !nothing_to_see) say("see   " + v.file + ':' + std::to_string(v.line));

@@ -49,7 +49,8 @@ struct Verdict {
     std::vector<std::string> accepted = {}; ///< inputs to be refused: "dt is negative", "motion.start.x = infinity"
     std::string label = {}; ///< what got and want are about, where that is not the answer itself: "speed along x"
     std::string got = {}, want = {}, tolerance = {};
-    std::string file = {}; ///< of the check that failed, or of the error
+    std::string whole = {}; ///< the whole struct that is wanted, where got and want are a field of it
+    std::string file = {};  ///< of the check that failed, or of the error
     int line = 0;
     std::vector<std::string> printed = {}; ///< the first lines of what the case printed
     std::size_t printed_more = 0;          ///< lines that are not shown

@@ -51,6 +51,7 @@ struct Mismatch {
     std::string got, want; ///< with the path to the field that differs: "point.x = 3 m"
     std::string tolerance; ///< "1e-12", or empty where there is none
     bool not_a_number = false;
+    std::string whole = {}; ///< all of the struct that is wanted, where one field of it differs
 };
 void note_mismatch(const Mismatch &mismatch);
 

@@ -82,6 +82,7 @@ template <class T> std::optional<Mismatch> find(const Place &at, const T &got, c
         };
         got.fields(
             [&](const auto &...mine) { want.fields([&](const auto &...theirs) { (compare(mine, theirs), ...); }); });
+        if (found) found->whole = at.says(describe(want, at.unit, 9));
         return found;
     }
 }

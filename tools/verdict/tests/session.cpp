@@ -288,6 +288,7 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
         verdict.label = noted->label;
         verdict.got = noted->got;
         verdict.want = noted->want;
+        verdict.whole = noted->whole;
         verdict.tolerance = noted->tolerance;
         if (sentence.empty() && has_strange_number(noted->got))
             sentence =
