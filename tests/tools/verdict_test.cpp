@@ -208,6 +208,41 @@ TEST_CASE("what a test has computed is named in the verdict, with its unit") {
           == "slots that changed:\ngot   3 elements: [1, 2, 3]\nwant  1 element\n");
 }
 
+TEST_CASE("an answer that is infinite is said to be divided by zero, unless that is what was wanted") {
+    const auto time = [](double got, double want) {
+        return shown_for([&] { return is_near(got, want, 0, split_label("time [s]")); });
+    };
+    CHECK(time(INFINITY, 2).starts_with("Your answer is infinite: something was divided by zero."));
+    CHECK(time(-INFINITY, 2).starts_with("Your answer is infinite"));
+    CHECK(time(INFINITY, -INFINITY) == "time:\ngot   infinity s\nwant  -infinity s\n");
+    CHECK(time(3, 2) == "time:\ngot   3 s\nwant  2 s\n");
+}
+
+TEST_CASE("a refusal of a number that the call was not given is known from one of its input") {
+    OwnSession own{"answers"};
+    own.half_of_five([&](double) {
+        CHECK_FALSE(own.is_computed("x must be large, but is 5"));
+        CHECK(own.is_computed("x must be large, but is -5"));
+        CHECK(own.is_computed("x must be large, but is 0"));
+        CHECK(own.is_computed("x must be large, but is not a number"));
+        CHECK_FALSE(own.is_computed("x must be large"));
+    });
+    const auto of = [&](const std::vector<std::string> &arguments) {
+        static std::vector<std::string> given;
+        given = arguments;
+        ExerciseLine line = half;
+        line.describe_arguments = [](const ExerciseLine &, std::string_view) { return given; };
+        own.last_exercise = &line;
+        const bool computed = own.is_computed("a, but is 0.10000000000000001");
+        own.last_exercise = nullptr;
+        return computed;
+    };
+    CHECK(of({"x = 1 m", "walls = [{from (0.2, -0.1) m, to (4, 1.1) m}]"}));
+    CHECK_FALSE(of({"x = 1 m", "walls = [{from (0.2, 0.1) m, to (4, 3) m}]"}));
+    CHECK_FALSE(of({"x = 1 m", "state = {position 2 m, time 0.1 s}"}));
+    CHECK_FALSE(of({"list = [1, 2, … 20 in all]"}));
+}
+
 TEST_CASE("all input that should have been refused is listed in one verdict, whatever fails after it") {
     OwnSession own{"answers"};
     own.begin("1.1", "a claim");

@@ -90,10 +90,10 @@ class Listener : public Catch::EventListenerBase {
     }
     static std::string thrown(const std::string &what) {
         if (what == "bad optional access") return "Your code answered \"nothing\" where there is something.";
-        const std::string limits =
-            " That number is not in the input: your code passed it to a function that refuses it.";
         return "Your code refused this input with std::invalid_argument (" + what + "), but the header accepts it."
-               + (what.starts_with("each number must lie within") ? limits : "");
+               + (session()->is_computed(what) ? " That number isn't in the input: your code computed it. Did it then "
+                                                 "call a function that refuses it?"
+                                               : "");
     }
 };
 

@@ -5,7 +5,10 @@
 #include "ground/text.hpp"
 #include "verdict/tests/describe.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <csignal>
+#include <sstream>
 #include <sys/wait.h>
 
 namespace course {
@@ -37,6 +40,12 @@ bool has_strange_number(const std::string &answer) {
 
 std::string as_sentence(const std::string &words) {
     return words.empty() || std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? words + '.' : words;
+}
+
+std::optional<double> as_number(std::string_view text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size() ? std::optional{number} : std::nullopt;
 }
 
 /// "…, but is -nan", as course::require says it.
@@ -106,6 +115,26 @@ void Session::accept(const std::string &input, const std::string &value) {
     if (entry == accepted.end()) entry = accepted.insert(entry, {what, {}});
     std::vector<std::string> &values = entry->second;
     if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+}
+
+bool Session::is_computed(std::string_view refusal) const {
+    constexpr std::string_view but = ", but is ";
+    const std::size_t at = refusal.rfind(but);
+    if (at == refusal.npos || last_exercise == nullptr) return false;
+    const auto refused = as_number(refusal.substr(at + but.size())); // nothing: not a number, which no input is
+    for (std::string argument : last_exercise->describe_arguments(*last_exercise, last_arguments)) {
+        if (contains(argument, "… ")) return false; // a long list: not all of it is there
+        std::ranges::replace_if(
+            argument,
+            [](char c) {
+                return contains("[](){},", {&c, 1});
+            },
+            ' ');
+        std::istringstream words{argument};
+        for (std::string word; words >> word;)
+            if (refused && as_number(word) == refused) return false;
+    }
+    return true;
 }
 
 void Session::note_verdict(Kind kind, std::string sentence) {
@@ -293,6 +322,10 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
         if (sentence.empty() && has_strange_number(noted->got))
             sentence =
                 "A strange number. Was a variable never given a value? Write `double sum = 0;`, not `double sum;`.";
+        if (sentence.empty() && contains(noted->got, "infinity") && !contains(noted->want, "infinity"))
+            sentence =
+                "Your answer is infinite: something was divided by zero. Are there whole numbers? 1 / 2 is 0, and "
+                "1.0 / 2 is 0.5.";
         if (noted->not_a_number) {
             kind = Kind::not_a_number;
             sentence =

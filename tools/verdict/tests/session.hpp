@@ -45,6 +45,9 @@ class Session {
     /// See note_accepted. What fails after it in the same case is not looked at.
     void accept(const std::string &input, const std::string &value);
 
+    /// Whether a refusal, "t [s] must not be negative, but is -1", is of a number that the last call was not given.
+    bool is_computed(std::string_view refusal) const;
+
     std::string last_result; ///< bytes
     const ExerciseLine *last_exercise = nullptr;
 
