@@ -860,6 +860,48 @@ TEST_CASE("code below a throw that should have gone is never reached, and told")
               "delete this line"});
 }
 
+TEST_CASE("a division of whole numbers that loses something is told, and no other") {
+    const auto of = [](const std::string &text) { return find_whole_divisions(text, "03.cpp"); };
+    CHECK(of("f();\nreturn 1 / 2 * g;\n")
+          == std::vector<std::string>{"03.cpp:2: `1 / 2` is 0, because both are whole numbers: write `1.0 / 2`"});
+    CHECK(of("std::pow(r, 3/2)").front().ends_with("`3 / 2` is 1, because both are whole numbers: write `3.0 / 2`"));
+    for (const char *lost : {"1 / 2", "a - 1 / 2", "e-3 / 2", "x = (7 / 2) * t;", "/* a */ 1 / 2", "\"a\", 1 / 2",
+                             "// a\n1 / 2", "/* a\n */ 1 / 3", "f(\"\\\"\", 1 / 3)", "1 / 2 + 1.5 / 2"}) {
+        INFO(lost);
+        CHECK(of(lost).size() == 1);
+    }
+    CHECK(of("1 / 2 + 1 / 3\n5 / 3").size() == 3);
+    for (const char *fine : {"1.0 / 2",
+                             "1. / 2",
+                             "1 / 2.0",
+                             "1 / 2.",
+                             "0.1 / 2",
+                             "1e3 / 2",
+                             "1e-3 / 2",
+                             "1 / 2e3",
+                             "x1 / 2",
+                             "1 / x",
+                             "4 / 2",
+                             "0 / 2",
+                             "t * 1 / 2",
+                             "t / 3 / 2",
+                             "1 / 0",
+                             "int a[7 / 2]",
+                             "1'000 / 3",
+                             "// 1 / 2",
+                             "// a\n// 1 / 2",
+                             "/* 1 / 2\n 1 / 2 */",
+                             "\"1 / 2\"",
+                             "\"\\\" 1 / 2\"",
+                             "x; // say 1 / 2",
+                             "99999999999 / 2",
+                             "1",
+                             "/"}) {
+        INFO(fine);
+        CHECK(of(fine).empty());
+    }
+}
+
 TEST_CASE("code below a return is never reached, and told, unless the return is conditional") {
     const auto body = [](const std::string &lines) { return "int f(int x) {\n" + lines + "}\n"; };
     const auto unreached = [&](const std::string &lines) { return find_unreached(body(lines), "01.cpp"); };

@@ -37,6 +37,9 @@ std::vector<std::string> warnings_about(const std::vector<std::string> &warnings
 /// warnings are.
 std::vector<std::string> find_unreached(std::string_view text, const std::string &shown_name);
 
+/// Where a whole number is divided by one and something is lost, 1 / 2 but not 4 / 2: one line each.
+std::vector<std::string> find_whole_divisions(std::string_view text, const std::string &shown_name);
+
 /// An own `main`, a helper that is declared and never defined, something defined twice.
 Verdict diagnose_linker(std::string_view errors, const std::string &shown_name, const std::string &number);
 

@@ -266,7 +266,8 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     const bool is_built = build.quickly(text);
     if (!is_built)
         if (auto trouble = build.compile(warnings)) return not_built(*trouble);
-    for (const std::string &unreached : find_unreached(text, name)) warnings.push_back(unreached);
+    for (const auto &find : {find_unreached, find_whole_divisions})
+        for (const std::string &found : find(text, name)) warnings.push_back(found);
     if (!is_built)
         if (auto trouble = build.link()) return not_built(*trouble, warnings);
 
