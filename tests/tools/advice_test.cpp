@@ -55,7 +55,7 @@ TEST_CASE("a compiler's guess at a name of one or two letters is left out: any o
     CHECK(said("‘x0’ was not declared in this scope; did you mean ‘y0’?")
               .starts_with("'x0' was not declared in this scope. If x0 is a letter of a formula, "));
     CHECK(said("use of undeclared identifier 'v'; did you mean 'a'?")
-              .starts_with("use of undeclared identifier 'v'. A field needs its struct, "));
+              .starts_with("use of undeclared identifier 'v'. If v is a letter of a formula, "));
     const std::string useful = "'velocty' was not declared in this scope; did you mean 'velocity'?";
     CHECK(said(useful) == useful);
 }

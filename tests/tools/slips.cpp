@@ -99,8 +99,11 @@ double semicolons(double x, double y) {
     return a
 }
 double operands(Vec2 a, Vec2 b, double t) {
-    t = t ^ 2;                                 // ^ is not a power: write t * t.
-    a = a ^ 2;                                 // ^ is not a power: write t * t.
+    t = t ^ 2;                                 // ^ is not a power: write (t * t), with the brackets.
+    a = a ^ 2;                                 // ^ is not a power: write (t * t), with the brackets.
+    t = a - b.norm();                          // Only the last one is measured. Put brackets around all of it: (a - b).norm().
+    if (a - b.squaredNorm() < 1) return 1;     // Only the last one is measured. Put brackets around all of it: (a - b).norm().
+    t = b + 2.0 * a.norm();                    // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
     a = a + 1;                                 // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
     if (a < b) return 1;                       // No vector is larger than another: compare their components, or their lengths.
     a = a / b;                                 // No vector can be divided by a vector: divide by its length, a / a.norm().
@@ -222,8 +225,8 @@ Vec2 powers_and_lengths(const Vec2 &a, const Vec2 &b, const Spark &spark, double
     const double reach = a.length();           // The length of a Vec2 is a.norm().
     const double turn = 2 * std::pi;           // Write std::numbers::pi, and #include <numbers> at the top of your file.
     const double twice = 2t;                   // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
-    const double square = t²;                  // ² is not C++: write t * t.
-    const double cube = t ** 3;                // ** is not a power: write t * t.
+    const double square = t²;                  // ² is not C++: write (t * t), with the brackets.
+    const double cube = t ** 3;                // ** is not a power: write (t * t), with the brackets.
     if t < 1 return a;                         // An if needs parentheses: if (t < 1) …
     two_of(spark, a);                          // A Spark is wanted here: put its fields in braces, in the order of the header.
     two_of(two_of(spark, spark), spark);       // A Spark is wanted here: put its fields in braces, in the order of the header.
@@ -253,7 +256,7 @@ Vec2 minus_a_number(const Vec2 &velocity, const Vec2 &normal) {
     return velocity - 2 * velocity.dot(normal); // a.dot(b) is a number; a.dot(b) * b is a vector.
 }
 Vec2 used_too_early(const Vec2 &velocity, const Vec2 &normal, const Disc &disc, double angle) {
-    if (velocity.dot(n) > 0) return velocity;  // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
+    if (velocity.dot(n) > 0) return velocity;  // If n is a letter of a formula, say what it is in the code: a parameter, or a field of one, as in a.mass; else declare it above.
     if (angle > 0) return turned(disc, -angle); // A Disc is a struct: use its fields, one at a time.
     const part = velocity.dot(normal) * normal; // A variable needs its type: const Vec2 a = …; or const double a = …;
     const seen{velocity, 2};                   // A variable needs its type: const Vec2 a = …; or const double a = …;
@@ -293,7 +296,7 @@ double type_with_a_dot(const Box &box, const Disc &disc) {
     return Box.low.x();                        // Box is a type: before the dot, write the name of the parameter or variable, as in box.low.
 }
 Vec2 forgotten_variable(const Disc &disc) {
-    if (disc.position.x() > 2) x = 1;          // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
+    if (disc.position.x() > 2) x = 1;          // If x is a letter of a formula, say what it is in the code: a parameter, or a field of one, as in a.mass; else declare it above.
     return turned_twice(disc.velocity) + y(2); // If turned_twice is a function of yours, put it above the one that calls it.
 }
 Vec2 function_in_a_function(const Vec2 &v) {
@@ -390,6 +393,10 @@ void without_std(Spark spark, Spark other, double t) {
     t = max(0.0, t);                           // Write std::max, and #include <algorithm> at the top of your file.
     t = min(0.0, t);                           // Write std::min, and #include <algorithm> at the top of your file.
     swap(spark, other);                        // Write std::swap, and #include <utility> at the top of your file.
+    t = v * t + h;                             // If v is a letter of a formula, say what it is in the code: a parameter, or a field of one, as in a.mass; else declare it above.
+    t = 2 * w;                                 // If w is a letter of a formula, say what it is in the code: a parameter, or a field of one, as in a.mass; else declare it above.
+    for (int i = 0; i < 3; ++i) t += 1;
+    t = i;                                     // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
     t = (1 + e) * t;                           // If e is a letter of a formula, say what it is in the code: a parameter, or a field of one, as in a.mass; else declare it above.
     push_back(t, 2);                           // The list stands before the dot: list.push_back(a).
 }

@@ -823,7 +823,7 @@ TEST_CASE("an error in a file that a student only uses is told where the student
 
 TEST_CASE("the slips that are made most are named beside the compiler's words") {
     CHECK(advice({"no match for 'operator^' (operand types are 'double' and 'int')", "", "", ""})
-          == "^ is not a power: write t * t.");
+          == "^ is not a power: write (t * t), with the brackets.");
     CHECK(advice({"suggest parentheses around assignment used as truth value", "", "", ""})
           == "= gives a value; to compare, write ==.");
     CHECK(advice({"something else", "", "", ""}).empty());

@@ -59,7 +59,7 @@ std::string about_unknown_name(const Said &said) {
             return "Write std::" + names[0] + ", and #include <" + header + "> at the top of your file.";
     if (contains(said.words, "std::")) return {};
     if (names[0] == "push_back") return "The list stands before the dot: list.push_back(a).";
-    if (names[0].size() == 1 && contains("egmJR", names[0])) return letter_of_a_formula(names[0]);
+    if (names[0].size() == 1 && !contains("ijk", names[0])) return letter_of_a_formula(names[0]);
     if (is_called(said.code, names[0]))
         return "If " + names[0] + " is a function of yours, put it above the one that calls it.";
     if (names[0].size() == 2 && std::isalpha(static_cast<unsigned char>(names[0][0])) != 0

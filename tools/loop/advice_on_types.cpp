@@ -1,5 +1,6 @@
 #include "loop/advice_rules.hpp"
 
+#include "ground/lines.hpp"
 #include "ground/text.hpp"
 
 #include <algorithm>
@@ -170,6 +171,14 @@ bool has_pair_in_parentheses(std::string_view code) {
     return false;
 }
 
+/// - b.norm(), - list[i].squaredNorm(): what follows the operator is one name, and its length.
+bool measures_only_the_last(std::string_view code) {
+    if (code.empty() || !contains("+-", code.substr(0, 1))) return false;
+    code = without_blanks(code.substr(1));
+    const std::string_view name = code.substr(0, code.find_first_of(" (;"));
+    return name.ends_with(".norm") || name.ends_with(".squaredNorm");
+}
+
 /// GCC warns of the comma first, and Clang says no more than that = does not fit.
 std::string about_pair(const Said &said) {
     const bool is_it =
@@ -185,7 +194,7 @@ std::string about_operands(const Said &said) {
     const bool gcc = contains(said.words, "operand types are '") || contains(said.words, "invalid operands of types '");
     if (!gcc && !contains(said.words, "invalid operands to binary expression (")) return {};
     if (contains(said.words, "operator^") || (!gcc && contains(said.code, "^")))
-        return "^ is not a power: write t * t.";
+        return "^ is not a power: write (t * t), with the brackets.";
     const std::size_t caret = said.caret.find('^'); // below the operator
     const std::string at_caret = caret < said.code.size() ? said.code.substr(caret, 1) : "";
     if (contains(said.words, "operator%") || at_caret == "%") return "% is for whole numbers: make both an int.";
@@ -206,6 +215,8 @@ std::string about_operands(const Said &said) {
     const bool mixed = (is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right));
     if (mixed && has_pair_in_parentheses(said.code)) return pair_in_braces;
     if (mixed && has_dot_product(said)) return dot_is_number;
+    if (is_vector(left) && mixed && measures_only_the_last(said.code.substr(std::min(caret, said.code.size()))))
+        return "Only the last one is measured. Put brackets around all of it: (a - b).norm().";
     if (mixed)
         return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "
                "a.norm().";
