@@ -604,7 +604,18 @@ TEST_CASE("erratum E8.4: the code's comment has (m_a - e m_b) and a plus; with e
 }
 
 //>
-TEST_CASE("very different masses, fast and slow balls, and those that hardly approach", "[8.3]") {
+TEST_CASE("however slowly balls approach, they bounce as fast ones do: no speed is too small to count", "[8.3]") {
+    CHECK_THAT(resolve_collision(ball({0, 0}, {5e-10, 0}), ball({0.8, 0.6}, {0, 0}), 0.5),
+               IsNear(Velocities{{2.6e-10, -1.8e-10}, {2.4e-10, 1.8e-10}}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {9e-12, 0}), ball({1, 0}, {0, 0}), 1),
+               IsNear(Velocities{{0, 0}, {9e-12, 0}}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {3 + 1e-9, 0}, 2), ball({1, 0}, {3, 0}, 2), 1),
+               IsNear(Velocities{{3, 0}, {3 + 1e-9, 0}}, rounding));
+    CHECK_THAT(resolve_collision(ball({0, 0}, {3 - 1e-9, 0}, 2), ball({1, 0}, {3, 0}, 2), 1),
+               IsNear(Velocities{{3 - 1e-9, 0}, {3, 0}}, rounding));
+}
+
+TEST_CASE("very different masses, and fast balls", "[8.3]") {
     CHECK_THAT(resolve_collision(ball({0, 0}, {4, 1}, 1e-3), ball({1, 0}, {-2, 3}, 1e3), 0),
                IsNear(Velocities{{-2 + 6e-6, 1}, {-2 + 6e-6, 3}}, 1e-6));
     CHECK_THAT(resolve_collision(ball({0, 0}, {4, 1}, 1e5), ball({1, 0}, {-2, 3}, 1e-3), 1),
@@ -617,10 +628,6 @@ TEST_CASE("very different masses, fast and slow balls, and those that hardly app
                IsNear(Velocities{{-0.5, 1}, {2.5, 3}}, 1e-8));
     CHECK_THAT(resolve_collision(ball({0, 0}, {1e5, 0}), ball({1, 0}, {-1e5, 0}, 3), 1),
                IsNear(Velocities{{-2e5, 0}, {0, 0}}, 1e-7)); // larger than what goes in
-    CHECK_THAT(resolve_collision(ball({0, 0}, {5e-10, 0}), ball({0.8, 0.6}, {0, 0}), 0.5),
-               IsNear(Velocities{{2.6e-10, -1.8e-10}, {2.4e-10, 1.8e-10}}, rounding));
-    CHECK_THAT(resolve_collision(ball({0, 0}, {9e-12, 0}), ball({1, 0}, {0, 0}), 1),
-               IsNear(Velocities{{0, 0}, {9e-12, 0}}, rounding));
     CHECK_THAT(resolve_collision(ball({0, 0}, {3, 1}, 2), ball({6e-10, 8e-10}, {-1, -1}, 3), 0.8),
                IsNear(Velocities{{0.408, -2.456}, {0.728, 1.304}}, rounding));
     CHECK_THAT(resolve_collision(ball({0, 0}, {3, 1}, 2), ball({1.2e-60, 1.6e-60}, {-1, -1}, 3), 0.8),
@@ -635,10 +642,6 @@ TEST_CASE("very different masses, fast and slow balls, and those that hardly app
                IsNear(Velocities{{0.4 - 3.6e-10, 0}, {0.4 + 2.4e-10, 0}}, 1e-11));
     CHECK_THAT(resolve_collision(ball({0, 0}, {4, 0}, 2), ball({1, 0}, {-2, 0}, 3), 1 - 1e-10),
                IsNear(Velocities{{-3.2 + 3.6e-10, 0}, {2.8 - 2.4e-10, 0}}, 1e-11));
-    CHECK_THAT(resolve_collision(ball({0, 0}, {3 + 1e-9, 0}, 2), ball({1, 0}, {3, 0}, 2), 1),
-               IsNear(Velocities{{3, 0}, {3 + 1e-9, 0}}, rounding));
-    CHECK_THAT(resolve_collision(ball({0, 0}, {3 - 1e-9, 0}, 2), ball({1, 0}, {3, 0}, 2), 1),
-               IsNear(Velocities{{3 - 1e-9, 0}, {3, 0}}, rounding));
     CHECK_THAT(resolve_collision(ball({0, 0}, {0, 0}, 2), ball({1, 0}, {0, 0}, 3), 1),
                IsNear(Velocities{{0, 0}, {0, 0}}, rounding));
     CHECK_THAT(resolve_collision(ball({0, 0}, {0, 0}, 2), ball({1, 0}, {-5, 0}, 3), 0.5),
