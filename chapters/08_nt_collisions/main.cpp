@@ -2,6 +2,8 @@
 
 #include "game.hpp"
 
+#include <map>
+
 using namespace nt_collisions;
 using course::row, course::text;
 
@@ -50,7 +52,7 @@ void print_materials(std::ostream &out) {
 //> A break shot
 const Box table{{0, 0}, {16, 9}};
 
-/// A cue ball, and fifteen balls in a triangle.
+/// A cue ball, and fifteen balls in a triangle, 2 mm apart.
 std::vector<Ball> racked() {
     std::vector<Ball> balls{{{3.5, 4.5}, {12, 1}, 0.3, 1}};
     for (int line = 0; line < 5; ++line)
@@ -72,6 +74,39 @@ void print_break(std::ostream &out) {
         if (frame % 30 == 0) out << row({{text(frame / 60.0), 7}, {text(moving), 17}, {text(energy), 0}});
         next_frame(balls, table, 0.95, frame_time);
     }
+}
+
+//> Two at once
+/// How many contacts of a frame change a velocity, taken one after the other as the frame loop does.
+int contacts_of(std::vector<Ball> balls) {
+    int count = 0;
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        for (std::size_t k = i + 1; k < balls.size(); ++k) {
+            const Vec2 before = balls[i].velocity;
+            if (touch(balls[i], balls[k])) collide(balls[i], balls[k], 0.95);
+            count += balls[i].velocity != before;
+        }
+    return count;
+}
+
+void print_order(std::ostream &out) {
+    const Vec2 up{std::cos(30 * degree), std::sin(30 * degree)}, down{up.x(), -up.y()};
+    out << row({{"in the list", 19}, {"first one [m/s]", 17}, {"second one [m/s]", 0}});
+    for (const auto &[words, first, second] :
+         {std::tuple{"upper, then lower", up, down}, {"lower, then upper", down, up}}) {
+        Ball cue = arriving(), a{first, {0, 0}, 0.5, 1}, b{second, {0, 0}, 0.5, 1};
+        collide(cue, a, 1);
+        collide(cue, b, 1);
+        out << row({{words, 19}, {text(a.velocity.norm()), 17}, {text(b.velocity.norm()), 0}});
+    }
+    std::vector<Ball> balls = racked();
+    std::map<int, int> frames; // with so many contacts
+    for (int frame = 0; frame < 120; ++frame) {
+        ++frames[contacts_of(balls)];
+        next_frame(balls, table, 0.95, frame_time);
+    }
+    out << '\n' << row({{"contacts in a frame", 21}, {"frames of the break", 0}});
+    for (const auto &[contacts, count] : frames) out << row({{text(contacts), 21}, {text(count), 0}});
 }
 
 //> Five pairs on their way
@@ -238,6 +273,7 @@ int main(int argc, char **argv) {
                         {"meetings", print_meetings},
                         {"materials", print_materials},
                         {"break", print_break},
+                        {"order", print_order},
                         {"impacts", print_impacts},
                         {"pushes", print_pushes},
                         {"pairs", print_pairs},
