@@ -502,6 +502,15 @@ TEST_CASE("if dt is longer than the flight, there are two points: the muzzle, an
     CHECK_THAT(dotted_arc({{0, 25}, {15, -20}}, 10, 1.1), IsNear(std::vector<Vec2>{{0, 25}, {15, 0}}, rounding));
 }
 
+//>
+TEST_CASE("if it lands after exactly two dt, the landing may stand there once or twice", "[4.5]") {
+    const std::vector<Vec2> arc = dotted_arc({{0, 0}, {15, 20}}, 10, 2);
+    CHECK_THAT(arc.size(), IsAtLeast(3).of("number of points"));
+    CHECK_THAT(arc.size(), IsAtMost(4).of("number of points"));
+    for (std::size_t i = 0; i < arc.size(); ++i)
+        CHECK_THAT(arc[i], IsNear(i == 0 ? Vec2{0, 0} : i == 1 ? Vec2{30, 20} : Vec2{60, 0}, 1e-9).of("a point [m]"));
+}
+
 //> Erratum E4.5
 TEST_CASE("erratum E4.5: a loop that begins at the bottom, and runs while above it, makes no step", "[4.5]") {
     const double bottom = 479;

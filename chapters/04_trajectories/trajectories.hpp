@@ -45,9 +45,9 @@ Vec2 apex(const State &muzzle, double g);
 //> Dotted arc
 /// Where a shell is after 0, dt, 2 dt, ... seconds, as long as it is in the air, and then where it lands [m].
 /// If the muzzle is on the ground and does not fire upwards, the muzzle is the only point.
-/// Each point is right to nine digits of the largest number in the arc. One that would come less than 1e-9 s, or less than
-/// a 1e-9th of the flight, before the landing may be left out, and a shell that leaves ±1e5 on its way may be refused, as
-/// section 1 refuses it.
+/// Each point is right to nine digits of the largest number in the arc. One within 1e-9 s, or a 1e-9th of the flight, of
+/// the landing may be there or left out: then the landing stands twice, or once. A shell that leaves ±1e5 on its way may
+/// be refused, as section 1 refuses it.
 /// @param dt  [s], more than 0, and not less than a 10 000th of the time of flight
 /// @throws std::invalid_argument if `dt` is not as above, or for what `time_of_flight` refuses.
 std::vector<Vec2> dotted_arc(const State &muzzle, double g, double dt);
