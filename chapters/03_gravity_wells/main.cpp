@@ -76,6 +76,28 @@ void print_softened(std::ostream &out) {
                     {text(softened_gravity({r, 0}, mu, 2).norm()), 0}});
 }
 
+//> An ellipse that doesn't close
+/// The angle at which a softened ship is at its farthest again, seen from where it started at 8 m [°]; below 0 is against
+/// its flight.
+double far_end_moves_by(double push, double epsilon) {
+    State ship{{8, 0}, {0, push}}, before;
+    int frames = 0; // a ship that isn't pulled never comes back
+    do {
+        before = ship;
+        ship.velocity += frame_time * softened_gravity(ship.position, mu, epsilon);
+        ship.position += frame_time * ship.velocity;
+    } while (++frames < 1000 && (before.position.dot(before.velocity) <= 0 || ship.position.dot(ship.velocity) > 0));
+    const double fell = before.position.dot(before.velocity), falls = ship.position.dot(ship.velocity);
+    const Vec2 far = before.position + fell / (fell - falls) * (ship.position - before.position);
+    return std::atan2(far.y(), far.x()) / pi * 180;
+}
+
+void print_turned(std::ostream &out) {
+    out << row({{"push [m/s]", 12}, {"softened by [m]", 17}, {"the far end moves by [°]", 0}});
+    for (const auto &[push, epsilon] : {std::pair{2.0, 2.0}, {4.0, 2.0}, {8.0, 2.0}, {6.0, 0.5}})
+        out << row({{text(push), 12}, {text(epsilon), 17}, {text(std::round(far_end_moves_by(push, epsilon))), 0}});
+}
+
 //> An ellipse, flown by all four
 constexpr double semi_major = 8, eccentricity = 0.5;                                     // [m], [1]
 const double whole_turn = 2 * pi * std::sqrt(semi_major * semi_major * semi_major / mu); // [s]
@@ -218,6 +240,7 @@ int main(int argc, char **argv) {
                         {"circles", print_circles},
                         {"turns", print_turns},
                         {"softened", print_softened},
+                        {"turned", print_turned},
                         {"errors", print_errors},
                         {"comet", print_comet},
                         {"03_gravity_wells_fall.tsv", trace_fall},
