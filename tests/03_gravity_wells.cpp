@@ -353,6 +353,21 @@ TEST_CASE("exactly at the border: a frame that ends just before the landing, and
     CHECK_THAT(fall_and_land({0, 5e-9, 0}, 0.2, 5e-9), IsNear(Fall{0, 4e-9, 5e-9}, rounding));
 }
 
+TEST_CASE("a frame that is just as long as the fall ends on the floor, at a height of exactly 0", "[3.3]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(20000); ++i) {
+        const Fall now{dice.real(0.1, 100), dice.real(-30, 30), 0};
+        const double g = dice.real(1, 20), v = now.velocity, impact = std::sqrt(v * v + 2 * g * now.height);
+        const double t = (v + impact) / g;
+        // only where other ways to compute it agree to the last digit: which of them yours is doesn't matter
+        if (t != v / g + impact / g || t != 2 * now.height / (impact - v)
+            || t != v / g + std::sqrt(v / g * (v / g) + 2 * now.height / g))
+            continue;
+        CHECK_THAT(fall_and_land(now, g, t).height, IsNear(0.0).of("height [m]"));
+    }
+    CHECK_THAT(fall_and_land({15, 10, 0}, 10, 4).height, IsNear(0.0).of("height [m]"));
+}
+
 //> Erratum E3.11
 TEST_CASE("erratum E3.11: after 20 frames of 1 px per frame more it has fallen 200 px; the printed loop has 190",
           "[3.3]") {

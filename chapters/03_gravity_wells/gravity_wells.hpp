@@ -38,7 +38,8 @@ struct Fall {
 
 //> Fall and land
 /// The fall `dt` seconds later, or when it reaches the floor, if that is earlier.
-/// There its height is 0, and its velocity and time are those of that moment, both as exact as `time_to_fall`.
+/// There its height is 0, exactly, also if `dt` is just what `time_to_fall` says; its velocity and time are those of that
+/// moment, both as exact as `time_to_fall`.
 /// What is on the floor and does not move upwards stays as it is, and its time, too.
 /// @param g   how much faster it falls each second [m/s²], more than 0
 /// @param dt  [s], not negative
