@@ -126,6 +126,10 @@ TEST_CASE("the student's line is shown, also if the compiler has shown it before
     const std::string again = place + "warning: this\n    2 |     elseif (t > 2) t = 2;\n      |     ^~~~~~\n" + place
                               + "error: ‘elseif’ was not declared in this scope\n" + file + ":3:5: error: another\n";
     CHECK(diagnose_compiler(again, file, "08.cpp").printed == line);
+    const std::string gap = "    2 |  t = a[i] - b[i].norm();\n      |         ^\n";
+    const std::string unshown = place + "warning: of i\n" + gap + place
+                                + "error: no match for ‘operator-’ (operand types are ‘const Vec2’ and ‘double’)\n";
+    CHECK(diagnose_compiler(unshown, file, "08.cpp").sentence.ends_with("(a - b).norm().")); // of the warning's line
     const std::string library =
         place + "  required from here\n/usr/include/map:9:5: error: no match\n    9 | x\n      | ^\n";
     CHECK(diagnose_compiler(library, file, "08.cpp").printed == line);

@@ -103,6 +103,9 @@ double operands(Vec2 a, Vec2 b, double t) {
     a = a ^ 2;                                 // ^ is not a power: write (t * t), with the brackets.
     t = a - b.norm();                          // Only the last one is measured. Put brackets around all of it: (a - b).norm().
     if (a - b.squaredNorm() < 1) return 1;     // Only the last one is measured. Put brackets around all of it: (a - b).norm().
+    const std::vector<Vec2> centres{a, b};
+    const int i = 0;
+    t = centres[i] - centres[i + 1].norm();    // Only the last one is measured. Put brackets around all of it: (a - b).norm().
     t = b + 2.0 * a.norm();                    // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
     a = a + 1;                                 // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
     if (a < b) return 1;                       // No vector is larger than another: compare their components, or their lengths.

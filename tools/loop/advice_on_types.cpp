@@ -171,12 +171,14 @@ bool has_pair_in_parentheses(std::string_view code) {
     return false;
 }
 
-/// - b.norm(), - list[i].squaredNorm(): what follows the operator is one name, and its length.
+/// a - b.norm(), a - list[i].squaredNorm(): what follows the operator is one name, and its length.
 bool measures_only_the_last(std::string_view code) {
-    if (code.empty() || !contains("+-", code.substr(0, 1))) return false;
-    code = without_blanks(code.substr(1));
-    const std::string_view name = code.substr(0, code.find_first_of(" (;"));
-    return name.ends_with(".norm") || name.ends_with(".squaredNorm");
+    for (std::size_t at = 0; (at = code.find_first_of("+-", at)) != code.npos; ++at) {
+        const std::string_view right = without_blanks(code.substr(at + 1)),
+                               name = right.substr(0, right.find_first_of(" (;"));
+        if (name.ends_with(".norm") || name.ends_with(".squaredNorm")) return true;
+    }
+    return false;
 }
 
 /// GCC warns of the comma first, and Clang says no more than that = does not fit.
@@ -215,7 +217,7 @@ std::string about_operands(const Said &said) {
     const bool mixed = (is_vector(left) && is_number(right)) || (is_number(left) && is_vector(right));
     if (mixed && has_pair_in_parentheses(said.code)) return pair_in_braces;
     if (mixed && has_dot_product(said)) return dot_is_number;
-    if (is_vector(left) && mixed && measures_only_the_last(said.code.substr(std::min(caret, said.code.size()))))
+    if (mixed && is_vector(left) && measures_only_the_last(said.code))
         return "Only the last one is measured. Put brackets around all of it: (a - b).norm().";
     if (mixed)
         return "One of them is a number, the other a vector: its components are a.x() and a.y(), its length is "

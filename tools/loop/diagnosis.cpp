@@ -86,8 +86,12 @@ std::vector<Remark> remarks_in(std::string_view printed, const std::filesystem::
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string_view line = lines[i].text;
         if (auto remark = parse(line)) {
-            if (remark->file == file.string()) read_code(lines, i + 1, remark->said);
-            else if (cause != 0) {
+            if (remark->file == file.string()) {
+                read_code(lines, i + 1, remark->said);
+                const bool again = !remarks.empty() && remarks.back().file == remark->file
+                                   && remarks.back().line == remark->line; // GCC shows a line once
+                if (remark->said.code.empty() && again) remark->said.code = remarks.back().said.code;
+            } else if (cause != 0) {
                 remark->file = file.string();
                 remark->line = cause;
             }
