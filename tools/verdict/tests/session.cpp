@@ -323,9 +323,9 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
             sentence =
                 "A strange number. Was a variable never given a value? Write `double sum = 0;`, not `double sum;`.";
         if (sentence.empty() && contains(noted->got, "infinity") && !contains(noted->want, "infinity"))
-            sentence =
-                "Your answer is infinite: something was divided by zero. Are there whole numbers? 1 / 2 is 0, and "
-                "1.0 / 2 is 0.5.";
+            sentence = "Your answer is infinite. Was something divided by zero? 1 / 2 is 0, too, as both are whole "
+                       "numbers. Or did a "
+                       "search start at infinity and find nothing?";
         if (noted->not_a_number) {
             kind = Kind::not_a_number;
             sentence =
