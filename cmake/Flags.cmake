@@ -13,7 +13,7 @@ set(COURSE_WARNINGS
     -Wconversion # 0.5 in an int is a classic slip of a beginner;
     -Wno-sign-conversion # an int as an index is none, but for Clang part of it
     -Wshadow)    # as is a second variable of the same name
-set(COURSE_OPTIMIZATION -O1 CACHE STRING "For programs and answers. What only judges or builds has the property COURSE_UNOPTIMIZED")
+set(COURSE_OPTIMIZATION -O1 CACHE STRING "For programs and answers. The course program has the property COURSE_UNOPTIMIZED; its tests of sections have not, as they take longer to run at -O0 than to compile at -O1")
 set(COURSE_CODE_FLAGS
     -ffp-contract=off    # a * b + c is rounded twice on every machine
     -ftrivial-auto-var-init=pattern # an uninitialized number has a strange value, never the right one by luck

@@ -9,13 +9,12 @@ add_library(course_verdict STATIC
   ${PROJECT_SOURCE_DIR}/tools/verdict/shared/verdict.cpp)
 target_include_directories(course_verdict PUBLIC ${PROJECT_SOURCE_DIR}/tools)
 target_link_libraries(course_verdict PUBLIC course_flags nlohmann_json::nlohmann_json)
-set_target_properties(course_verdict PROPERTIES COURSE_UNOPTIMIZED ON UNITY_BUILD ON)
+set_target_properties(course_verdict PROPERTIES UNITY_BUILD ON)
 
 add_library(course_harness OBJECT ${PROJECT_SOURCE_DIR}/tools/verdict/tests/harness.cpp) # the main of all section tests
 target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2 course::GMP)
 target_include_directories(course_harness PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 target_compile_options(course_harness PUBLIC -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # verdicts say tests/NN_slug.cpp
-set_target_properties(course_harness PROPERTIES COURSE_UNOPTIMIZED ON)
 target_precompile_headers(course_harness PRIVATE ${PROJECT_SOURCE_DIR}/tests/section_test.hpp) # and all section tests
 
 # gold links in a third of the default linker's time, and comes with it.
