@@ -60,9 +60,14 @@ inline void replace_all(std::string &text, std::string_view old, std::string_vie
 
 /// "a < b" as "a &lt; b", fit for the text of HTML and SVG, and for attributes.
 inline std::string escaped(std::string_view text) {
-    std::string out{text};
-    for (const auto &[sign, entity] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
-        replace_all(out, sign, entity);
+    std::string out;
+    for (const char c : text) {
+        if (c == '&') out += "&amp;";
+        else if (c == '<') out += "&lt;";
+        else if (c == '>') out += "&gt;";
+        else if (c == '"') out += "&quot;";
+        else out += c;
+    }
     return out;
 }
 

@@ -4,30 +4,23 @@
 #include "book/weaver.hpp"
 #include "ground/files.hpp"
 #include "ground/text.hpp"
-#include "site/book_parts.hpp"
 
 #include <algorithm>
 
 namespace course {
 namespace fs = std::filesystem;
 
-std::vector<fs::path> markdown_pages(const Tree &tree) {
-    std::vector<fs::path> pages{tree.root / "book.md"};
-    for (const Section &section : tree.sections()) pages.push_back(tree.chapter(section));
-    for (const fs::path &file : files_in(tree.root, ".md"))
-        if (file != pages.front()) pages.push_back(file);
-    return pages;
-}
-
-std::vector<fs::path> source_pages(const Tree &tree) {
-    std::vector<fs::path> pages = page_of_book(tree).code;
+Addresses::Addresses(const Tree &tree_)
+    : tree{tree_}, parts{book_parts(read_file(tree.root / "book.md"))}, code{page_of_book(tree).code} {
     for (const fs::path file : {"tests/section_test.hpp", "plots/style.gp"})
-        if (fs::exists(tree.root / file)) pages.push_back(tree.root / file);
+        if (fs::exists(tree.root / file)) code.push_back(tree.root / file);
     for (const Section &section : tree.sections()) {
+        markdown.push_back(tree.chapter(section));
         const std::vector<fs::path> own = page_of(tree, section).code;
-        pages.insert(pages.end(), own.begin(), own.end());
+        code.insert(code.end(), own.begin(), own.end());
     }
-    return pages;
+    for (const fs::path &file : files_in(tree.root, ".md"))
+        if (file.filename() != "book.md") markdown.push_back(file);
 }
 
 std::string page_name(const Tree &tree, const fs::path &file) {
@@ -41,19 +34,17 @@ std::string page_name(const Tree &tree, const fs::path &file) {
     return name;
 }
 
-std::optional<std::string> address(const Tree &tree, const fs::path &file, const std::string &url) {
+std::optional<std::string> Addresses::of(const fs::path &file, const std::string &url) const {
     const fs::path book = tree.root / "book.md";
     if (is_on_the_web(url) || (url.starts_with('#') && file != book)) return url;
     const auto hash = std::min(url.find('#'), url.size());
     fs::path target = hash == 0 ? file : (file.parent_path() / unescaped(url.substr(0, hash))).lexically_normal();
-    if (target == book) return book_address(read_file(book), url.substr(std::min(hash + 1, url.size())));
+    if (target == book) return book_address(parts, url.substr(std::min(hash + 1, url.size())));
     if (!target.has_filename()) target = target.parent_path();
     if (fs::is_directory(target)) target /= "README.md"; // which a forge shows there
-    const auto among = [&](const std::vector<fs::path> &pages) {
-        return std::find(pages.begin(), pages.end(), target) != pages.end();
-    };
-    if (among(markdown_pages(tree)) || among(source_pages(tree)))
-        return page_name(tree, target) + ".html" + url.substr(hash);
+    for (const auto *pages : {&markdown, &code})
+        if (std::ranges::find(*pages, target) != pages->end())
+            return page_name(tree, target) + ".html" + url.substr(hash);
     if (target.extension() == ".svg" || target.extension() == ".png") return tree.shown(target);
     return {};
 }

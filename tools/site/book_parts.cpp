@@ -74,8 +74,8 @@ std::vector<BookPart> book_parts(std::string_view book) {
     return parts;
 }
 
-std::string book_address(std::string_view book, const std::string &anchor) {
-    for (const BookPart &part : book_parts(book)) {
+std::string book_address(const std::vector<BookPart> &parts, const std::string &anchor) {
+    for (const BookPart &part : parts) {
         if (part.anchors.front() == anchor) return part.name + ".html";
         if (std::ranges::find(part.anchors, anchor) != part.anchors.end()) return part.name + ".html#" + anchor;
     }

@@ -20,6 +20,6 @@ struct BookPart {
 std::vector<BookPart> book_parts(std::string_view book);
 
 /// Where the site has what a link calls book.md#anchor; the front page without an anchor.
-std::string book_address(std::string_view book, const std::string &anchor);
+std::string book_address(const std::vector<BookPart> &parts, const std::string &anchor);
 
 } // namespace course

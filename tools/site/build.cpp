@@ -5,39 +5,32 @@
 #include "ground/process.hpp"
 #include "ground/text.hpp"
 #include "site/addresses.hpp"
-#include "site/book_parts.hpp"
 #include "site/demos.hpp"
-#include "site/doxygen_page.hpp"
-#include "site/draft.hpp"
 #include "site/front.hpp"
 #include "site/page_template.hpp"
+#include "site/page_writer.hpp"
 #include "site/progress_script.hpp"
-#include "site/search.hpp"
+#include "site/reference.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <regex>
 
 namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-/// A page of the site that is written as Markdown.
-struct WrittenPage {
-    std::string name; ///< without ".html"
-    fs::path file;    ///< which its links are seen from, and its lines counted in
-    std::string text;
-};
-
-/// The front page, the parts of book.md, the chapters, the other files beside book.md, and the page with all demos.
-std::vector<WrittenPage> written_pages(const Tree &tree) {
+/// The front page, the parts of book.md, the chapters, the other files beside book.md, the page with all demos, and code.
+std::vector<SitePage> our_pages(const Addresses &addresses) {
+    const Tree &tree = addresses.tree;
     const fs::path book = tree.root / "book.md";
-    std::vector<WrittenPage> pages{{"index", tree.root / "docs" / "front.md", front_page(tree)}};
-    for (const BookPart &part : book_parts(read_file(book))) pages.push_back({part.name, book, part.text});
-    for (const fs::path &file : markdown_pages(tree))
-        if (file != book) pages.push_back({page_name(tree, file), file, read_file(file)});
-    if (const std::string all = play_page(tree); !all.empty()) pages.push_back({"play", book, all});
+    std::vector<SitePage> pages{written_page(addresses, tree.root / "docs" / "front.md", front_page(tree), "index")};
+    for (const BookPart &part : addresses.parts) pages.push_back(written_page(addresses, book, part.text, part.name));
+    for (const fs::path &file : addresses.markdown)
+        pages.push_back(written_page(addresses, file, read_file(file), page_name(tree, file)));
+    if (const std::string all = play_page(tree); !all.empty())
+        pages.push_back(written_page(addresses, book, all, "play"));
+    for (const fs::path &file : addresses.code) pages.push_back(source_page(tree, file));
     return pages;
 }
 
@@ -48,13 +41,13 @@ class Builder {
     void build() {
         fs::remove_all(work);
         run_doxygen();
-        known = interfaces(work / "names.tag");
-        read_drafts();
-        const std::vector<std::string> typeset = typeset_formulas();
+        std::vector<SitePage> pages = our_pages(addresses), reference = reference_pages(work / "html");
+        pages.insert(pages.end(), reference.begin(), reference.end());
         SiteFiles files;
-        files["search-index.js"] = search_index();
+        files["search-index.js"] = finish(pages);
         files["progress.js"] = progress_script(tree);
-        add_pages(files, typeset);
+        const PageTemplate page{addresses, reference, read_file(tree.root / "docs" / "page.html")};
+        for (const SitePage &each : pages) files[each.name + ".html"] = page.around(each);
         add_assets(files);
         keep_reachable(files);
         write_site(site_folder(tree), files);
@@ -76,23 +69,15 @@ class Builder {
         return text;
     }
 
-    // Doxygen
-
-    /// Doxygen reads copies, by names relative to the folder that it runs in: in its settings a path of the machine's
-    /// would be looked through for quotes and for `$(HOME)`.
-    void run_doxygen() {
+    /// Doxygen reads copies of the headers, by names relative to the folder that it runs in: in its settings a path of
+    /// the machine's would be looked through for quotes and for `$(HOME)`.
+    void run_doxygen() const {
         std::string input;
-        const auto add = [&](const std::string &name, const std::string &text) {
-            write_file(work / name, text);
+        for (const fs::path &file : addresses.code) {
+            const std::string name = tree.shown(file);
+            if (file.extension() != ".hpp" || !name.starts_with("chapters/")) continue;
+            write_file(work / name, read_file(file));
             input += " \\\n    " + name;
-        };
-        const auto page = [](const std::string &name) { return "pages/" + name + ".markdown"; };
-        for (const WrittenPage &each : written)
-            add(page(each.name), doxygen_page(tree, each.file, each.text, each.name));
-        for (const fs::path &file : source_pages(tree)) {
-            const std::string name = tree.shown(file), text = read_file(file);
-            add(page(page_name(tree, file)), doxygen_source(tree, file, text));
-            if (file.extension() == ".hpp" && name.starts_with("chapters/")) add(name, text); // an interface
         }
         write_file(work / "layout.xml", read_file(tree.root / "docs" / "layout.xml"));
         write_file(work / "Doxyfile", read_file(tree.root / "docs" / "Doxyfile")
@@ -102,69 +87,32 @@ class Builder {
         run_tool({tools.doxygen, "Doxyfile"}, "Doxygen", work);
     }
 
-    /// The pages that Doxygen has written, without its index pages.
-    void read_drafts() {
-        static const std::regex wanted{R"(source_.*|(namespace|struct|class|union).*)"};
-        for (const fs::path &file : files_in(work / "html", ".html")) {
-            const std::string name = file.stem().string();
-            const bool is_list = name == "namespaces" || name.starts_with("namespacemembers") || name == "classes"
-                                 || name.ends_with("-members");
-            const bool own = std::ranges::find(written, name, &WrittenPage::name) != written.end();
-            if (!is_list && (own || std::regex_match(name, wanted))) drafts.emplace_back(name, read_file(file));
-        }
-    }
-
-    // Node
-
-    std::string run_node(const char *script, const nlohmann::json &input, const fs::path &library) const {
-        const fs::path file = work / (std::string{script} + ".json");
-        write_file(file, input.dump());
-        return run_tool({tools.node, (tree.root / "docs" / script).string(), library.string(), file.string()}, script,
-                        tree.root);
-    }
-
-    /// All formulas of all drafts, in order, as HTML.
-    std::vector<std::string> typeset_formulas() const {
-        nlohmann::json input = nlohmann::json::array();
-        for (const Draft &draft : drafts)
-            for (const FormulaAt &formula : draft.formulas())
-                input.push_back({{"tex", formula.tex}, {"display", formula.display}, {"from", formula.from}});
-        return nlohmann::json::parse(run_node("formulas.cjs", input, tools.katex / "katex.js"));
-    }
-
-    std::string search_index() const {
-        nlohmann::json documents = nlohmann::json::array();
-        for (const Draft &draft : drafts)
-            if (!draft.is_interface() && !draft.name().starts_with("source_"))
-                for (const nlohmann::json &document : search_documents(draft)) documents.push_back(document);
-        for (const auto &[space, interface] : known)
-            for (const auto &[name, where] : interface.names)
-                documents.push_back({{"page", "Interface: " + space},
-                                     {"part", name + (where.is_function ? "()" : "")},
-                                     {"address", where.address},
-                                     {"text", ""},
-                                     {"words", ""}});
-        return run_node("search-index.cjs", documents, tools.lunr);
-    }
-
-    // Pages
-
-    /// The namespace whose names a page's listings may link to: that of its section.
-    const Interface *names_for(const Draft &draft) const {
+    /// The namespace whose names a page's code may link to: that of its section; "" without one.
+    std::string space_of(const SitePage &page) const {
         for (const Section &section : tree.sections())
-            if (draft.name().find(section.name) != std::string::npos)
-                if (const auto found = known.find(section.slug()); found != known.end()) return &found->second;
-        return nullptr;
+            if (page.name.find(section.name) != std::string::npos) return section.slug();
+        return "";
     }
 
-    void add_pages(SiteFiles &files, const std::vector<std::string> &typeset) {
-        const PageTemplate page{tree, known, read_file(tree.root / "docs" / "page.html")};
-        auto from = typeset.begin();
-        for (Draft &draft : drafts) {
-            const auto to = from + static_cast<std::ptrdiff_t>(draft.formulas().size());
-            files[draft.name() + ".html"] = page.around(draft, draft.finished({from, to}, names_for(draft)));
-            from = to;
-        }
+    /// All that docs/finish.cjs does to the pages; returns the search's index.
+    std::string finish(std::vector<SitePage> &pages) const {
+        nlohmann::json input{{"pages", nlohmann::json::array()}, {"names", nlohmann::json::object()}};
+        for (const auto &[space, names] : declared_names(work / "names.tag"))
+            for (const auto &[name, declared] : names)
+                input["names"][space][name] = {{"address", declared.address}, {"function", declared.is_function}};
+        for (const SitePage &page : pages)
+            input["pages"].push_back({{"name", page.name},
+                                      {"title", page.title},
+                                      {"kind", page.kind},
+                                      {"space", space_of(page)},
+                                      {"html", page.html}});
+        write_file(work / "pages.json", input.dump());
+        const std::string script = (tree.root / "docs" / "finish.cjs").string();
+        const auto finished = nlohmann::json::parse(run_tool({tools.node, script, (tools.katex / "katex.js").string(),
+                                                              tools.lunr.string(), (work / "pages.json").string()},
+                                                             "docs/finish.cjs", tree.root));
+        for (std::size_t at = 0; at < pages.size(); ++at) pages[at].html = finished["pages"][at];
+        return finished["index"];
     }
 
     void add_assets(SiteFiles &files) {
@@ -191,10 +139,8 @@ class Builder {
 
     const Tree &tree;
     const SiteTools &tools;
+    const Addresses addresses{tree};
     const fs::path work = tree.build / "site.work";
-    const std::vector<WrittenPage> written = written_pages(tree);
-    std::map<std::string, Interface> known;
-    std::vector<Draft> drafts;
 };
 
 } // namespace

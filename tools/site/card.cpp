@@ -1,7 +1,6 @@
 #include "site/card.hpp"
 
 #include "ground/text.hpp"
-#include "site/html.hpp"
 
 namespace course {
 namespace {

@@ -7,7 +7,6 @@
 #include "site/card.hpp"
 #include "site/demos.hpp"
 #include "site/gaps.hpp"
-#include "site/html.hpp"
 #include "site/section_map.hpp"
 
 #include <algorithm>

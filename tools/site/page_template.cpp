@@ -26,35 +26,32 @@ std::string link(const std::string &address, const std::string &html) {
 
 } // namespace
 
-PageTemplate::PageTemplate(const Tree &tree_, const std::map<std::string, Interface> &known_, std::string page)
-    : tree{tree_},
-      known{known_},
+PageTemplate::PageTemplate(const Addresses &addresses, const std::vector<SitePage> &reference, std::string page)
+    : tree{addresses.tree},
+      book_pages{addresses.parts},
       page_template{std::move(page)},
       sections{tree.sections()},
       has_demos{!demos(tree).empty()} {
-    const std::string book = read_file(tree.root / "book.md");
-    book_pages = book_parts(book);
-    for (const auto &row : contents(book))
+    for (const SitePage &each : reference)
+        if (each.name.starts_with("namespace")) interfaces[each.title] = each.name + ".html";
+    for (const auto &row : contents(read_file(tree.root / "book.md")))
         entries.push_back({std::to_string(row.number), row.title, row.minutes,
                            row.chapter.empty() ? "" : page_name(tree, tree.root / row.chapter)});
-    for (const auto &file : markdown_pages(tree))
-        if (const std::string name = page_name(tree, file); name != "index" && !name.starts_with("chapter_"))
+    for (const auto &file : addresses.markdown)
+        if (const std::string name = page_name(tree, file); !name.starts_with("chapter_"))
             others.emplace_back(name, name == "readme" ? "How to build it" : with_capital(name));
 }
 
-std::string PageTemplate::around(const Draft &draft, const std::string &body) const {
-    const bool first = draft.name() == "index";
+std::string PageTemplate::around(const SitePage &page) const {
+    const bool first = page.name == "index";
     return filled(page_template,
-                  {{"title", escaped(draft.title()) + (first ? "" : " · Frame by Frame")},
-                   {"kind", first                                 ? "front"
-                            : draft.is_interface()                ? "interface"
-                            : draft.name().starts_with("source_") ? "source"
-                                                                  : "chapter"},
-                   {"contents", sidebar(draft)},
-                   {"above", above(draft)},
-                   {"body", body},
-                   {"turning", turning(draft)},
-                   {"demos", demo_scripts(body)}},
+                  {{"title", escaped(page.title) + (first ? "" : " · Frame by Frame")},
+                   {"kind", first ? "front" : page.kind},
+                   {"contents", sidebar(page)},
+                   {"above", above(page)},
+                   {"body", page.html},
+                   {"turning", turning(page)},
+                   {"demos", demo_scripts(page.html)}},
                   "docs/page.html");
 }
 
@@ -73,23 +70,23 @@ const Section *PageTemplate::section_of(const std::string &name) const {
     return nullptr;
 }
 
-std::string PageTemplate::item(const Draft &draft, const std::string &page, const std::string &words,
+std::string PageTemplate::item(const SitePage &page, const std::string &address, const std::string &words,
                                const std::string &number) const {
-    const bool here = draft.name() + ".html" == page;
-    return "<li><a href=\"" + page + "\"" + (here ? " aria-current=\"page\"" : "") + ">"
+    const bool here = page.name + ".html" == address;
+    return "<li><a href=\"" + address + "\"" + (here ? " aria-current=\"page\"" : "") + ">"
            + (number.empty() ? "" : "<span class=\"number\">" + number + "</span> ") + escaped(words) + "</a>"
-           + (here ? outline(draft) : "") + "</li>\n";
+           + (here ? outline(page) : "") + "</li>\n";
 }
 
 /// The parts of the page, below its entry, and what each has in it.
-std::string PageTemplate::outline(const Draft &draft) const {
+std::string PageTemplate::outline(const SitePage &page) const {
     static const std::regex minutes{R"( \(\d+ minutes?\)$)"};
     std::string parts, inside;
     const auto end_part = [&] {
         if (!parts.empty()) parts += (inside.empty() ? "" : "\n<ul>\n" + inside + "</ul>") + "</li>\n";
         inside.clear();
     };
-    for (const Heading &heading : draft.headings()) {
+    for (const Heading &heading : page.headings) {
         const std::string entry =
             "<li>" + link("#" + escaped(heading.id), escaped(std::regex_replace(heading.words, minutes, "")));
         if (heading.level == 2) {
@@ -102,48 +99,48 @@ std::string PageTemplate::outline(const Draft &draft) const {
 }
 
 /// The parts of book.md before its sections, or those after them.
-std::string PageTemplate::part_items(const Draft &draft, bool before) const {
+std::string PageTemplate::part_items(const SitePage &page, bool before) const {
     std::string items;
     for (const BookPart &part : book_pages)
-        if (part.before_contents == before) items += item(draft, part.name + ".html", part.title);
+        if (part.before_contents == before) items += item(page, part.name + ".html", part.title);
     return items;
 }
 
-std::string PageTemplate::sidebar(const Draft &draft) const {
-    std::string html = "<ul>\n" + item(draft, "index.html", "Frame by Frame")
-                       + (has_demos ? item(draft, "play.html", "Play") : "") + part_items(draft, true)
+std::string PageTemplate::sidebar(const SitePage &page) const {
+    std::string html = "<ul>\n" + item(page, "index.html", "Frame by Frame")
+                       + (has_demos ? item(page, "play.html", "Play") : "") + part_items(page, true)
                        + "</ul>\n<p>Sections</p>\n<ul>\n";
     for (const Entry &entry : entries)
         html += entry.page.empty() ? "<li class=\"to-come\"><span class=\"number\">" + entry.number + "</span> "
                                          + escaped(entry.title) + " <span class=\"hidden\">(to come)</span></li>\n"
-                                   : item(draft, entry.page + ".html", entry.title, entry.number);
-    if (const std::string more = part_items(draft, false); !more.empty())
+                                   : item(page, entry.page + ".html", entry.title, entry.number);
+    if (const std::string more = part_items(page, false); !more.empty())
         html += "</ul>\n<p>To look things up</p>\n<ul>\n" + more;
     html += "</ul>\n<p>Interfaces</p>\n<ul>\n";
     for (const Section &section : sections)
-        if (const auto found = known.find(section.slug()); found != known.end() && !found->second.page.empty())
-            html += item(draft, found->second.page, section.slug(), section.short_number());
-    if (const auto shared = known.find("course"); shared != known.end() && !shared->second.page.empty())
-        html += item(draft, shared->second.page, "course: what all share");
+        if (const auto found = interfaces.find(section.slug()); found != interfaces.end())
+            html += item(page, found->second, section.slug(), section.short_number());
+    if (const auto shared = interfaces.find("course"); shared != interfaces.end())
+        html += item(page, shared->second, "course: what all share");
     html += "</ul>\n<p>The course</p>\n<ul>\n";
-    for (const auto &[page, title] : others) html += item(draft, page + ".html", title);
+    for (const auto &[name, title] : others) html += item(page, name + ".html", title);
     return html + "</ul>";
 }
 
 /// Above the title: how long a section takes, or what else the page belongs to.
-std::string PageTemplate::above(const Draft &draft) const {
+std::string PageTemplate::above(const SitePage &page) const {
     for (const Entry &entry : entries)
-        if (entry.page == draft.name()) return time_for(entry.minutes);
-    if (draft.is_interface()) {
-        const std::string space = draft.title().substr(0, draft.title().find("::"));
+        if (entry.page == page.name) return time_for(entry.minutes);
+    if (page.kind == "interface") {
+        const std::string space = page.title.substr(0, page.title.find("::"));
         for (const Section &section : sections)
             if (section.slug() == space)
                 return "Interface of " + link("chapter_" + section.name + ".html", "section " + section.short_number())
                        + ", from " + link(page_name(tree, tree.header(section)) + ".html", section.slug() + ".hpp");
         return "Interface";
     }
-    if (draft.name().starts_with("source_")) {
-        const Section *section = section_of(draft.name());
+    if (page.kind == "source") {
+        const Section *section = section_of(page.name);
         return section ? "Code of " + link("chapter_" + section->name + ".html", "section " + section->short_number())
                        : "Code";
     }
@@ -151,8 +148,8 @@ std::string PageTemplate::above(const Draft &draft) const {
 }
 
 /// The page before and the page after, in the order of the book.
-std::string PageTemplate::turning(const Draft &draft) const {
-    if (draft.name() == "index") return ""; // which says where to begin
+std::string PageTemplate::turning(const SitePage &page) const {
+    if (page.name == "index") return ""; // which says where to begin
     std::vector<Entry> order{{"", "Frame by Frame", "", "index"}};
     const auto add_parts = [&](bool before) {
         for (const BookPart &part : book_pages)
@@ -169,7 +166,7 @@ std::string PageTemplate::turning(const Draft &draft) const {
     };
     std::string html;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (order[i].page != draft.name()) continue;
+        if (order[i].page != page.name) continue;
         if (i > 0) html += turn(order[i - 1], "prev", "Previous");
         if (i + 1 < order.size()) html += turn(order[i + 1], "next", "Next");
     }

@@ -1,6 +1,6 @@
 #pragma once
-#include "site/book_parts.hpp"
-#include "site/draft.hpp"
+#include "site/addresses.hpp"
+#include "site/page.hpp"
 
 #include <map>
 #include <string>
@@ -12,10 +12,10 @@ namespace course {
 class PageTemplate {
   public:
     /// @param page  the template: {{title}}, {{contents}}, {{above}}, {{body}}, {{turning}}, {{demos}}
-    PageTemplate(const Tree &tree_, const std::map<std::string, Interface> &known_, std::string page);
+    PageTemplate(const Addresses &addresses, const std::vector<SitePage> &reference, std::string page);
 
     /// The whole page.
-    std::string around(const Draft &draft, const std::string &body) const;
+    std::string around(const SitePage &page) const;
 
   private:
     /// A section in the contents.
@@ -26,19 +26,19 @@ class PageTemplate {
         std::string page;    ///< "chapter_07_segment_intersection"; "" if it is to come
     };
 
-    std::string part_items(const Draft &draft, bool before) const;
-    std::string sidebar(const Draft &draft) const;
-    std::string above(const Draft &draft) const;
-    std::string turning(const Draft &draft) const;
+    std::string part_items(const SitePage &page, bool before) const;
+    std::string sidebar(const SitePage &page) const;
+    std::string above(const SitePage &page) const;
+    std::string turning(const SitePage &page) const;
     std::string demo_scripts(const std::string &body) const;
-    std::string item(const Draft &draft, const std::string &page, const std::string &words,
+    std::string item(const SitePage &page, const std::string &address, const std::string &words,
                      const std::string &number = "") const;
-    std::string outline(const Draft &draft) const;
+    std::string outline(const SitePage &page) const;
     const Section *section_of(const std::string &name) const;
 
     const Tree &tree;
-    const std::map<std::string, Interface> &known;
-    std::vector<BookPart> book_pages;
+    std::map<std::string, std::string> interfaces; ///< of namespaces: the addresses of their pages
+    const std::vector<BookPart> &book_pages;
     std::vector<Entry> entries;
     std::string page_template;
     std::vector<Section> sections;

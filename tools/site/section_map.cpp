@@ -6,7 +6,6 @@
 #include "ground/process.hpp"
 #include "ground/text.hpp"
 #include "site/addresses.hpp"
-#include "site/html.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "site/doxygen_page.hpp"
+#include "site/page_writer.hpp"
 
 #include "book/chunks.hpp"
 #include "book/links.hpp"
@@ -10,7 +10,6 @@
 #include "ground/text.hpp"
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
-#include "site/html.hpp"
 
 #include <cmark-gfm-core-extensions.h>
 
@@ -22,20 +21,13 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view html_begins = "\n\\htmlonly[block]\n", html_ends = "\n\\endhtmlonly\n";
-
-/// What Doxygen calls the language that a fence names, if it can colour it. (Comments and strings of gnuplot are those
-/// of Python.)
-std::string_view colours_of(std::string_view language) {
-    if (language == "cpp" || language == "c++") return "{.cpp}";
-    if (language == "gnuplot") return "{.py}";
-    return "";
-}
-
-/// Code between two pieces of HTML.
-std::string coloured(std::string_view colours, std::string_view code) {
-    return std::string{html_ends} + "\\code" + std::string{colours} + '\n' + std::string{code} + "\\endcode"
-           + std::string{html_begins};
+/// Code as it is; docs/finish.cjs colours the words of two languages.
+std::string block_of(std::string language, const std::string &code, const std::string &how = "") {
+    if (language.empty()) language = "plain";
+    if (language == "c++") language = "cpp";
+    const bool coloured = language == "cpp" || language == "gnuplot";
+    return "<pre class=\"" + (coloured ? "code" + how + "\" data-language=\"" : "") + escaped(language) + "\"><code>"
+           + escaped(code) + "</code></pre>";
 }
 
 /// A path that may break into the next line after a slash.
@@ -81,30 +73,22 @@ std::string rendered(cmark_node *node) {
 /// Changes a chapter's tree of nodes into one that cmark writes as the site's HTML.
 class PageWriter {
   public:
-    PageWriter(const Tree &tree_, const fs::path &file_, std::string_view text, std::map<std::string, Chunk> chunks_)
-        : tree{tree_}, file{file_}, chunks{std::move(chunks_)}, taken{take_out_formulas(text)} {}
+    PageWriter(const Addresses &addresses_, const fs::path &file_, std::string_view text,
+               std::map<std::string, Chunk> chunks_)
+        : addresses{addresses_}, file{file_}, chunks{std::move(chunks_)}, taken{take_out_formulas(text)} {}
 
-    std::string write(const std::string &name) {
+    SitePage write(const std::string &name) {
         const Document document = parse_markdown(taken.text, CMARK_OPT_SMART);
         blocks(document.get());
-        std::string html = rendered(document.get());
-        replace_all(html, "\\endhtmlonly", "&#92;endhtmlonly"); // Doxygen stops at this word wherever it is
-        for (std::size_t at = 0; at < listings.size(); ++at) {
-            const std::string mark = listing_mark(at);
-            html.replace(html.find(mark), mark.size(), listings[at]);
-        }
-        return "# " + plain_title + " {#" + (name == "index" ? "mainpage" : name) + "}\n" + std::string{html_begins}
-               + html + std::string{html_ends};
+        return {name, title, "chapter", rendered(document.get()), headings};
     }
 
   private:
     std::string place(int line) const { return tree.shown(file) + ':' + std::to_string(line); }
 
-    static std::string listing_mark(std::size_t number) { return "<!-- listing " + std::to_string(number) + " -->"; }
-
     std::string formula(const std::string &tex, bool display, int line) const {
-        return "<span class=\"math" + std::string{display ? " display" : ""} + "\" data-from=\"" + place(line) + "\">"
-               + escaped(tex) + "</span>";
+        return "<span class=\"math" + std::string{display ? " display" : ""} + "\" data-from=\"" + place(line)
+               + "\" data-plain=\"" + escaped(plain_formula(tex)) + "\">" + escaped(tex) + "</span>";
     }
 
     void blocks(cmark_node *parent) {
@@ -126,19 +110,22 @@ class PageWriter {
     }
 
     void heading(cmark_node *node) {
-        const std::string words = words_of(node), level = std::to_string(cmark_node_get_heading_level(node));
-        const std::string anchor = anchors.next(words);
-        const bool title = plain_title.empty();
-        if (title) plain_title = words;
+        const int level = cmark_node_get_heading_level(node);
+        const std::string words = words_of(node), anchor = anchors.next(words), tag = 'h' + std::to_string(level);
+        lead_may_follow = title.empty();
+        std::string begin = "<h1>", end = "</h1>";
+        if (title.empty()) {
+            title = words;
+        } else {
+            headings.push_back({level, anchor, without_line_end(plain_text(words))});
+            begin = "<" + tag + " id=\"" + escaped(anchor) + "\">";
+            end = "<a class=\"anchor\" href=\"#" + escaped(anchor) + "\" aria-label=\"Link to "
+                  + escaped(headings.back().words) + "\">#</a></" + tag + ">";
+        }
         heading_formulas(node);
-        cmark_node *block = title
-                                ? raw(CMARK_NODE_CUSTOM_BLOCK, "<h1>", "</h1>")
-                                : raw(CMARK_NODE_CUSTOM_BLOCK, "<h" + level + " id=\"" + escaped(anchor) + "\">",
-                                      "<a class=\"anchor\" href=\"#" + escaped(anchor) + "\" aria-label=\"Link to "
-                                          + escaped(without_line_end(plain_text(words))) + "\">#</a></h" + level + ">");
+        cmark_node *block = raw(CMARK_NODE_CUSTOM_BLOCK, begin, end);
         move_children(node, block);
         replace(node, block);
-        lead_may_follow = title;
     }
 
     /// A quotation, or what a chapter writes as one: the box of an exercise, and a remark on the printed book.
@@ -247,25 +234,15 @@ class PageWriter {
             replace(node, raw(CMARK_NODE_CUSTOM_INLINE, "<code class=\"long\">" + escaped(text) + "</code>"));
     }
 
-    /// "310 000" on one line.
-    static std::string with_whole_numbers(const std::string &text) {
-        static const std::regex thousands{R"((\d) (?=\d{3}(?!\d)))"};
-        return std::regex_replace(text, thousands, "$1\u00A0");
-    }
-
     /// Puts the formulas back, in the order in which they were taken out.
     void words(cmark_node *node, int line) {
-        const std::string text = with_whole_numbers(literal(node));
+        const std::string text = literal(node);
         std::size_t from = 0;
         for (std::size_t at; (at = text.find(WithoutFormulas::stand_in, from)) != text.npos;) {
             add_text(node, text.substr(from, at - from));
             const auto &[tex, display] = next_formula();
-            at += WithoutFormulas::stand_in.size();
-            from = std::min(text.find_first_not_of(",.;:!?)", at), text.size());
-            const std::string html = formula(tex, display, line), mark = text.substr(at, from - at);
-            cmark_node_insert_before(
-                node, raw(CMARK_NODE_CUSTOM_INLINE,
-                          mark.empty() || display ? html + mark : "<span class=\"kept\">" + html + mark + "</span>"));
+            cmark_node_insert_before(node, raw(CMARK_NODE_CUSTOM_INLINE, formula(tex, display, line)));
+            from = at + WithoutFormulas::stand_in.size();
         }
         cmark_node_set_literal(node, text.c_str() + from);
     }
@@ -280,7 +257,7 @@ class PageWriter {
 
     /// A link to what the site does not have becomes its words.
     void link(cmark_node *node) {
-        const auto to = address(tree, file, cmark_node_get_url(node));
+        const auto to = addresses.of(file, cmark_node_get_url(node));
         if (to) {
             cmark_node_set_url(node, to->c_str());
             return;
@@ -305,7 +282,7 @@ class PageWriter {
 
     std::string image(cmark_node *node, const std::string &alt) const {
         const std::string url = cmark_node_get_url(node);
-        const auto to = address(tree, file, url);
+        const auto to = addresses.of(file, url);
         if (!to || is_on_the_web(url))
             throw Complaint{place(cmark_node_get_start_line(cmark_node_parent(node)))
                             + ": the site cannot show the picture " + url + "; give it as an SVG or PNG of the course"};
@@ -325,7 +302,7 @@ class PageWriter {
     /// words once, from the picture.)
     std::string figure(cmark_node *node) {
         const std::string alt = alternative(node), url = cmark_node_get_url(node);
-        const auto script = address(tree, file, fs::path{url}.replace_extension(".gp").generic_string());
+        const auto script = addresses.of(file, fs::path{url}.replace_extension(".gp").generic_string());
         std::string caption = "<span aria-hidden=\"true\">" + escaped(alt) + "</span>";
         if (script && script->starts_with("source_"))
             caption += " <a class=\"from\" href=\"" + *script + "\">How it is drawn</a>";
@@ -336,14 +313,14 @@ class PageWriter {
 
     void listing(cmark_node *node) {
         std::string code = literal(node), caption;
-        const auto title = mark_title(code.substr(0, code.find('\n')));
-        if (const auto chunk = title ? chunks.find(*title) : chunks.end(); chunk != chunks.end()) {
+        const auto marked = mark_title(code.substr(0, code.find('\n')));
+        if (const auto chunk = marked ? chunks.find(*marked) : chunks.end(); chunk != chunks.end()) {
             caption = caption_of(chunk->second);
             code.erase(0, code.find('\n') + 1);
         }
         const std::string language = cmark_node_get_fence_info(node);
-        replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, listing_mark(listings.size())));
-        listings.push_back("<figure class=\"listing\">" + caption + block_of(language, code) + "</figure>");
+        replace(node, raw(CMARK_NODE_CUSTOM_BLOCK,
+                          "<figure class=\"listing\">" + caption + block_of(language, code) + "</figure>"));
     }
 
     /// Title, file and line: that of the first line that is shown, below the mark.
@@ -352,13 +329,6 @@ class PageWriter {
         return "<figcaption><span><span class=\"title\">" + escaped(chunk.title) + "</span> <a class=\"from\" href=\""
                + page_name(tree, chunk.file) + ".html#L" + line + "\">" + breakable(tree.shown(chunk.file)) + ":" + line
                + "</a></span></figcaption>";
-    }
-
-    static std::string block_of(const std::string &language, const std::string &code) {
-        const std::string_view colours = colours_of(language);
-        if (!colours.empty() && code.find("\\endcode") == code.npos) return coloured(colours, code);
-        return "<pre class=\"" + (language.empty() ? "plain" : escaped(language)) + "\"><code>" + escaped(code)
-               + "</code></pre>";
     }
 
     // Folds
@@ -408,7 +378,7 @@ class PageWriter {
 
     /// A few words of Markdown with formulas, within HTML.
     std::string markdown(const std::string &text, int line) const {
-        PageWriter words{tree, file, text, {}};
+        PageWriter words{addresses, file, text, {}};
         const Document document = parse_markdown(words.taken.text, CMARK_OPT_SMART);
         for (cmark_node *node = cmark_node_first_child(document.get()); node; node = cmark_node_next(node))
             words.inlines(node, line);
@@ -457,34 +427,39 @@ class PageWriter {
         return "<" + tag + side + ">" + words + "</" + tag + ">";
     }
 
-    const Tree &tree;
+    const Addresses &addresses;
+    const Tree &tree = addresses.tree;
     const fs::path &file;
     const std::map<std::string, Chunk> chunks;
     const WithoutFormulas taken;
     Anchors anchors;
-    std::string plain_title;
+    std::string title;
+    std::vector<Heading> headings;
     bool lead_may_follow = false;
     std::size_t formulas_back = 0;
     std::optional<std::vector<Demo>> all_demos; ///< read at the first mark
     std::size_t demos_so_far = 0;
     std::map<std::string, int> boxes_so_far, hints_so_far; ///< by exercise
     std::string last_box;                                  // the exercise of the last one
-    std::vector<std::string> listings;                     ///< put in last: they leave the HTML, where nothing else may
 };
 
 } // namespace
 
-std::string doxygen_page(const Tree &tree, const fs::path &file, std::string_view text, const std::string &name) {
+SitePage written_page(const Addresses &addresses, const fs::path &file, std::string_view text,
+                      const std::string &name) {
     text.remove_prefix(byte_order_mark(text).size());
-    return PageWriter{tree, file, text, chunks_for(tree, file)}.write(name);
+    return PageWriter{addresses, file, text, chunks_for(addresses.tree, file)}.write(name);
 }
 
-std::string doxygen_source(const Tree &tree, const fs::path &file, std::string_view code) {
-    const std::string path = tree.shown(file);
-    const std::string_view colours = file.extension() == ".gp" ? "{.py}" : "{.cpp}";
-    return "# " + path + " {#" + page_name(tree, file) + "}\n" + std::string{html_begins} + "<h1><code>"
-           + breakable(path) + "</code></h1>" + coloured(colours, code.substr(byte_order_mark(code).size()))
-           + std::string{html_ends};
+SitePage source_page(const Tree &tree, const fs::path &file) {
+    const std::string path = tree.shown(file), code = read_file(file);
+    return {page_name(tree, file),
+            path,
+            "source",
+            "<h1><code>" + breakable(path) + "</code></h1>"
+                + block_of(file.extension() == ".gp" ? "gnuplot" : "cpp", code.substr(byte_order_mark(code).size()),
+                           " numbered"),
+            {}};
 }
 
 } // namespace course
