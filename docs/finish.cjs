@@ -58,8 +58,8 @@ for (const [name, found] of Object.values(names).flatMap(Object.entries))
   if (/^(struct|class)/.test(found.address)) types.set(name, types.has(name) ? undefined : found);
 const own = (name, space) => (Object.hasOwn(names[space] ?? {}, name) ? names[space][name] : undefined);
 function declared(name, space) {
-  const [first, second] = name.split('::');
-  return second ? own(second, first) : own(name, space) ?? own(name, 'course') ?? types.get(name);
+  const at = name.lastIndexOf('::');
+  return at < 0 ? own(name, space) ?? own(name, 'course') ?? types.get(name) : own(name.slice(at + 2), name.slice(0, at));
 }
 
 // A function where it is called, anything else where it is not: a variable may have a function's name. Of

@@ -85,7 +85,6 @@ libgmp-dev 2:6.2.1
 gnuplot-nox 5.4.4
 graphviz 2.42.2-7
 doxygen 1.9.4-4
-libgumbo-dev 0.10.1+dfsg-5
 nodejs 18.20.4+dfsg-1
 libjs-katex 0.16.4+~cs6.1.0-1
 libjs-lunr 2.3.9~dfsg-2

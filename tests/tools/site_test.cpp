@@ -1,6 +1,5 @@
 // The book's site: what becomes of a page of Markdown, and of a whole small course.
 
-#include "site/html.hpp"
 #include "site/page_writer.hpp"
 #include "site/progress_script.hpp"
 #include "site/reachable.hpp"
@@ -316,16 +315,6 @@ TEST_CASE("tables") {
 
 // The soundness of a site
 
-TEST_CASE("HTML is changed in place, byte for byte") {
-    Html page{"<p>One <b>two</b> &amp; three</p>\n<p>Four"};
-    page.each([&](const Element &e) {
-        if (e.name() == "b") page.replace(e.outer(), "2");
-        if (e.name() == "p" && e.text() == "Four") page.replace(e.opening(), "<p id=\"x\">");
-        return true;
-    });
-    CHECK(page.changed() == "<p>One 2 &amp; three</p>\n<p id=\"x\">Four");
-}
-
 TEST_CASE("files without a link to them are left out") {
     SiteFiles files{
         {"index.html",
@@ -345,6 +334,8 @@ TEST_CASE("a link that leads nowhere, a place that is there twice, another host"
     const auto [html, trouble] = GENERATE(table<std::string, std::string>({
         {"<a href=\"b.html\">", "index.html links to b.html, and there is no such file"},
         {"<img src=\"b.svg\">", "index.html links to b.svg, and there is no such file"},
+        {"<img alt=\"x\"\nsrc='b.svg'>", "index.html links to b.svg, and there is no such file"},
+        {"<a href=\"a&amp;b\">", "index.html links to a&b, and there is no such file"},
         {"<a href=\"#x\">", "index.html links to #x, and there is no such place"},
         {"<a href=\"a.html#y\">", "index.html links to a.html#y, and there is no such place"},
         {"<p id=\"x\"><p id=\"x\">", "index.html has two places called #x"},
@@ -359,7 +350,7 @@ TEST_CASE("a link that leads nowhere, a place that is there twice, another host"
 }
 
 TEST_CASE("a link to another host may stand in the text: nothing is fetched until somebody follows it") {
-    SiteFiles files{{"index.html", "<a href=\"https://example.org\">there</a>"}};
+    SiteFiles files{{"index.html", "<a href=\"https://example.org\">there</a><!-- <img src=\"b.svg\"> -->"}};
     CHECK_NOTHROW(keep_reachable(files));
 }
 
@@ -461,7 +452,7 @@ TEST_CASE("names in code lead to their descriptions, but not in comments, string
         {"\"Wall\" // Wall", coloured("string", "&quot;Wall&quot;") + ' ' + coloured("comment", "// Wall")},
         {"length lengths() x.length() a::length()", "length lengths() x.length() a::length()"},
         {"Wall::end, Mirror", wall + "::end, " + link(mirror, "Mirror")},
-        {"reflection::Mirror", link(mirror, "reflection::Mirror")},
+        {"reflection::Mirror::x", link(mirror, "reflection::Mirror") + "::x"},
         {"int wall_meeting = 1;", coloured("type", "int") + " wall_meeting = 1;"},
     };
     REQUIRE(book.make(fenced(cases)

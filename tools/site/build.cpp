@@ -96,10 +96,7 @@ class Builder {
 
     /// All that docs/finish.cjs does to the pages; returns the search's index.
     std::string finish(std::vector<SitePage> &pages) const {
-        nlohmann::json input{{"pages", nlohmann::json::array()}, {"names", nlohmann::json::object()}};
-        for (const auto &[space, names] : declared_names(work / "names.tag"))
-            for (const auto &[name, declared] : names)
-                input["names"][space][name] = {{"address", declared.address}, {"function", declared.is_function}};
+        nlohmann::json input{{"names", declared_names(work / "names.tag")}};
         for (const SitePage &page : pages)
             input["pages"].push_back({{"name", page.name},
                                       {"title", page.title},

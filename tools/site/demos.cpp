@@ -31,8 +31,8 @@ std::vector<Demo> demos(const Tree &tree) {
         if (!fs::exists(tree.root / demo_file(section))) continue;
         const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
         if (marks.empty()) continue;
-        const Html title{picture_title(tree.root / demo_picture_file(section))}; // whose entities it reads
-        all.push_back({section, marks.front(), demo_starts(marks), Element{title.root()}.text()});
+        all.push_back({section, marks.front(), demo_starts(marks),
+                       without_entities(picture_title(tree.root / demo_picture_file(section)))});
     }
     return all;
 }

@@ -122,30 +122,32 @@ std::string note_on(const Tree &tree, const std::string &page) {
 }
 
 /// Whether a picture has a drawing with the student's curve.
-bool has_own_drawing(const Tree &tree, const Element &picture) {
-    const fs::path file{std::string{picture.attribute("src")}};
-    return file.parent_path() == "plots" && fs::exists(own_drawing(tree, {file, {}, {}}));
+bool has_own_drawing(const Tree &tree, const fs::path &picture) {
+    return picture.parent_path() == "plots" && fs::exists(own_drawing(tree, {picture, {}, {}}));
 }
 
 std::string own_page(const Tree &tree, const std::string &page, const std::string &text) {
-    Html html{text};
-    html.each([&](const Element &e) {
-        if (e.name() == "main") html.replace(e.opening(), std::string{e.opening()} + note_on(tree, page));
-        if (e.has_class("book-name")) html.replace(e.inner(), std::string{e.inner()} + " <small>your copy</small>");
-        if (e.name() == "figure" && e.has_class("play") && !e.has("data-mine")) {
-            std::string opening{e.opening()};
-            html.replace(e.opening(), opening.insert(opening.size() - 1, " data-mine"));
-        }
-        if (e.name() == "figure" && e.has_class("picture")) {
-            const std::vector<Element> inside = e.children();
-            if (inside.size() == 2 && has_own_drawing(tree, inside[0]))
-                html.replace(inside[1].opening(), "<figcaption><strong class=\"own\">With your curve.</strong> ");
-        }
-        if (const std::string_view of = e.attribute("src"); e.name() == "script" && of.starts_with("demos/"))
-            html.replace(e.outer(), std::string{e.outer()} + "\n<script src=\"" + own_demo_script(of) + "\"></script>");
-        return true;
+    std::string out;
+    std::size_t copied = 0;
+    const auto insert = [&](const char *at, const std::string &words) {
+        const auto place = static_cast<std::size_t>(at - text.data());
+        out.append(text, copied, place - copied) += words;
+        copied = place;
+    };
+    Tag before{"<>"};
+    each_tag(text, [&](const Tag &tag) {
+        const char *begin = tag.whole.data(), *end = begin + tag.whole.size();
+        const std::string source = before.attribute("src"), name{tag.name()};
+        if (name == "main") insert(end, note_on(tree, page));
+        if (before.attribute("class") == "book-name") insert(begin, " <small>your copy</small>");
+        if (tag.attribute("class") == "play" && !tag.has("data-mine")) insert(end - 1, " data-mine");
+        if (name == "figcaption" && before.name() == "img" && has_own_drawing(tree, source))
+            insert(end, "<strong class=\"own\">With your curve.</strong> ");
+        if (before.name() == "script" && source.starts_with("demos/"))
+            insert(end, "\n<script src=\"" + own_demo_script(source) + "\"></script>");
+        before = tag;
     });
-    return html.changed();
+    return out.append(text, copied);
 }
 
 /// The own copy of one of the site's files.

@@ -22,15 +22,15 @@ struct Seen {
 
 Seen read_page(const std::string &text) {
     Seen seen;
-    Html{text}.each([&](const Element &e) {
-        if (e.has("id") && !seen.ids.emplace(e.attribute("id")).second) seen.twice.emplace(e.attribute("id"));
+    each_tag(text, [&](const Tag &tag) {
+        const std::string id = tag.attribute("id");
+        if (!id.empty() && !seen.ids.insert(id).second) seen.twice.insert(id);
         for (const char *link : {"href", "src", "srcset", "data", "poster", "action"}) {
-            const std::string url{e.attribute(link)};
+            const std::string url = tag.attribute(link);
             if (url.empty() || url.starts_with("data:")) continue;
             if (!is_on_the_web(url)) seen.links.push_back(url);
-            else if (e.name() != "a") seen.foreign.push_back(url);
+            else if (tag.name() != "a") seen.foreign.push_back(url);
         }
-        return true;
     });
     return seen;
 }

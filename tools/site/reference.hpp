@@ -4,22 +4,15 @@
 #include "site/page.hpp"
 
 #include <filesystem>
-#include <map>
-#include <string>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace course {
 
-/// Functions, types and constants, by namespace and by name without it.
-struct Declared {
-    std::string address; ///< "namespacewall.html#a12"
-    bool is_function = false;
-};
-using Names = std::map<std::string, std::map<std::string, Declared>>;
-
-/// Reads what Doxygen has written down in its tag file.
+/// Functions, types and constants, by namespace and by name without it, as Doxygen has written them down in its tag file:
+/// {"wall": {"crossing": {"address": "namespacewall.html#a12", "function": true}}}.
 /// @throws Complaint if the file cannot be read.
-Names declared_names(const std::filesystem::path &tag_file);
+nlohmann::json declared_names(const std::filesystem::path &tag_file);
 
 /// Those of Doxygen's pages in a folder that describe a namespace or a type, without Doxygen's own header and menus.
 /// @throws Complaint if one is not as expected.
