@@ -98,11 +98,14 @@ function listing(code, language, numbered, space) {
 const quantity = /\d\)?\s(?:N\ss|px|[mk]?m|k?g|m?s|N|J|Hz|rad|%|kB|MB|GB)(?![A-Za-z0-9])|\d (?=\d{3}(?!\d))/g;
 const unbroken = (text) => text.replace(quantity, (found) => found.replace(/\s/g, '\u00A0'));
 
+// What is empty is no heading of a column.
+const tables = (html) => html.replace(/<t[hd] align="\w+">/g, (cell) => cell.replace('align', 'class')).replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
+
 const pieces = /<span class="math( display)?" data-from="([^"]*)" data-plain="[^"]*">([^<]*)<\/span>([,.;:!?)]*)|<pre class="code( numbered)?" data-language="(\w+)"><code>([^<]*)<\/code><\/pre>|<code(?: class="long")?>([^<]*)<\/code>|<(\/?)(a|h1|h2|h3|summary|pre)\b[^>]*>|<[^>]*>|[^<]+/g;
 function finished({ html, space }) {
   const seen = new Set(); // names that are links already, in this part of the page
   let within = 0; // elements in which names are no links
-  return html.replace(pieces, (all, display, from, tex, mark, numbered, language, code, name, end, tag) => {
+  return tables(html).replace(pieces, (all, display, from, tex, mark, numbered, language, code, name, end, tag) => {
     if (tex !== undefined) return display ? formula(tex, display, from) + mark : mark ? withMark(formula(tex, '', from), mark) : formula(tex, '', from);
     if (code !== undefined) return listing(code, language, numbered ?? '', space);
     if (name !== undefined) {

@@ -138,8 +138,8 @@ TEST_CASE("formulas keep every sign, and know their line") {
         {"\"$x$\"", "“" + formula_x(3) + "”"},
         {"> quoted $x$", "<p>quoted " + formula_x(3)},
         {"- item $x$", "<li>item " + formula_x(3)},
-        {"| a |\n|:--|\n| $|x|$ |\n| $y$ |", "<td class=\"left\">" + formula("|x|", 5, "|x|")
-                                                 + "</td></tr>\n<tr><td class=\"left\">" + formula("y", 6, "y")},
+        {"| a |\n|:--|\n| $|x|$ |\n| $y$ |", "<td align=\"left\">" + formula("|x|", 5, "|x|")
+                                                 + "</td>\n</tr>\n<tr>\n<td align=\"left\">" + formula("y", 6, "y")},
         {"<details>\n<summary>7.1: $x$ and `y`</summary>\n\nz\n</details>",
          "<summary>7.1: " + formula_x(3) + " and <code>y</code></summary>"},
         {"## About $x_1$", "About " + formula("x_1", 3, "x_1")
@@ -302,15 +302,15 @@ TEST_CASE("the lead is the italic paragraph below the title") {
 
 TEST_CASE("tables") {
     const SmallBook book;
-    CHECK_THAT(book.page("| | a |\n|--:|:-:|\n| 1. | `x \\| y` |\n| - | *to come* |\n"),
-               ContainsSubstring("<div class=\"table\"><table><thead><tr><td class=\"right\"></td><th "
-                                 "class=\"center\">a</th></tr>\n</thead>\n"
-                                 "<tr><td class=\"right\">1.</td><td class=\"center\"><code>x | y</code></td></tr>\n"
-                                 "<tr class=\"to-come\"><td class=\"right\">-</td><td class=\"center\"><em>to "
-                                 "come</em></td></tr>\n</table></div>"));
-    CHECK_THAT(book.page("> | a |\n> |---|\n> | b |\n"), ContainsSubstring("<td>b</td>"));
-    CHECK_THAT(book.page("| \"so\" | (x) |\n|---|---|\n"), ContainsSubstring("<th>“so”</th><th>(x)</th>"));
+    CHECK_THAT(book.page("> | a |\n> |---|\n> | [b](../../LICENSE) |\n"),
+               ContainsSubstring("<div class=\"table\">\n<table>")
+                   && ContainsSubstring("<td><span class=\"path\">b</span></td>"));
+    CHECK_THAT(book.page("| \"so\" | (x) |\n|---|---|\n"), ContainsSubstring("<th>“so”</th>\n<th>(x)</th>"));
     CHECK_THAT(book.page("a | b, in words\n"), ContainsSubstring("<p>a | b, in words</p>"));
+    REQUIRE(book.make("| | a |\n|--:|:-:|\n| 1. | `x \\| y` |\n").code == 0);
+    CHECK_THAT(book.made("chapter_07_wall_meeting.html"),
+               ContainsSubstring("<tr>\n<td class=\"right\"></td>\n<th class=\"center\">a</th>\n</tr>")
+                   && ContainsSubstring("<td class=\"right\">1.</td>\n<td class=\"center\"><code>x | y</code></td>"));
 }
 
 // The soundness of a site

@@ -11,8 +11,6 @@
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
 
-#include <cmark-gfm-core-extensions.h>
-
 #include <cstdlib>
 #include <map>
 #include <regex>
@@ -48,10 +46,16 @@ std::map<std::string, Chunk> chunks_for(const Tree &tree, const fs::path &file) 
     return chunks;
 }
 
-cmark_node *raw(cmark_node_type type, const std::string &enter, const std::string &leave = "") {
-    cmark_node *node = cmark_node_new(type);
+cmark_node *raw_block(const std::string &enter, const std::string &leave = "") {
+    cmark_node *node = cmark_node_new(CMARK_NODE_CUSTOM_BLOCK);
     cmark_node_set_on_enter(node, enter.c_str());
     cmark_node_set_on_exit(node, leave.c_str());
+    return node;
+}
+
+cmark_node *raw_words(const std::string &html) {
+    cmark_node *node = cmark_node_new(CMARK_NODE_HTML_INLINE); // a cell of a table holds no others of ours
+    cmark_node_set_literal(node, html.c_str());
     return node;
 }
 
@@ -123,7 +127,7 @@ class PageWriter {
                   + escaped(headings.back().words) + "\">#</a></" + tag + ">";
         }
         heading_formulas(node);
-        cmark_node *block = raw(CMARK_NODE_CUSTOM_BLOCK, begin, end);
+        cmark_node *block = raw_block(begin, end);
         move_children(node, block);
         replace(node, block);
     }
@@ -138,8 +142,8 @@ class PageWriter {
         const bool remark = first && !heading && words_of(first).starts_with("In print, and in truth.");
         blocks(node);
         if (!turn && !remark) return;
-        cmark_node *box = turn ? raw(CMARK_NODE_CUSTOM_BLOCK, box_of(exercise), "</article>")
-                               : raw(CMARK_NODE_CUSTOM_BLOCK, "<aside class=\"remark\" role=\"note\">", "</aside>");
+        cmark_node *box = turn ? raw_block(box_of(exercise), "</article>")
+                               : raw_block("<aside class=\"remark\" role=\"note\">", "</aside>");
         move_children(node, box);
         replace(node, box);
     }
@@ -170,7 +174,7 @@ class PageWriter {
             std::string text = literal(node);
             for (std::smatch found; std::regex_search(text, found, dollars); text = found.suffix()) {
                 add_text(node, found.prefix());
-                cmark_node_insert_before(node, raw(CMARK_NODE_CUSTOM_INLINE, formula(found[1], false, line)));
+                cmark_node_insert_before(node, raw_words(formula(found[1], false, line)));
             }
             cmark_node_set_literal(node, text.c_str());
         }
@@ -194,10 +198,10 @@ class PageWriter {
             cmark_node_unlink(node);
             cmark_node_free(node);
         } else if (only && cmark_node_get_type(only) == CMARK_NODE_IMAGE) {
-            replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, figure(only)));
+            replace(node, raw_block(figure(only)));
         } else if (only && cmark_node_get_type(only) == CMARK_NODE_EMPH && lead_may_follow) {
             inlines(only, first);
-            cmark_node *lead = raw(CMARK_NODE_CUSTOM_BLOCK, "<p class=\"lead\">", "</p>");
+            cmark_node *lead = raw_block("<p class=\"lead\">", "</p>");
             move_children(only, lead);
             replace(node, lead);
         } else {
@@ -219,7 +223,7 @@ class PageWriter {
                 inlines(node, line);
                 link(node);
                 break;
-            case CMARK_NODE_IMAGE: replace(node, raw(CMARK_NODE_CUSTOM_INLINE, image(node, alternative(node)))); break;
+            case CMARK_NODE_IMAGE: replace(node, raw_words(image(node, alternative(node)))); break;
             case CMARK_NODE_CODE: code(node); break;
             default: inlines(node, line);
             }
@@ -230,8 +234,7 @@ class PageWriter {
     static void code(cmark_node *node) {
         constexpr std::size_t unbroken = 24;
         const std::string text = literal(node);
-        if (text.size() > unbroken)
-            replace(node, raw(CMARK_NODE_CUSTOM_INLINE, "<code class=\"long\">" + escaped(text) + "</code>"));
+        if (text.size() > unbroken) replace(node, raw_words("<code class=\"long\">" + escaped(text) + "</code>"));
     }
 
     /// Puts the formulas back, in the order in which they were taken out.
@@ -241,7 +244,7 @@ class PageWriter {
         for (std::size_t at; (at = text.find(WithoutFormulas::stand_in, from)) != text.npos;) {
             add_text(node, text.substr(from, at - from));
             const auto &[tex, display] = next_formula();
-            cmark_node_insert_before(node, raw(CMARK_NODE_CUSTOM_INLINE, formula(tex, display, line)));
+            cmark_node_insert_before(node, raw_words(formula(tex, display, line)));
             from = at + WithoutFormulas::stand_in.size();
         }
         cmark_node_set_literal(node, text.c_str() + from);
@@ -257,14 +260,13 @@ class PageWriter {
 
     /// A link to what the site does not have becomes its words.
     void link(cmark_node *node) {
-        const auto to = addresses.of(file, cmark_node_get_url(node));
-        if (to) {
+        if (const auto to = addresses.of(file, cmark_node_get_url(node))) {
             cmark_node_set_url(node, to->c_str());
             return;
         }
-        cmark_node *words = raw(CMARK_NODE_CUSTOM_INLINE, "<span class=\"path\">", "</span>");
-        move_children(node, words);
-        replace(node, words);
+        cmark_node_insert_before(node, raw_words("<span class=\"path\">"));
+        while (cmark_node *child = cmark_node_first_child(node)) cmark_node_insert_before(node, child);
+        replace(node, raw_words("</span>"));
     }
 
     // Pictures
@@ -319,8 +321,7 @@ class PageWriter {
             code.erase(0, code.find('\n') + 1);
         }
         const std::string language = cmark_node_get_fence_info(node);
-        replace(node, raw(CMARK_NODE_CUSTOM_BLOCK,
-                          "<figure class=\"listing\">" + caption + block_of(language, code) + "</figure>"));
+        replace(node, raw_block("<figure class=\"listing\">" + caption + block_of(language, code) + "</figure>"));
     }
 
     /// Title, file and line: that of the first line that is shown, below the mark.
@@ -382,49 +383,17 @@ class PageWriter {
         const Document document = parse_markdown(words.taken.text, CMARK_OPT_SMART);
         for (cmark_node *node = cmark_node_first_child(document.get()); node; node = cmark_node_next(node))
             words.inlines(node, line);
-        return without_paragraph(rendered(document.get()));
-    }
-
-    static std::string without_paragraph(const std::string &html) {
         static const std::regex paragraph{R"(^<p>([\s\S]*)</p>\s*$)"};
-        return std::regex_replace(html, paragraph, "$1");
+        return std::regex_replace(rendered(document.get()), paragraph, "$1");
     }
-
-    // Tables
 
     void table(cmark_node *node) {
-        std::string html = "<div class=\"table\"><table>";
-        const std::uint8_t *alignments = cmark_gfm_extensions_get_table_alignments(node);
-        for (cmark_node *row = cmark_node_first_child(node); row; row = cmark_node_next(row)) {
-            const bool head = cmark_gfm_extensions_get_table_row_is_header(row) != 0;
-            bool to_come = false;
-            std::string cells;
-            int column = 0;
-            for (cmark_node *next, *each = cmark_node_first_child(row); each; each = next) {
-                next = cmark_node_next(each);
-                to_come = to_come || words_of(each) == "to come";
-                cells += cell(each, head, alignments[column++]);
-            }
-            html += std::string{head ? "<thead>" : ""} + (to_come ? "<tr class=\"to-come\">" : "<tr>") + cells
-                    + "</tr>\n" + (head ? "</thead>\n" : "");
-        }
-        replace(node, raw(CMARK_NODE_CUSTOM_BLOCK, html + "</table></div>"));
-    }
-
-    std::string cell(cmark_node *node, bool head, std::uint8_t alignment) {
-        // A cell may not hold all that a paragraph may, which in turn is written within a document.
-        const Document document{cmark_node_new(CMARK_NODE_DOCUMENT)};
-        cmark_node *paragraph = cmark_node_new(CMARK_NODE_PARAGRAPH);
-        cmark_node_append_child(document.get(), paragraph);
-        move_children(node, paragraph);
-        inlines(paragraph, cmark_node_get_start_line(node));
-        const std::string words = without_paragraph(rendered(document.get()));
-        const std::string tag = head && !words.empty() ? "th" : "td";
-        const std::string side = alignment == 'l'   ? " class=\"left\""
-                                 : alignment == 'c' ? " class=\"center\""
-                                 : alignment == 'r' ? " class=\"right\""
-                                                    : "";
-        return "<" + tag + side + ">" + words + "</" + tag + ">";
+        for (cmark_node *row = cmark_node_first_child(node); row; row = cmark_node_next(row))
+            for (cmark_node *cell = cmark_node_first_child(row); cell; cell = cmark_node_next(cell))
+                inlines(cell, cmark_node_get_start_line(cell));
+        cmark_node *box = raw_block("<div class=\"table\">", "</div>");
+        cmark_node_insert_before(node, box);
+        cmark_node_append_child(box, node);
     }
 
     const Addresses &addresses;
