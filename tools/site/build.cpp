@@ -41,13 +41,12 @@ class Builder {
     void build() {
         fs::remove_all(work);
         run_doxygen();
-        std::vector<SitePage> pages = our_pages(addresses), reference = reference_pages(work / "html");
-        pages.insert(pages.end(), reference.begin(), reference.end());
+        std::vector<SitePage> pages = our_pages(addresses);
+        for (const SitePage &page : reference_pages(work / "html")) pages.push_back(page);
         SiteFiles files;
         files["search-index.js"] = finish(pages);
         files["progress.js"] = progress_script(tree);
-        const PageTemplate page{addresses, reference, read_file(tree.root / "docs" / "page.html")};
-        for (const SitePage &each : pages) files[each.name + ".html"] = page.around(each);
+        add_pages(files, addresses, pages);
         add_assets(files);
         keep_reachable(files);
         write_site(site_folder(tree), files);
