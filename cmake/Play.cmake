@@ -21,6 +21,8 @@ if(COURSE_WASM)
   file(WRITE ${PROJECT_BINARY_DIR}/play/can_compile "") # for ./course play
 endif()
 
+add_test(NAME demos.stills COMMAND ${NODE} --test ${PROJECT_SOURCE_DIR}/tests/play/stills.test.mjs)
+
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(COURSE_WASM_FLAGS --target=wasm32-wasi -std=c++20 -Os ${COURSE_CODE_FLAGS}
   -DEIGEN_INITIALIZE_MATRICES_BY_NAN # as everywhere in the course

@@ -1,9 +1,8 @@
 // Demos: each <figure class="play" data-demo="07_segment_intersection"> becomes a picture that one can play with.
-// Its world is C++, compiled to WebAssembly: ours, or the reader's. This file draws it, and tells it what the reader does.
+// Its world is C++, compiled to WebAssembly: ours, or the reader's. This file shows it, and tells it what the reader does; docs/draw.js draws.
 (function () {
   'use strict';
-  const kinds = ['discs', 'line', 'area', 'arrow', 'words', 'handle'];
-  const colours = ['ink', 'dim', 'line', 'blue', 'orange', 'green', 'amber', 'violet', 'pink'];
+  const { colours, reader, aboutOf, frameOf, viewOf } = demoPicture;
   const branches = 3e7; // in one frame, about a tenth of a second: more counts as an endless loop
   const nobody = 'The demo'; // stopped outside of the reader's functions
   const still = matchMedia('(prefers-reduced-motion: reduce)');
@@ -79,31 +78,18 @@
       for (const name of Object.keys(imports.exercises)) if (!exports[`yours ${name}`]) fallen.set(name, 'not in your file');
     exports._initialize();
 
-    // The numbers that a call left in memory, texts among them
-    function read(address) {
-      const memory = new Float64Array(exports.memory.buffer);
-      let at = address / 8;
-      const number = () => memory[at++], list = (each) => Array.from({ length: number() }, each);
-      const words = () => new TextDecoder().decode(Uint8Array.from({ length: number() }, number)), point = () => [number(), number()];
-      return { number, words, list, point };
-    }
+    // The numbers that a call left in memory
+    const read = (address) => reader(new Float64Array(exports.memory.buffer, address));
     return {
       called,
       fallen,
-      begin() {
-        const { number, words, list, point } = read(exports.begin(branches));
-        return { title: words(), low: point(), high: point(),
-          controls: list(() => ({ name: words(), unit: words(), low: number(), high: number(), step: number(), value: number(), options: list(words), onlyWith: list(words) })),
-          keys: list(() => ({ key: words(), meaning: words(), onlyWith: list(words) })) };
-      },
+      begin: () => aboutOf(read(exports.begin(branches))),
       control: (i, value) => exports.control(i, value),
       frame(dt, step, hand) {
         running = [];
-        const { number, words, list, point } = read(exports.frame(dt, step, hand.x, hand.y, hand.inside, hand.pressed, hand.handle, hand.key, branches));
-        const shapes = list(() => ({ kind: kinds[number()], colour: colours[number()], size: number(), strength: number(), points: list(point), text: words() }));
-        const readouts = list(() => ({ name: words(), unit: words(), value: number(), decimals: number() }));
-        if (shapes.some(({ points }) => points.some(([x, y]) => !isFinite(x + y)))) stop(() => lost);
-        return { shapes, readouts };
+        const seen = frameOf(read(exports.frame(dt, step, hand.x, hand.y, hand.inside, hand.pressed, hand.handle, hand.key, branches)));
+        if (seen.shapes.some(({ points }) => points.some(([x, y]) => !isFinite(x + y)))) stop(() => lost);
+        return seen;
       },
       // Whatever went wrong, in one sentence. The stack has the innermost of the reader's functions by name.
       sentence(error) {
@@ -263,14 +249,13 @@
       if (answers.textContent !== told) answers.textContent = told;
     }
 
-    // World to screen: metres, y up, all of it visible
-    const scale = () => canvas.clientWidth / (about.high[0] - about.low[0]);
-    const onto = ([x, y]) => [(x - about.low[0]) * scale(), (about.high[1] - y) * scale()];
-    let palette = null; // as the page's style says, looked up when that may have changed
+    const view = () => viewOf(about, canvas.clientWidth);
+    let palette = null, font; // as the page's style says, looked up when that may have changed
     function look() {
       const probe = figure.appendChild(make('i'));
       probe.style.forcedColorAdjust = 'none'; // a picture keeps its colours: they mean something
       palette = Object.fromEntries([...colours, 'paper'].map((each) => (probe.style.color = `var(--${each})`, [each, getComputedStyle(probe).color])));
+      font = `14px ${getComputedStyle(probe).fontFamily}`;
       probe.remove();
     }
     function draw() {
@@ -280,38 +265,11 @@
       if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
       pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
       pen.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
-      pen.lineJoin = pen.lineCap = 'round';
-      let handles = 0;
-      for (const { kind, colour, size, strength, points, text } of picture) {
-        const at = points.map(onto);
-        pen.globalAlpha = strength * (failed ? 0.35 : 1);
-        pen.fillStyle = pen.strokeStyle = palette[colour];
-        pen.lineWidth = Math.abs(size) || 2;
-        pen.setLineDash(size < 0 ? [1, 6] : []);
-        pen.beginPath();
-        if (kind === 'discs') for (const [x, y] of at) pen.moveTo(x, y), pen.arc(x, y, Math.max(size * scale(), 1), 0, 7);
-        if (kind === 'line' || kind === 'area') for (const point of at) pen.lineTo(...point);
-        if (kind === 'arrow') arrow(...at, 5 + 2 * size);
-        if (kind === 'words') pen.font = `14px ${getComputedStyle(figure).fontFamily}`, pen.fillText(text, ...at[0]);
-        if (kind === 'handle') for (const [x, y] of at) handle(x, y, handles++);
-        if (kind === 'discs' || kind === 'area') pen.fill();
-        if (kind === 'line' || kind === 'arrow') pen.stroke();
-      }
-    }
-    function arrow([x, y], [a, b], head) {
-      const turn = Math.atan2(b - y, a - x);
-      pen.moveTo(x, y), pen.lineTo(a, b);
-      for (const side of [2.6, -2.6]) pen.moveTo(a, b), pen.lineTo(a + head * Math.cos(turn + side), b + head * Math.sin(turn + side));
-    }
-    function handle(x, y, index) {
-      const held = index === hand.handle || index === hand.chosen;
-      pen.beginPath();
-      pen.arc(x, y, held ? 8 : 6, 0, 7);
-      const colour = pen.fillStyle;
-      pen.fillStyle = palette.paper;
-      pen.fill(), pen.stroke();
-      pen.fillStyle = colour;
-      if (held) pen.beginPath(), pen.arc(x, y, 4, 0, 7), pen.fill();
+      demoPicture.draw(pen, picture, view(), palette, {
+        font,
+        strength: failed ? 0.35 : 1,
+        held: (index) => index === hand.handle || index === hand.chosen,
+      });
     }
 
     // Time: it stands still out of sight, and when the reader says so
@@ -346,9 +304,9 @@
     }
     const handles = () => (picture ?? []).filter(({ kind }) => kind === 'handle').flatMap(({ points }) => points);
     function near({ clientX, clientY, pointerType }) {
-      const box = canvas.getBoundingClientRect(), x = clientX - box.left, y = clientY - box.top;
+      const box = canvas.getBoundingClientRect(), x = clientX - box.left, y = clientY - box.top, { scale, onto } = view();
       const away = handles().map((point) => Math.hypot(onto(point)[0] - x, onto(point)[1] - y)), least = Math.min(...away);
-      return { x: about.low[0] + x / scale(), y: about.high[1] - y / scale(), handle: least < (pointerType === 'mouse' ? 14 : 26) ? away.indexOf(least) : -1 };
+      return { x: about.low[0] + x / scale, y: about.high[1] - y / scale, handle: least < (pointerType === 'mouse' ? 14 : 26) ? away.indexOf(least) : -1 };
     }
     let tap = false; // a finger is on the picture, and may yet scroll the page: it presses when it is lifted
     canvas.addEventListener('pointerdown', (event) => {

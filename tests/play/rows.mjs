@@ -1,32 +1,15 @@
-// The rows of numbers that a demo writes, as tools/play/host/frame.hpp puts them together.
+// What the tests of demos share: a demo without a page is told what its player does, and its rows of numbers are read.
 import assert from 'node:assert';
 import { execFileSync } from 'node:child_process';
+import '../../docs/draw.js';
 
-/// Takes one thing after the other from a row.
-export function reader(numbers) {
-  let at = 0;
-  const number = () => numbers[at++], list = (each) => Array.from({ length: number() }, each);
-  const words = () => String.fromCharCode(...list(number)), point = () => [number(), number()];
-  return { number, words, list, point, all: () => numbers.slice(0, at) };
-}
-
-export const aboutOf = ({ number, words, list, point }) => ({
-  title: words(), low: point(), high: point(),
-  controls: list(() => ({ name: words(), unit: words(), low: number(), high: number(), step: number(), value: number(), options: list(words), onlyWith: list(words) })),
-  keys: list(() => ({ key: words(), meaning: words(), onlyWith: list(words) })) });
-
-export const pictureOf = ({ number, words, list, point }) => ({
-  shapes: list(() => ({ kind: number(), colour: number(), size: number(), strength: number(), points: list(point), text: words() })),
-  readouts: list(() => ({ name: words(), unit: words(), value: number(), decimals: number() })) });
+export const { reader, aboutOf, frameOf } = globalThis.demoPicture;
 
 /// One line of input, for one frame: dt, a step, the pointer, whether it is inside and pressed, handle, key, controls.
 export const line = (input, values) => [...input, ...values].map((x) => x.toPrecision(17)).join(' ').replace(/\.0+(?= |$)/g, '');
 
 /// A row as the demo without a page prints it.
-export const printedRow = (text) => text.trim().split(' ').map((word) => {
-  const [, sign, whole, fraction, power] = /^(-?)0x([01])\.?([0-9a-f]*)p([+-]\d+)$/.exec(word);
-  return (sign ? -1 : 1) * parseInt(whole + fraction, 16) * 2 ** (Number(power) - 4 * fraction.length);
-});
+export const printedRow = (text) => text.trim().split(' ').map(Number);
 
 /// As many frames as last so many seconds, without a key.
 export const seconds = (count) => Array(60 * count).fill('');
@@ -47,7 +30,7 @@ export function player(native) {
       const at = (key) => about.keys.findIndex((each) => each.key === key);
       const input = (key) => (Array.isArray(key) ? [key[1], key[2], 1, 1, key[0], -1] : [0, 0, 0, 0, -1, at(key)]);
       const rows = run([], keys.map((key) => `${line([1 / 60, 0, ...input(key)], values)}\n`).join(''));
-      return rows.filter((_, frame) => frame % 60 === 59).map((row) => Object.fromEntries(pictureOf(reader(printedRow(row))).readouts.map(({ name, value }) => [name, value])));
+      return rows.filter((_, frame) => frame % 60 === 59).map((row) => Object.fromEntries(frameOf(reader(printedRow(row))).readouts.map(({ name, value }) => [name, value])));
     },
     /// The last ones of these readouts, with these controls.
     last: (chosen, keys) => demo.readouts(demo.values(chosen), keys).at(-1),

@@ -4,7 +4,7 @@
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import { gunzipSync } from 'node:zlib';
-import { aboutOf, line, pictureOf, printedRow, reader } from './rows.mjs';
+import { aboutOf, frameOf, line, printedRow, reader } from './rows.mjs';
 
 const [native, published] = process.argv.slice(2);
 const [, name, packed] = /\['(\w+)'\] = '(.*)';/.exec(fs.readFileSync(published, 'utf8'));
@@ -24,8 +24,8 @@ world._initialize();
 
 const seen = (address) => reader(new Float64Array(world.memory.buffer, address));
 function frame(...input) {
-  const rest = seen(world.frame(...input, 1e9)), { shapes } = pictureOf(rest);
-  return { row: rest.all(), handles: shapes.filter(({ kind }) => kind === 5).flatMap(({ points }) => points).length };
+  const rest = seen(world.frame(...input, 1e9)), { shapes } = frameOf(rest);
+  return { row: rest.taken(), handles: shapes.filter(({ kind }) => kind === 'handle').flatMap(({ points }) => points).length };
 }
 const about = aboutOf(seen(world.begin(1e9)));
 

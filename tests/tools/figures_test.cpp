@@ -1,7 +1,6 @@
 // What can go wrong between a program's trace and a published figure, each with the sentence that says so.
 
 #include "commands/commands.hpp"
-#include "figures/demo_picture.hpp"
 #include "figures/figure.hpp"
 #include "figures/section_figures.hpp"
 #include "figures/trace.hpp"
@@ -562,36 +561,4 @@ TEST_CASE("figures that need functions which are not started are left out, in on
     CHECK_THAT(plotted("echo 'not started: 07_lines_rise.tsv: the slope' >&2; exit 1"),
                StartsWith("1 left out: 07_lines_rise" + needs)
                    && ContainsSubstring("functions that are not started; `./course check 7`"));
-}
-
-// Demos
-
-TEST_CASE("a demo's picture is its shapes in the colours of figures, without its handles") {
-    const Colours colours = read_colours(read_file(fs::path{COURSE_ROOT} / "plots/style.gp"));
-    const std::string about = "3 65 38 66 0x0p+0 0x0p+0 0x1.4p+3 0x1.4p+2 0 0\n"; // "A&B", from (0, 0) to (10, 5)
-    const std::string seen = "5 1 3 -2 1 2 0 0 10 5 0 0 5 0.25 0.5 1 5 2.5 0 2 2 0 1 3 0 0 10 0 10 5 0 "
-                             "4 0 0 1 1 1 1 1 60 5 8 0 1 1 3 3 0 0\n";
-    const std::string svg = demo_picture(about + seen, colours, "the demo");
-    CHECK_THAT(svg, ContainsSubstring("width=\"640\" height=\"320\"") && ContainsSubstring("<title>A&amp;B</title>"));
-    CHECK_THAT(svg, ContainsSubstring("<path fill=\"none\" stroke=\"#2563eb\" stroke-width=\"2.0\" "
-                                      "stroke-dasharray=\"1 6\" d=\"M0.0 320.0L640.0 0.0\"/>"));
-    CHECK_THAT(svg, ContainsSubstring("stroke=\"#0b8562\" stroke-opacity=\"0.50\" stroke-width=\"32.0\" "
-                                      "d=\"M320.0 160.0h0\"/>"));
-    CHECK_THAT(svg, ContainsSubstring("<path fill=\"#66707f\" fill-opacity=\"0.35\" d=\"M0.0 320.0L640.0 320.0L640.0 "
-                                      "0.0Z\"/>")); // the page's colour of lines
-    CHECK_THAT(svg, ContainsSubstring("<text fill=\"#1d2430\" x=\"64.0\" y=\"256.0\">&lt;</text>"));
-    CHECK_THAT(svg, ContainsSubstring("[stroke=\"#2563eb\"] { stroke: #6ea8fe }"));
-    CHECK(svg.find("#c02672") == svg.npos);
-    for (const std::string &printed : {std::string{}, about, about + "1 1 3\n", about + "1 1 9 0 1 1 0 0 0 0\n"})
-        CHECK_THAT(refusal([&] { demo_picture(printed, colours, "the demo"); }),
-                   ContainsSubstring("the demo: its program has not written a picture"));
-}
-
-TEST_CASE("two pictures are the same if their numbers differ by a tenth of a pixel at most") {
-    CHECK(show_the_same("<path d=\"M1.0 20.0\"/>", "<path d=\"M1.1 19.9\"/>"));
-    CHECK(show_the_same("M9.9h0", "M10.0h0"));
-    CHECK_FALSE(show_the_same("M1.0 20.0", "M1.2 20.0"));
-    CHECK_FALSE(show_the_same("M1.0 20.0", "L1.0 20.0"));
-    CHECK_FALSE(show_the_same("M1.0 20.0", "M1.0 20.0h0"));
-    CHECK_FALSE(show_the_same("M1.0", "M-1.0"));
 }

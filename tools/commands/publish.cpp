@@ -1,10 +1,10 @@
 // `course publish`: what a maintainer does after looking at the figures, and the check that CI makes.
 
 #include "commands/commands.hpp"
-#include "figures/demo_picture.hpp"
 #include "figures/section_figures.hpp"
 #include "ground/build.hpp"
 #include "ground/files.hpp"
+#include "ground/lines.hpp"
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "loop/diagnosis.hpp"
@@ -12,8 +12,9 @@
 #include "site/demos.hpp"
 #include "site/own_site.hpp"
 
+#include <algorithm>
 #include <iostream>
-#include <map>
+#include <iterator>
 #include <memory>
 
 namespace course {
@@ -63,64 +64,43 @@ std::vector<Section> changed_demos(const Tree &tree, const std::vector<Section> 
     return changed;
 }
 
-/// The still pictures of the section's demo, as SVGs, by the files in which they are kept; none without a demo.
-std::map<fs::path, std::string> draw_demo(const Tree &tree, const Section &section) {
+/// Keeps the still pictures of the section's demo; a line for each that was not what the demo shows today.
+/// @param how  "--check": it only looks
+std::vector<std::string> draw_demo(const Tree &tree, const Section &section, const std::string &how) {
     if (!build_demo(tree, section, "_demo")) return {};
-    const std::string name = "the demo of section " + section.short_number();
-    const Colours colours = read_colours(read_file(tree.root / "plots" / "style.gp"));
-    const std::vector<std::string> starts = demo_starts(demo_marks(read_file(tree.chapter(section))));
-    std::map<fs::path, std::string> pictures;
-    for (std::size_t start = 0; start < starts.size(); ++start) {
-        const Finished played =
-            run({(tree.build / "demo" / section.name).string(), "--picture", starts[start]}, {.deadline = 60});
-        if (played.code != 0) throw Complaint{name + " cannot be drawn: " + played.err};
-        pictures[tree.root / demo_picture_file(section, start)] = demo_picture(played.out, colours, name);
-    }
-    return pictures;
-}
-
-/// The kept pictures that are not what the demos show today, with what they show; with nothing if no place has them.
-std::map<fs::path, std::string> changed_pictures(const Tree &tree, const std::vector<Section> &sections) {
-    std::map<fs::path, std::string> changed;
-    for (const Section &section : sections) {
-        const std::map<fs::path, std::string> now = draw_demo(tree, section);
-        for (const auto &[file, picture] : now)
-            if (!fs::exists(file) || !show_the_same(read_file(file), picture)) changed[file] = picture;
-        for (std::size_t start = now.size(); fs::exists(tree.root / demo_picture_file(section, start)); ++start)
-            changed[tree.root / demo_picture_file(section, start)];
-    }
+    std::vector<std::string> command{toolbox(tree, section).node, (tree.root / "tools/play/stills.cjs").string(), how,
+                                     (tree.build / "demo" / section.name).string(),
+                                     (tree.root / "demos" / section.name).string()};
+    for (const std::string &start : demo_starts(demo_marks(read_file(tree.chapter(section))))) command.push_back(start);
+    const Finished drawn = run(command);
+    if (drawn.code != 0)
+        throw Complaint{"the demo of section " + section.short_number() + " cannot be drawn: " + drawn.err};
+    std::vector<std::string> changed;
+    for (const Line &line : lines_of(drawn.out)) changed.emplace_back(line.text);
     return changed;
 }
 
 void publish_all(const Tree &tree, const std::vector<Section> &sections) {
-    std::size_t count = 0;
+    std::vector<std::string> changed;
     for (const Section &section : sections)
-        for (const auto &file : publish(tree, section)) {
-            std::cout << tree.shown(file) << '\n';
-            ++count;
-        }
+        for (const auto &file : publish(tree, section)) changed.push_back(tree.shown(file));
     for (const Section &section : changed_demos(tree, sections)) {
         write_file(tree.root / demo_file(section), read_file(compiled_demo(tree, section)));
-        std::cout << demo_file(section) << '\n';
-        ++count;
+        changed.push_back(demo_file(section));
     }
-    for (const auto &[file, picture] : changed_pictures(tree, sections)) {
-        if (picture.empty()) fs::remove(file);
-        else write_file(file, picture);
-        std::cout << tree.shown(file) << '\n';
-        ++count;
-    }
-    if (count == 0) std::cout << "What is published is up to date.\n";
+    for (const Section &section : sections)
+        std::ranges::copy(draw_demo(tree, section, ""), std::back_inserter(changed));
+    for (const std::string &file : changed) std::cout << file << '\n';
+    if (changed.empty()) std::cout << "What is published is up to date.\n";
 }
 
 void check_all(const Tree &tree, const std::vector<Section> &sections) {
     std::vector<std::string> found = strays(tree);
-    for (const Section &section : sections)
-        for (const std::string &text : outdated(tree, section)) found.push_back(text);
+    for (const Section &section : sections) std::ranges::copy(outdated(tree, section), std::back_inserter(found));
     for (const Section &section : changed_demos(tree, sections))
         found.push_back(demo_file(section) + " is not what its sources give today.");
-    for (const auto &[file, picture] : changed_pictures(tree, sections))
-        found.push_back(tree.shown(file) + (picture.empty() ? " has no place." : " is not what its demo shows today."));
+    for (const Section &section : sections)
+        std::ranges::copy(draw_demo(tree, section, "--check"), std::back_inserter(found));
     for (const std::string &text : found) std::cout << text << '\n';
     if (found.empty()) {
         std::cout << "The published figures agree with the programs.\n";

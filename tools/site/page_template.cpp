@@ -111,7 +111,7 @@ class Surroundings {
         for (const Section &section : sections)
             if (contains(body, "data-demo=\"" + section.name + '"'))
                 scripts += "<script src=\"" + demo_file(section) + "\"></script>\n";
-        return scripts.empty() ? "" : scripts + "<script src=\"play.js\"></script>\n";
+        return scripts.empty() ? "" : scripts + "<script src=\"draw.js\"></script>\n<script src=\"play.js\"></script>\n";
     }
 
     std::string sidebar(const SitePage &page) const {

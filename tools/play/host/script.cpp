@@ -1,4 +1,4 @@
-// A demo without a page. It reads one line of input for each frame, and writes the frame's numbers, bit by bit; or,
+// A demo without a page. It reads one line of input for each frame, and writes the frame's numbers, to the last bit; or,
 // as `NN_slug --picture "wind: 2"`, plays until its still picture is taken with this control, and writes what it is about
 // and what is seen then.
 #include "frame.hpp"
@@ -12,7 +12,7 @@
 namespace {
 
 void print_row() {
-    for (const double x : host::row) std::printf("%a ", x);
+    for (const double x : host::row) std::printf("%.17g ", x);
     std::printf("\n");
 }
 
