@@ -1,11 +1,11 @@
-// What the tests of the pages share: the built site, Chromium, and a page with what goes wrong on it.
+// What the tests of the pages share: the built site, Chromium or Firefox, and a page with what goes wrong on it.
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
-import { after, before } from 'node:test';
+import { after } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
+import { chromium, firefox } from 'playwright-core';
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 export const build = path.resolve(process.env.COURSE_BUILD ?? path.join(root, 'build/default'));
@@ -14,15 +14,19 @@ export const wrong = path.join(build, 'play/wrong'); // compiled only where ther
 export const address = (name, folder = site) => pathToFileURL(path.join(folder, name)).href;
 const axe = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-export let browser;
-before(async () => {
-  browser = await chromium.launch({
+// Each is started when a test wants it.
+export const firefoxHere = process.env.FIREFOX ?? ['/usr/bin/firefox-esr', '/usr/bin/firefox'].find(fs.existsSync);
+const engines = {
+  chromium: () => chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell',
     // Without a crash reporter the headless shell does not outlive the endless recursion of a demo, as Chromium does.
     args: ['--no-sandbox', '--disable-gpu', '--enable-crash-reporter'],
-  });
-});
-after(() => browser.close());
+  }),
+  firefox: () => firefox.launch({ executablePath: firefoxHere, channel: 'moz-firefox' }), // as Debian has it, by WebDriver BiDi
+};
+const started = {};
+export const browser = (engine = 'chromium') => (started[engine] ??= engines[engine]());
+after(() => Promise.all(Object.values(started).map(async (each) => (await each).close())));
 
 // A page of this context, and what goes wrong on it: what scripts say, and requests that fail, or are not for files.
 export async function openIn(context, url) {
@@ -36,8 +40,8 @@ export async function openIn(context, url) {
 }
 
 // The same in a context of its own, which is closed after the test.
-export async function open(t, name, { folder = site, width = 1280, script = '', ...more } = {}) {
-  const context = await browser.newContext({ viewport: { width, height: 900 }, ...more });
+export async function open(t, name, { folder = site, width = 1280, script = '', engine, ...more } = {}) {
+  const context = await (await browser(engine)).newContext({ viewport: { width, height: 900 }, ...more });
   t.after(() => context.close());
   if (script) await context.addInitScript(script);
   return openIn(context, address(name, folder));

@@ -4,66 +4,10 @@ import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { browser, open, root, site, wrong } from './browser.mjs';
+import { browser, open, site, wrong } from './browser.mjs';
+import { demoOn, openDemo, room, said, seven, wrongFiles } from './demo.mjs';
 
-const seven = '07_segment_intersection', eleven = '11_particles', first = '01_motion';
-
-// A demo on the page with all of them, where nothing may go wrong, and what one does with it.
-async function openDemo(t, name, { touch = false, ...more } = {}) {
-  const { page, context, troubles } = await open(t, 'play.html', { hasTouch: touch, isMobile: touch, ...more });
-  t.after(() => assert.deepEqual(troubles, []));
-  const figure = page.locator(`.play[data-demo="${name}"][data-ready]`);
-  await figure.waitFor();
-  const canvas = figure.locator('canvas');
-  await canvas.evaluate((it) => it.scrollIntoView({ block: 'center' }));
-  const demo = {
-    page, context, figure, canvas, troubles,
-    // At least so long, and until what came before has been in a frame, however busy the machine is.
-    wait: async (ms) => {
-      await page.waitForTimeout(ms);
-      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-    },
-    button: (name) => figure.getByRole('button', { name, exact: true }),
-    choose: (words) => figure.locator('fieldset label', { hasText: words }).click(),
-    slide: (name, value) => figure.locator('.controls > label', { hasText: name }).locator('input').fill(String(value)),
-    // A finger comes down, moves and is lifted.
-    stroke: async ([x, y], [to_x, to_y]) => {
-      const session = await context.newCDPSession(page);
-      const send = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
-      await send('touchStart', { x, y });
-      for (let i = 1; i <= 5; i++) await send('touchMove', { x: x + ((to_x - x) * i) / 5, y: y + ((to_y - y) * i) / 5 });
-      await send('touchEnd');
-      await page.waitForTimeout(100);
-    },
-    read: async (name) => Number((await figure.locator('dl > div').filter({ has: page.locator('dt', { hasText: new RegExp(`^${name}$`) }) }).locator('b').textContent()).replace('−', '-')),
-    speeds: async () => (await figure.locator('dl > div').filter({ has: page.locator('dt', { hasText: 'its speed' }) }).locator('b').allTextContents()).map(Number),
-    picture: () => canvas.evaluate((it) => it.toDataURL()),
-    at: async (x, y, [wide, high]) => {
-      const box = await canvas.boundingBox();
-      return [box.x + (x / wide) * box.width, box.y + (1 - y / high) * box.height];
-    },
-    said: async () => ((await figure.locator('.trouble').isVisible()) ? figure.locator('.trouble p').textContent() : ''),
-    // Throws the ball of section 7: where it starts, its arrow ends at (2.36, 3.17).
-    throwAt: async (x, y) => {
-      if (await demo.button('Pause').isVisible()) await demo.still();
-      await demo.button('Reset').click();
-      await demo.wait(100);
-      await demo.drag(room(2.36, 3.17), room(x, y));
-    },
-    still: async () => {
-      await demo.button('Pause').click();
-      await demo.wait(50);
-    },
-    drag: async (from, to) => {
-      await page.mouse.move(...(await demo.at(...from)));
-      await page.mouse.down();
-      await page.mouse.move(...(await demo.at(...to)), { steps: 3 });
-      await page.mouse.up();
-    },
-  };
-  return demo;
-}
-const room = (x, y) => [x, y + 0.5, [12, 8]]; // from metres in the room of section 7 to what `at` wants
+const eleven = '11_particles', first = '01_motion';
 
 describe('a demo', { concurrency: 2 }, () => {
   test('starts by itself, pauses, steps, goes on and is reset', async (t) => {
@@ -401,25 +345,13 @@ describe('the site from a server', () => {
   after(() => server.close());
 
   test('every demo starts and moves, and nothing is asked for that is not there', async () => {
-    const page = await browser.newPage(), troubles = [];
+    const page = await (await browser()).newPage(), troubles = [];
     page.on('console', (message) => troubles.push(message.text()));
     page.on('pageerror', (error) => troubles.push(error.message));
     page.on('response', (response) => response.ok() || troubles.push(`${response.status()} ${response.url()}`));
     await page.route(/favicon/, (route) => route.fulfill({ status: 204 })); // asked for by the browser, not by a page
     await page.goto(`${address}play.html`);
-    for (const figure of await page.locator('.play').all()) {
-      await figure.locator('canvas').evaluate((it) => it.scrollIntoView({ block: 'center' }));
-      await figure.evaluate((it) => new Promise((done) => { const look = () => ('ready' in it.dataset ? done() : setTimeout(look, 50)); look(); }));
-      const picture = () => figure.locator('canvas').evaluate((it) => it.toDataURL());
-      const games = await figure.locator('fieldset').first().locator('label').all(), before = await picture();
-      await figure.locator('.buttons').evaluate((it) => it.querySelector('button:nth-child(n + 4):not([hidden])')?.click()); // one that waits for it: Fire
-      await page.waitForTimeout(800);
-      for (let i = 1; i < games.length && (await picture()) === before; ++i) { // the first ones may wait to be dragged
-        await games[i].click();
-        await page.waitForTimeout(800);
-      }
-      assert.ok((await picture()) !== before, await figure.getAttribute('data-demo'));
-    }
+    for (const figure of await page.locator('.play').all()) await (await demoOn(page, await figure.getAttribute('data-demo'))).begin();
     assert.deepEqual(troubles, []);
     await page.close();
   });
@@ -534,21 +466,13 @@ describe('01, flight', { concurrency: 2 }, () => {
 });
 
 describe('your code in the page', { concurrency: 2, skip: !fs.existsSync(wrong) && 'there is no compiler for pages here' }, () => {
-  const files = fs.existsSync(wrong) ? fs.readdirSync(path.join(root, 'tests/play', seven)).map((name) => name.replace('.cpp', '')) : [];
-  for (const name of files)
+  for (const name of fs.existsSync(wrong) ? wrongFiles : [])
     test(name, async (t) => {
-      const expected = /^\/\/ the page says: ?(.*)/.exec(fs.readFileSync(path.join(root, 'tests/play', seven, `${name}.cpp`), 'utf8'))[1];
-      const demo = await openDemo(t, seven, { script: fs.readFileSync(path.join(wrong, `${name}.js`), 'utf8') });
-      await demo.choose('bounces (7.4)');
-      await demo.button('Yours').click();
-      if (!expected) await demo.wait(1500);
-      else await demo.figure.locator('.trouble').waitFor();
-      const said = await demo.said();
+      const expected = said(name), demo = await openDemo(t, seven, { wrong: name });
+      await demo.runInto(expected);
       if (!expected) {
-        assert.equal(said, '');
         assert.equal(await demo.figure.locator('.answers').textContent(), 'Yours: 7.4. Ours: 7.2 (not started).');
       } else {
-        assert.ok(said.includes(expected), said);
         await demo.choose('asks once a frame'); // does not call 7.4, which would go wrong again before anybody looks
         await demo.figure.getByRole('button', { name: 'Restart' }).click(); // and the page lives on
         await demo.figure.locator('.trouble').waitFor({ state: 'hidden' });

@@ -55,7 +55,7 @@ for (const width of [390, 1280])
     describe(`${width} px, ${colours}`, { concurrency: 2 }, () => {
       let context;
       before(async () => {
-        context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme: colours });
+        context = await (await browser()).newContext({ viewport: { width, height: 900 }, colorScheme: colours });
       });
       after(() => context.close());
       for (const name of pages.filter((name) => looked(name, width, colours)))
