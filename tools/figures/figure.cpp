@@ -3,10 +3,10 @@
 #include "figures/trace.hpp"
 #include "ground/files.hpp"
 #include "ground/process.hpp"
+#include "ground/text.hpp"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <regex>
 #include <sstream>
@@ -18,7 +18,6 @@ namespace {
 
 constexpr double longest_drawing =
     60; // [s] a figure takes a tenth; a script that pauses or loops would stop the build for ever
-constexpr const char *figure_width = "480"; // [px] as plots/style.gp has it
 
 /// A folder for gnuplot's own output, gone in the end.
 class Workshop {
@@ -40,74 +39,6 @@ class Workshop {
 };
 
 std::string shown(const fs::path &script) { return "plots/" + script.filename().string(); }
-
-/// The script without its comments, line by line as long as before; a continued line's backslash is a blank.
-std::string without_comments(std::string_view script) {
-    std::string code{script};
-    char quote = 0;
-    bool comment = false;
-    for (std::size_t i = 0; i < code.size(); ++i) {
-        if (code[i] == '\n') quote = 0, comment = false;
-        else if (comment) code[i] = ' ';
-        else if (quote) quote = code[i] == quote ? '\0' : quote;
-        else if (code[i] == '\'' || code[i] == '"') quote = code[i];
-        else if (code[i] == '#') comment = true, code[i] = ' ';
-        if (code[i] == '\\' && (i + 1 == code.size() || code[i + 1] == '\n')) code[i] = ' ';
-    }
-    return code;
-}
-
-/// From here to the first blank that is not in brackets: what follows `using`.
-std::string_view specification(std::string_view code) {
-    int depth = 0;
-    std::size_t end = 0;
-    for (; end < code.size(); ++end) {
-        if (code[end] == '(') ++depth;
-        if (code[end] == ')') --depth;
-        if (depth <= 0 && std::strchr(" \n,;\"'", code[end])) break;
-    }
-    return code.substr(0, end);
-}
-
-/// The columns in `1:($2 > 0 ? $3 : NaN):(column(4))`; 0 and less are gnuplot's own.
-std::vector<std::size_t> columns_of(std::string_view specification) {
-    static const std::regex asked{R"(\$(\d+)|column\(\s*(\d+)\s*\)|valid\(\s*(\d+)\s*\))"};
-    std::vector<std::size_t> columns;
-    const auto add = [&](const std::string &digits) {
-        const auto column = static_cast<std::size_t>(std::atoll(digits.c_str()));
-        if (column > 0) columns.push_back(column);
-    };
-    std::string plain;
-    int depth = 0;
-    for (char c : specification) {
-        if (c == '(') ++depth;
-        if (depth == 0) plain += c;
-        if (c == ')') --depth;
-    }
-    std::istringstream parts{plain};
-    for (std::string part; std::getline(parts, part, ':');)
-        if (!part.empty() && part.find_first_not_of("0123456789") == part.npos) add(part);
-    const std::string all{specification};
-    for (std::sregex_iterator found{all.begin(), all.end(), asked}, end; found != end; ++found)
-        for (std::size_t group = 1; group < found->size(); ++group)
-            if ((*found)[group].matched) add((*found)[group]);
-    return columns;
-}
-
-std::string names_of(const Trace &trace) {
-    std::string all;
-    for (std::size_t i = 0; i < trace.columns.size(); ++i)
-        all += (i ? ", " : "") + std::to_string(i + 1) + " " + trace.columns[i];
-    return all;
-}
-
-void require_columns(const Figure &figure, const Trace &trace) {
-    for (const auto &[line, column] : columns_used(read_file(figure.script)))
-        if (column > trace.columns.size())
-            throw FigureFault{shown(figure.script) + ", line " + std::to_string(line) + ": column "
-                              + std::to_string(column) + " is drawn, but " + figure.trace.filename().string()
-                              + " has only " + names_of(trace)};
-}
 
 /// gnuplot's complaint in one line, with the script's line in front where it says one.
 std::string in_one_line(const fs::path &script, const std::string &words) {
@@ -163,35 +94,27 @@ std::vector<Curve> parse_table(const std::string &table) {
             curves.emplace_back();
         } else if (const auto last = line.find_last_not_of(' ');
                    last != line.npos && line[0] != '#' && !curves.empty()) {
-            ++curves.back().points;
+            if (line[last] != 'u') ++curves.back().points;
             if (line[last] != 'u' && line[last] != 'o') ++curves.back().visible;
         }
     }
     return curves;
 }
 
-/// The SVG cannot tell: a curve's sample in the key looks like a curve. So gnuplot is asked for its points.
+/// The SVG cannot tell: a curve's sample in the key looks like a curve. So gnuplot is asked for its points. (Without a
+/// title, and begun outside, a wall may yet cross the picture; and what marks a student's curve may lie anywhere.)
 void require_visible(const Figure &figure, const std::string &table) {
-    bool anything = false;
-    for (const Curve &curve : parse_table(table)) {
-        anything = anything || curve.visible > 0;
-        if (curve.visible == 0 && !curve.title.empty())
-            throw FigureFault{shown(figure.script) + " draws nothing for " + curve.title
-                              + (curve.points
-                                     ? ": none of its " + std::to_string(curve.points) + " points lies inside the axes"
-                                     : ": it has no points")};
+    const std::vector<Curve> curves = parse_table(table);
+    for (const auto &[title, points, visible] : curves) {
+        if (title.empty() && points == 0 && figure.student.empty())
+            throw FigureFault{shown(figure.script) + " has a curve without a title, and without points"};
+        if (!title.empty() && visible == 0)
+            throw FigureFault{shown(figure.script) + " draws nothing for " + title
+                              + (points ? ": none of its " + std::to_string(points) + " points lies inside the axes"
+                                        : ": it has no points")};
     }
-    if (!anything)
+    if (std::ranges::all_of(curves, [](const Curve &curve) { return curve.visible == 0; }))
         throw FigureFault{shown(figure.script) + " draws a blank figure: no curve has a point inside the axes"};
-}
-
-/// Another width has other letters: on a phone, too small ones.
-void require_width(const Figure &figure, const std::string &svg) {
-    static const std::regex width{R"re(<svg\s[^>]*\bwidth="([0-9]+)")re"};
-    if (std::smatch found; std::regex_search(svg, found, width) && found[1] != figure_width)
-        throw FigureFault{shown(figure.script) + " is " + found[1].str() + " px wide, and all figures are "
-                          + figure_width + ", so that their letters can be read on a phone; write "
-                          + "eval canvas(HEIGHT) in place of set terminal"};
 }
 
 } // namespace
@@ -203,38 +126,23 @@ std::string figure_title(const fs::path &script) {
     throw FigureFault{shown(script) + " doesn't say what it shows; begin it with a line \"#> Figure: ...\""};
 }
 
-std::vector<ColumnUse> columns_used(std::string_view script) {
-    static const std::regex start{R"(\bARG[13](\s+(every|index|skip)\s+\S+)*\s+u(sing|sin|si|s)?\s+)"};
-    const std::string code = without_comments(script);
-    std::vector<ColumnUse> uses;
-    for (std::sregex_iterator found{code.begin(), code.end(), start}, end; found != end; ++found) {
-        const auto at = static_cast<std::size_t>(found->position() + found->length());
-        const auto line =
-            1 + static_cast<std::size_t>(std::count(code.begin(), code.begin() + found->position(), '\n'));
-        for (std::size_t column : columns_of(specification(std::string_view{code}.substr(at))))
-            uses.push_back({line, column});
-    }
-    return uses;
-}
-
-bool draws_student(const fs::path &script) {
-    return without_comments(read_file(script)).find("ARG3") != std::string::npos;
-}
+bool draws_student(const fs::path &script) { return contains(read_file(script), "ARG3"); }
 
 std::string draw(const Figure &figure) {
     const std::string title = figure_title(figure.script);
     const Colours colours = read_colours(read_file(fs::absolute(figure.script).parent_path() / "style.gp"));
-    require_columns(figure, read_trace(figure.trace, figure.trace.filename().string()));
-    if (!figure.student.empty()) read_trace(figure.student, figure.student.filename().string());
+    for (const fs::path &trace : {figure.trace, figure.student})
+        if (!trace.empty()) read_trace(trace, trace.filename().string());
 
     const Workshop workshop;
     const fs::path svg = workshop.folder / "figure.svg", table = workshop.folder / "table";
     gnuplot(figure, "", svg);
     if (!fs::exists(svg))
         throw FigureFault{shown(figure.script) + " writes no file; write set output ARG2 before it plots"};
-    gnuplot(figure, "set table '" + table.string() + "'", workshop.folder / "not drawn");
+    Figure asked = figure;
+    if (asked.student.empty()) asked.student = asked.trace; // the place for a student's curve is looked at, too
+    gnuplot(asked, "set table '" + table.string() + "'", workshop.folder / "not drawn");
     require_visible(figure, read_file(table));
-    require_width(figure, read_file(svg));
     return recoloured(read_file(svg), title, colours, shown(figure.script));
 }
 

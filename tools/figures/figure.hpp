@@ -23,12 +23,6 @@ struct Figure {
 /// @throws Complaint if there is no such line
 std::string figure_title(const std::filesystem::path &script);
 
-/// A column of a trace that a script asks for: `using 2` or `using ($2)`.
-struct ColumnUse {
-    std::size_t line, column; ///< both from 1
-};
-std::vector<ColumnUse> columns_used(std::string_view script);
-
 /// Whether the script draws a student's trace, ARG3, when it is given one.
 bool draws_student(const std::filesystem::path &script);
 
