@@ -58,47 +58,32 @@ std::string picture_words(const std::string &title, const DemoMark &mark) {
 
 bool stands_for_a_demo(std::string_view line) { return is_picture(line) || is_command(line); }
 
-DemoPlaces weave_demo_places(const Tree &tree, const Section &section, std::string_view text) {
+std::string weave_demo_places(const Tree &tree, const Section &section, std::string_view text) {
     const std::vector<Line> lines = lines_of(text);
     const std::map<std::size_t, DemoMark> marks = marks_by_line(text.substr(byte_order_mark(text).size()));
     const bool has_picture = fs::exists(tree.root / demo_picture_file(section));
-    DemoPlaces result;
+    std::string woven;
     std::vector<DemoMark> so_far;
     for (std::size_t at = 0; at < lines.size(); ++at) {
-        if (stands_for_a_demo(lines[at].text)) { // its mark has gone
-            result.differences.push_back({tree.chapter(section), static_cast<int>(at + 1),
-                                          "a forge shows a demo's picture or command here, below no mark of one."});
+        if (stands_for_a_demo(lines[at].text)) { // it is written anew below its mark, if that is still there
             if (at + 1 < lines.size() && lines[at + 1].text.empty()) ++at;
             continue;
         }
-        (result.text += lines[at].text) += lines[at].end;
+        (woven += lines[at].text) += lines[at].end;
         const auto mark = marks.find(at + 1);
-        if (mark == marks.end()) continue;
+        if (mark == marks.end() || !has_picture) continue;
         const std::string end{lines[at].end};
-        std::string before, wanted;
-        const auto take = [&](bool (*is)(std::string_view)) {
-            if (at + 2 >= lines.size() || !lines[at + 1].text.empty() || !is(lines[at + 2].text)) return;
-            before += end + std::string{lines[at + 2].text} + std::string{lines[at + 2].end};
-            at += 2;
-        };
-        const std::size_t line = at + 1;
-        take(is_picture);
-        take(is_command);
         const std::size_t known = demo_starts(so_far).size();
         so_far.push_back(mark->second);
-        if (has_picture && demo_starts(so_far).size() > known) {
+        if (demo_starts(so_far).size() > known) {
             const std::string file = demo_picture_file(section, known);
-            wanted +=
+            woven +=
                 end + fmt::format("![{}](../../{})", picture_words(picture_title(tree.root / file), mark->second), file)
                 + end;
         }
-        if (has_picture) wanted += end + command_that_plays(section, mark->second) + end;
-        result.text += wanted;
-        if (wanted != before)
-            result.differences.push_back({tree.chapter(section), static_cast<int>(line),
-                                          "below this mark a forge shows another picture or command than the demo's."});
+        woven += end + command_that_plays(section, mark->second) + end;
     }
-    return result;
+    return woven;
 }
 
 } // namespace course

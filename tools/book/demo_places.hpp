@@ -2,7 +2,6 @@
 // Where a chapter has its demo, a forge shows a still picture of it, and says how to play it.
 
 #include "book/chapter.hpp"
-#include "book/finding.hpp"
 #include "ground/tree.hpp"
 
 #include <filesystem>
@@ -27,12 +26,7 @@ std::string picture_words(const std::string &title, const DemoMark &mark);
 /// Whether a line of a chapter was woven below a mark: a picture, or a command.
 bool stands_for_a_demo(std::string_view line);
 
-struct DemoPlaces {
-    std::string text;                 ///< of the chapter, with two paragraphs below each mark of a demo
-    std::vector<Finding> differences; ///< places that were not so
-};
-
-/// Writes below each mark its picture, the first time that the demo begins so, and the command that plays it.
-DemoPlaces weave_demo_places(const Tree &tree, const Section &section, std::string_view text);
+/// The chapter with, below each mark, its picture, the first time that the demo begins so, and the command that plays it.
+std::string weave_demo_places(const Tree &tree, const Section &section, std::string_view text);
 
 } // namespace course

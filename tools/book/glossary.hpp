@@ -31,11 +31,10 @@ std::vector<Term> terms_of(std::string_view chapter, int section, const std::str
 /// @throws Complaint if a chapter cannot be read.
 std::vector<Term> terms_of(const Tree &tree);
 
-/// A text with a glossary, and in what it differs from the terms.
+/// A text with the glossary that these terms give.
 struct Glossary {
-    std::string book;                 ///< book.md with a row for each term below its heading `## Glossary`
-    std::vector<Finding> differences; ///< terms without a row, rows without a term, rows that say something else
-    std::vector<Finding> findings;    ///< what weaving cannot put right: no heading, a term that a chapter has twice
+    std::string book;              ///< book.md with a row for each term below its heading `## Glossary`
+    std::vector<Finding> findings; ///< what weaving cannot put right: no heading, a term that a chapter has twice
 };
 
 /// @param terms  of all chapters, in their order

@@ -30,9 +30,8 @@ std::vector<Prerequisite> read_needs(std::string_view cell);
 /// book.md with what its chapters need in the last column of its contents. What is to come keeps what is written there.
 struct Needs {
     std::string book;
-    std::vector<Finding> differences; ///< rows that say something else than their chapters
-    std::vector<Finding> findings;    ///< chapters that do not say it, or need a later one
+    std::vector<Finding> findings; ///< chapters that do not say it, or need a later one
 };
-Needs weave_needs(const Tree &tree, const std::string &book, const std::filesystem::path &file);
+Needs weave_needs(const Tree &tree, const std::string &book);
 
 } // namespace course

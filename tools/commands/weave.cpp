@@ -9,10 +9,12 @@
 #include "book/prerequisites.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
+#include "ground/lines.hpp"
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "loop/programs.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <map>
@@ -58,6 +60,16 @@ std::string output_of(const Tree &tree, const Section &section, const std::strin
     return finished.out;
 }
 
+/// The first line of a file that is not so in this text; nothing if there is none.
+std::vector<Finding> difference(const fs::path &file, const std::string &before, const std::string &text) {
+    const std::vector<Line> was = lines_of(before), is = lines_of(text);
+    const auto [line, other] = std::ranges::mismatch(was, is, {}, &Line::text, &Line::text);
+    if (line == was.end() && other == is.end()) return {};
+    return {{file, static_cast<int>(line - was.begin()) + 1,
+             "this line is not what the chapters' demos, bold terms and \"You need\" make it; type ./course weave, or "
+             "correct them."}};
+}
+
 std::string counted(int n, const std::string &thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
 
 class Command {
@@ -67,8 +79,7 @@ class Command {
     void section(const Section &section) {
         const fs::path file = tree.chapter(section);
         const std::string text = read_file(file);
-        const DemoPlaces places = weave_demo_places(tree, section, text);
-        const bool readable = page(page_of(tree, section), places.text, places.differences);
+        const bool readable = page(page_of(tree, section), text, weave_demo_places(tree, section, text));
         if (check && readable) {
             add(missing_parts(tree, section, text));
             add(exceeded_budgets(text, file));
@@ -81,16 +92,16 @@ class Command {
     void book() {
         const fs::path file = tree.root / "book.md";
         if (!fs::exists(file)) return;
+        const std::string text = read_file(file);
         if (broken) { // its terms cannot be read
-            page(page_of_book(tree), read_file(file));
+            page(page_of_book(tree), text, text);
             return;
         }
-        const Glossary glossary = weave_glossary(read_file(file), file, terms_of(tree));
+        const Glossary glossary = weave_glossary(text, file, terms_of(tree));
         add(glossary.findings);
-        Needs needs = weave_needs(tree, glossary.book, file);
+        const Needs needs = weave_needs(tree, glossary.book);
         add(needs.findings);
-        needs.differences.insert(needs.differences.end(), glossary.differences.begin(), glossary.differences.end());
-        page(page_of_book(tree), needs.book, needs.differences);
+        page(page_of_book(tree), text, needs.book);
     }
 
     /// The links of the pages beside it.
@@ -124,8 +135,10 @@ class Command {
     void add(const std::vector<Finding> &more) { findings.insert(findings.end(), more.begin(), more.end()); }
 
     /// Whether the page could be read, with all its fences.
-    /// @param others  differences between the page's file and this text
-    bool page(const Page &page, const std::string &text, const std::vector<Finding> &others = {}) {
+    /// @param before  the page's file
+    /// @param text    the same with its demos, its glossary and its contents as they are now
+    bool page(const Page &page, const std::string &before, const std::string &text) {
+        const std::vector<Finding> others = difference(page.file, before, text);
         const Woven woven = weave(tree, page, text, [this](const Section &section, const std::string &part) {
             const auto [known, is_new] = printed.try_emplace({section.name, part});
             if (is_new) known->second = output_of(tree, section, part);
