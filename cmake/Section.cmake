@@ -80,6 +80,9 @@ macro(section_programs)
     target_link_libraries(${section}_bench PRIVATE Eigen3::Eigen)
     target_include_directories(${section}_bench PRIVATE ${chapter})
     target_compile_options(${section}_bench PRIVATE -O2 ${COURSE_WARNINGS})
+    add_custom_target(${section}_measure USES_TERMINAL VERBATIM COMMENT "Measuring"
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/bench
+      COMMAND ${section}_bench --out ${PROJECT_BINARY_DIR}/bench)
   endif()
 
   # The student's file is in no default target: whatever is in it, the course builds.

@@ -1,15 +1,13 @@
 // `course bench`: what is claimed of the course's speed, measured on this machine, side by side in one run.
 
 #include "commands/commands.hpp"
-#include "ground/build.hpp"
 #include "ground/files.hpp"
 #include "ground/process.hpp"
-#include "loop/diagnosis.hpp"
 #include "loop/toolbox.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <iomanip>
+#include <fmt/format.h>
 #include <iostream>
 
 namespace course {
@@ -51,12 +49,11 @@ void bench_loop(const Tree &tree, const Section &section, int runs) {
         for (std::size_t each = 0; each < commands.size(); ++each)
             times[each].push_back(time_of(commands[each].second));
     fs::remove(object);
-    std::cout << "Section " << section.short_number() << ", its finished solution; medians of " << runs
-              << " runs, and their ratio to the first:\n";
+    fmt::print("Section {}, its finished solution; medians of {} runs, and their ratio to the first:\n",
+               section.short_number(), runs);
     for (std::size_t each = 0; each < commands.size(); ++each)
-        std::cout << std::left << std::setw(46) << commands[each].first << std::right << std::fixed
-                  << std::setprecision(0) << std::setw(6) << 1e3 * median(times[each]) << " ms   "
-                  << std::setprecision(2) << median(times[each]) / median(times[0]) << '\n';
+        fmt::print("{:<46}{:6.0f} ms   {:.2f}\n", commands[each].first, 1e3 * median(times[each]),
+                   median(times[each]) / median(times[0]));
 }
 
 /// A section's chapters/NN_slug/bench.cpp, and the subcommand that runs it.
@@ -68,19 +65,12 @@ constexpr Benchmark benchmarks[] = {
     {"pairs", "nt_collisions", "All pairs of balls compared, against a grid"},
 };
 
-/// Builds a section's benchmark, which is in no other target, and runs it: it prints a table, and writes its trace.
+/// A section's benchmark prints a table, and writes its trace: cmake/Section.cmake knows how it is built and run.
 void bench_program(const Tree &tree, const Section &section) {
-    const std::string target = section.name + "_bench";
-    const Finished built = build_target(tree, target);
-    if (built.code != 0)
-        throw Complaint{"the benchmark of " + section.name
-                        + " cannot be built: " + first_error(built.out + '\n' + built.err)};
-    const fs::path traces = tree.build / "bench";
-    fs::create_directories(traces);
     std::cout << "This takes about a minute; let the machine do nothing else.\n" << std::flush;
-    if (run({(tree.build / target).string(), "--out", traces.string()}, {.quiet = false}).code != 0)
+    if (run({"cmake", "--build", tree.build.string(), "--target", section.name + "_measure"}, {.quiet = false}).code)
         throw Leave{something_to};
-    std::cout << "The trace is in " << traces.string() << '\n';
+    std::cout << "The trace is in " << (tree.build / "bench").string() << '\n';
 }
 
 } // namespace
