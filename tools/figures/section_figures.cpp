@@ -17,20 +17,14 @@ fs::path published(const Figure &figure, const char *kind) { return fs::path{fig
 
 std::string in_plots(const fs::path &file) { return "plots/" + file.filename().string(); }
 
-/// How the kept trace differs from today's; "" if it does not.
-std::string difference_of(const Figure &figure) {
+/// What is wrong with the kept trace: it is not there, broken, or no longer what the program writes; "" if nothing is.
+std::string trouble_with_trace(const Figure &figure) try {
     const fs::path kept = published(figure, ".tsv");
+    if (!fs::exists(kept)) return in_plots(kept) + " is not there";
     const Trace now = read_trace(figure.trace, figure.trace.filename().string());
     return difference(read_trace(kept, in_plots(kept)), now, in_plots(kept));
-}
-
-/// Whether there is no kept trace, or none that is still true.
-bool is_outdated(const Figure &figure) {
-    try {
-        return !difference_of(figure).empty();
-    } catch (const TraceFault &) {
-        return true;
-    }
+} catch (const TraceFault &fault) {
+    return fault.what();
 }
 
 /// A measurement is never the same twice, so its trace is kept, and no program writes it.
@@ -70,7 +64,7 @@ std::vector<fs::path> publish(const Tree &tree, const Section &section) {
     };
     for (const Figure &figure : figures_of(tree, section)) {
         put(published(figure, ".svg"), read_file(drawn(tree, figure)));
-        if (is_outdated(figure))
+        if (!trouble_with_trace(figure).empty())
             put(published(figure, ".tsv"), rounded(read_trace(figure.trace, figure.trace.filename().string())));
     }
     return changed;
@@ -79,15 +73,9 @@ std::vector<fs::path> publish(const Tree &tree, const Section &section) {
 std::vector<std::string> outdated(const Tree &tree, const Section &section) {
     std::vector<std::string> found;
     for (const Figure &figure : figures_of(tree, section)) {
-        for (const char *kind : {".svg", ".tsv"})
-            if (!fs::exists(published(figure, kind)))
-                found.push_back(in_plots(published(figure, kind)) + " is not there");
-        if (!fs::exists(published(figure, ".tsv"))) continue;
-        try {
-            if (const std::string text = difference_of(figure); !text.empty()) found.push_back(text);
-        } catch (const TraceFault &fault) {
-            found.push_back(fault.what());
-        }
+        if (const fs::path svg = published(figure, ".svg"); !fs::exists(svg))
+            found.push_back(in_plots(svg) + " is not there");
+        if (const std::string trouble = trouble_with_trace(figure); !trouble.empty()) found.push_back(trouble);
     }
     return found;
 }
