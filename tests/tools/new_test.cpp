@@ -153,12 +153,29 @@ TEST_CASE("new overwrites nothing: if one file is in its way, it writes none") {
     CHECK(snapshot(course.tree.root) == before);
 }
 
-TEST_CASE("a section that can't be written whole is in neither list, so that the course builds without it") {
+TEST_CASE("under a file-size limit, new writes all of a section or none of it") {
+    const Author course; // whose longest file has 13 KB
+    const auto before = snapshot(course.tree.root);
+    std::vector<std::string> command{"sh", "-c", "ulimit -f 8; exec \"$@\"", "sh"}; // [512 bytes], or kilobytes
+    for (const std::string &word : course.command({"new", "13_springs"})) command.push_back(word);
+    const Finished said = run(command);
+    CHECK(said.code == 4);
+    CHECK_THAT(said.err, ContainsSubstring("the disk is full"));
+    CHECK(snapshot(course.tree.root) == before);
+    CHECK(course({"new", "13_springs"}).code == 0);
+}
+
+TEST_CASE("new leaves no file, folder or row behind when it can't write the last one") {
     const Author course;
-    course.write("tests/wrong", "in the way"); // a file where a folder belongs
-    CHECK(course({"new", "13_springs"}).code == 2);
-    CHECK(course.read("book.md") == a_book);
-    CHECK(course.tree.sections().size() == 2);
+    const fs::path last = course.tree.root / "tests" / "wrong"; // a file where its folder belongs
+    course.write("tests/wrong", "in the way");
+    const auto before = snapshot(course.tree.root);
+    const Finished said = course({"new", "13_springs"});
+    CHECK(said.code == 2);
+    CHECK(snapshot(course.tree.root) == before);
+    CHECK_FALSE(course.has("chapters/13_springs"));
+    fs::remove(last);
+    CHECK(course({"new", "13_springs"}).code == 0);
 }
 
 TEST_CASE("without a place for it in CMakeLists.txt or book.md, or with a title of two lines, nothing is written") {

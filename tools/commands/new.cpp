@@ -5,6 +5,7 @@
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
+#include "ground/process.hpp"
 #include "ground/text.hpp"
 
 #include <fmt/format.h>
@@ -109,17 +110,39 @@ std::string default_title(const Section &section) {
     return with_capital(title);
 }
 
-/// Writes every file, and then lists the section: one that was written by half is in no build.
+/// Writes every file, and lists the section; if one can't be written, what this call wrote goes again.
 void write_all(const Tree &tree, const Section &section, const std::map<fs::path, std::string> &files,
                const std::string &contents) {
+    const Undisturbed all_or_none;
     const fs::path list = tree.root / "CMakeLists.txt", book = tree.root / "book.md", chapter = tree.chapter(section);
-    for (const auto &[file, text] : files) write_file(file, text);
-    std::vector<Term> terms = terms_of(tree);
-    for (Term &term : terms_of(files.at(chapter), section.number(), tree.shown(chapter), chapter))
-        terms.push_back(std::move(term));
-    std::stable_sort(terms.begin(), terms.end(), [](const Term &a, const Term &b) { return a.section < b.section; });
-    write_file(book, weave_glossary(contents, book, terms).book);
-    write_file(list, with_section(read_file(list), section));
+    const std::string old_list = read_file(list), old_book = read_file(book);
+    std::vector<fs::path> written; // in order, each folder before what's in it
+    const auto note_folders = [&](const fs::path &file) {
+        std::vector<fs::path> missing;
+        for (fs::path up = file.parent_path(); !fs::exists(up); up = up.parent_path()) missing.push_back(up);
+        written.insert(written.end(), missing.rbegin(), missing.rend());
+    };
+    try {
+        for (const auto &[file, text] : files) {
+            note_folders(file);
+            written.push_back(file);
+            write_file(file, text);
+        }
+        std::vector<Term> terms = terms_of(tree);
+        for (Term &term : terms_of(files.at(chapter), section.number(), tree.shown(chapter), chapter))
+            terms.push_back(std::move(term));
+        std::stable_sort(terms.begin(), terms.end(),
+                         [](const Term &a, const Term &b) { return a.section < b.section; });
+        write_file(book, weave_glossary(contents, book, terms).book);
+        write_file(list, with_section(old_list, section));
+    } catch (...) {
+        for (; !written.empty(); written.pop_back()) {
+            std::error_code ignored;
+            fs::remove(written.back(), ignored);
+        }
+        if (read_file(book) != old_book) write_file(book, old_book);
+        throw;
+    }
 }
 
 void make(const Tree &tree, const std::string &name, std::string title) {
