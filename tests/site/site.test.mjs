@@ -37,7 +37,7 @@ function leftRaw() {
   while (walker.nextNode()) {
     const node = walker.currentNode;
     if (node.parentElement.closest('code, pre, kbd, .katex, script, style, .memItemRight, .memname')) continue;
-    if (/\$|\\[a-z]|\{\{|\uE000|\uE001|htmlonly|<\/?[a-z]+>|^#+ /.test(node.data)) found.push(node.data.trim());
+    if (/\$|\\[a-z]|\{\{|\uE000|\uE001|<\/?[a-z]+>|^#+ /.test(node.data)) found.push(node.data.trim());
   }
   return found;
 }
