@@ -133,7 +133,7 @@ TEST_CASE("asked for one exercise, check speaks of no other that is passed, and 
              "7.2\n");
     CHECK(not_begun.code == 1);
 
-    CHECK(count(check("7.1", "tests/verdicts/warnings.cpp").out, "warning ") == 1);
+    CHECK(count(check("7.1", "tests/verdicts/warnings.cpp").out, "warning ") == 2);
     CHECK(count(check("7.2", "tests/verdicts/warnings.cpp").out, "warning ") == 0);
 
     const auto other = check("7.2", "tests/verdicts/wrong_answer.cpp"); // of 7.1
