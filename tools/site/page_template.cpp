@@ -44,14 +44,14 @@ std::string outline(const SitePage &page) {
 }
 
 /// What the contents have a line for.
-struct Place {
+struct Destination {
     std::string page; ///< without ".html"; "" if it is to come
     std::string title;
     std::string number;  ///< of a section: "7"
     std::string minutes; ///< "90 + 150"
 };
 
-std::string item(const SitePage &page, const Place &place) {
+std::string item(const SitePage &page, const Destination &place) {
     const std::string number = place.number.empty() ? "" : "<span class=\"number\">" + place.number + "</span> ";
     if (place.page.empty())
         return "<li class=\"to-come\">" + number + escaped(place.title)
@@ -61,7 +61,7 @@ std::string item(const SitePage &page, const Place &place) {
            + escaped(place.title) + "</a>" + (here ? outline(page) : "") + "</li>\n";
 }
 
-std::string turn(const Place &to, const std::string &rel, const std::string &word) {
+std::string turn(const Destination &to, const std::string &rel, const std::string &word) {
     return "<a rel=\"" + rel + "\" href=\"" + to.page + ".html\"><span>" + word + "</span> "
            + (to.number.empty() ? "" : to.number + " ") + escaped(to.title)
            + (to.minutes.empty() ? "" : " <small>" + escaped(to.minutes) + " minutes</small>") + "</a>\n";
@@ -87,7 +87,7 @@ class Surroundings {
                 others.push_back({name, name == "readme" ? "How to build it" : with_capital(name), "", ""});
         order = {{"index", "Frame by Frame", "", ""}};
         for (const auto *places : {&before, &rows, &after})
-            for (const Place &place : *places)
+            for (const Destination &place : *places)
                 if (!place.page.empty()) order.push_back(place);
     }
 
@@ -111,15 +111,16 @@ class Surroundings {
         for (const Section &section : sections)
             if (contains(body, "data-demo=\"" + section.name + '"'))
                 scripts += "<script src=\"" + demo_file(section) + "\"></script>\n";
-        return scripts.empty() ? "" : scripts + "<script src=\"draw.js\"></script>\n<script src=\"play.js\"></script>\n";
+        return scripts.empty() ? ""
+                               : scripts + "<script src=\"draw.js\"></script>\n<script src=\"play.js\"></script>\n";
     }
 
     std::string sidebar(const SitePage &page) const {
         std::string html = "<ul>\n" + item(page, order.front());
         if (has_demos) html += item(page, {"play", "Play", "", ""});
-        const auto add = [&](const std::string &heading, const std::vector<Place> &places) {
+        const auto add = [&](const std::string &heading, const std::vector<Destination> &places) {
             if (!heading.empty() && !places.empty()) html += "</ul>\n<p>" + heading + "</p>\n<ul>\n";
-            for (const Place &place : places) html += item(page, place);
+            for (const Destination &place : places) html += item(page, place);
         };
         add("", before);
         add("Sections", rows);
@@ -131,7 +132,7 @@ class Surroundings {
 
     /// Above the title: how long a section takes, or what else the page belongs to.
     std::string above(const SitePage &page) const {
-        for (const Place &row : rows)
+        for (const Destination &row : rows)
             if (row.page == page.name) return time_for(row.minutes);
         const bool is_interface = page.kind == "interface";
         if (!is_interface && page.kind != "source") return "";
@@ -161,7 +162,7 @@ class Surroundings {
     const std::string page_template = read_file(tree.root / "docs" / "page.html");
     const std::vector<Section> sections = tree.sections();
     const bool has_demos = !demos(tree).empty();
-    std::vector<Place> before, rows, after, interfaces, others, order;
+    std::vector<Destination> before, rows, after, interfaces, others, order;
 };
 
 } // namespace
