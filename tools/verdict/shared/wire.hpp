@@ -140,8 +140,10 @@ enum class Frame : std::uint32_t {
     refused,            ///< std::invalid_argument: what()
     threw,              ///< anything else: its type, what()
     no_memory,          ///< std::bad_alloc
-    crashed,            ///< about to die by a signal: the address, whether the stack had run out
+    crashed,            ///< about to die by a signal: a Crash, and the address
 };
+
+enum class Crash : std::uint32_t { memory, full_stack, floating_trap };
 
 struct Header {
     Frame frame{};

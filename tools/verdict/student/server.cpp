@@ -123,12 +123,18 @@ void on_crash(int signal, siginfo_t *info, void *) {
     ::getrlimit(RLIMIT_STACK, &stack);
     const std::uintptr_t depth = reinterpret_cast<std::uintptr_t>(::environ) - fault; // the stack grows down from there
     const bool ran_out = depth > stack.rlim_cur / 2 && depth < stack.rlim_cur + (1u << 20);
+    const auto why = signal == SIGFPE ? wire::Crash::floating_trap
+                     : ran_out        ? wire::Crash::full_stack
+                                      : wire::Crash::memory;
     const struct {
         Header header;
+        wire::Crash why; // in this order there are no gaps
         std::uint64_t fault;
-        std::uint32_t ran_out;
-    } message{{wire::Frame::crashed, call_number, 12}, fault, ran_out};
-    write_all(reinterpret_cast<const char *>(&message), sizeof(Header) + 12);
+    } message{{wire::Frame::crashed, call_number, 12}, why, fault};
+    static_assert(sizeof message == sizeof(Header) + 12);
+    // Of a whole number that was divided by zero the signal itself tells.
+    if (signal != SIGFPE || info->si_code != FPE_INTDIV)
+        write_all(reinterpret_cast<const char *>(&message), sizeof message);
     ::signal(signal, SIG_DFL);
     ::raise(signal);
 }
@@ -145,7 +151,7 @@ __attribute__((constructor(101))) void prepare() {
     struct sigaction action {};
     action.sa_sigaction = on_crash;
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;
-    for (const int signal : {SIGSEGV, SIGBUS}) ::sigaction(signal, &action, nullptr);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE}) ::sigaction(signal, &action, nullptr);
 }
 
 } // namespace

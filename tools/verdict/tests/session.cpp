@@ -20,8 +20,11 @@ std::string leave_sentence(int code, bool before_main) {
            + " (exit code " + std::to_string(code) + "). An exercise returns its answer; it must not call exit().";
 }
 
-std::string fault_sentence(std::uint64_t address, bool stack_ran_out) {
-    if (stack_ran_out)
+std::string fault_sentence(std::uint64_t address, wire::Crash why) {
+    if (why == wire::Crash::floating_trap)
+        return "Your code turned on floating-point traps, and one went off. Take out `feenableexcept`: then you see "
+               "where an infinite number comes from, or one that is none.";
+    if (why == wire::Crash::full_stack)
         return "Your code crashed: a function called itself, again and again, until the stack was full. When does it "
                "stop?";
     if (address < 4096) return "Your code crashed: it used a null pointer, or an empty vector's elements.";
@@ -280,10 +283,10 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
     wire::Reader in{reply->payload};
     if (reply->header.frame == wire::Frame::result) return last_result = std::move(reply->payload);
     if (reply->header.frame == wire::Frame::crashed) {
+        const wire::Crash why{in.take<std::uint32_t>()};
         std::uint64_t address = 0;
         in.raw(&address, sizeof address);
-        const auto ran_out = in.take<std::uint32_t>();
-        over(Kind::crashed, fault_sentence(address, ran_out != 0));
+        over(Kind::crashed, fault_sentence(address, why));
     }
     const auto first = in.take<std::string>(), second = in.take<std::string>();
     if (!in.finished()) answered_nonsense();
