@@ -96,6 +96,10 @@ std::vector<std::string> names(const CLI::App &app, bool options) {
     return result;
 }
 
+std::string unknown_command(const CLI::App &app, const std::string &word) {
+    return "there is no command `" + word + "`." + did_you_mean(word, names(app, false)) + " See ./course --help";
+}
+
 /// One sentence about a command line that cannot be understood.
 std::string misunderstood(const CLI::App &app, const CLI::ParseError &error) {
     const CLI::App &command = typed(app);
@@ -111,7 +115,6 @@ std::string misunderstood(const CLI::App &app, const CLI::ParseError &error) {
         return of + " has no option `" + word + "`."
                + did_you_mean(word.substr(0, word.find('=')), names(command, true)) + " See " + help;
     }
-    if (whole) return "there is no command `" + word + "`." + did_you_mean(word, names(app, false)) + " See " + help;
     return "`" + command.get_name() + "` does not know what to do with `" + word + "`; see " + help;
 }
 
@@ -132,8 +135,11 @@ int obey(int argc, char **argv) {
     app.set_version_flag("--version", "Frame by Frame " COURSE_VERSION, "Print which version of the course this is");
     add_commands(app, tree);
     app.footer(footer); // last: a command would inherit it
+    std::vector<std::string> words = options_behind_the_command({argv + 1, argv + argc}); // the command is last
     try {
-        app.parse(options_behind_the_command({argv + 1, argv + argc}));
+        if (!words.empty() && !words.back().starts_with('-') && !std::ranges::count(names(app, false), words.back()))
+            throw Complaint{unknown_command(app, words.back())}; // before a --help behind it is obeyed
+        app.parse(words);
         if (app.get_subcommands().empty()) std::cout << app.help();
     } catch (const CLI::Success &help) {
         app.exit(help);

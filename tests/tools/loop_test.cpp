@@ -147,6 +147,7 @@ TEST_CASE("a slip of the pen is answered in one sentence with the nearest word, 
     const SmallCourse course;
     const auto [words, offer] = GENERATE(table<std::vector<std::string>, std::string>({
         {{"lsit"}, "there is no command `lsit`. Did you mean `list`? See ./course --help"},
+        {{"lsit", "--help"}, "there is no command `lsit`. Did you mean `list`? See ./course --help"},
         {{"tets"}, "Did you mean `test`?"},
         {{"run", "7", "--mnie"}, "`run` has no option `--mnie`. Did you mean `--mine`? See ./course run --help"},
         {{"--hepl"}, "`course` has no option `--hepl`. Did you mean `--help`?"},
