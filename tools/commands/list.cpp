@@ -61,7 +61,7 @@ std::string next_step(const Section &section, const Progress &progress) {
     if (!progress.there) return "./course reset " + number;
     if (progress.changed || open == progress.standings.end()) return "./course check " + number;
     const auto &[exercise, state] = *open;
-    if (state == "does not compile" || state == "does not link")
+    if (state == "is empty" || state == "can't be read" || state == "does not compile" || state == "does not link")
         return "./course check " + number + " (it " + state + ')';
     if (state != "not started")
         return "./course check " + number + " (" + exercise.number + ": " + state + "; ./course hint " + exercise.number

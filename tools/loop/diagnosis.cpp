@@ -142,19 +142,32 @@ std::string explained(const Said &said) {
     return words + (std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? ". " : " ") + more;
 }
 
+/// "UTF-16", if every other byte or so is a zero, or a mark says so; "" for UTF-8, and for what is no text.
+std::string wide_encoding(std::string_view text) {
+    using namespace std::string_view_literals;
+    if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
+    const auto is_control = [](char c) { return c > 0 && c < ' ' && !contains("\t\r\n\f\v", {&c, 1}); };
+    if (std::any_of(text.begin(), text.end(), is_control)) return "";
+    const auto zeros = 10 * static_cast<std::size_t>(std::count(text.begin(), text.end(), '\0'));
+    return zeros > 6 * text.size() ? "UTF-32" : zeros > 3 * text.size() ? "UTF-16" : "";
+}
+
 } // namespace
 
 std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
     const std::string back =
         " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
     if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
-        return Verdict{.kind = Kind::does_not_compile, .sentence = name + " is empty." + back};
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        return Verdict{.kind = Kind::does_not_compile,
-                       .sentence = name + " is saved as UTF-16: save it as UTF-8 in your editor."};
+        return Verdict{.kind = Kind::empty, .sentence = name + " is empty." + back};
+    const auto because = [&](const std::string &what) {
+        return Verdict{.kind = Kind::unreadable, .sentence = name + what};
+    };
+    if (text.starts_with("PK\3\4")) return because(" is a zip archive: unpack it, and check the file inside.");
+    if (const std::string encoding = wide_encoding(text); !encoding.empty())
+        return because(" is saved as " + encoding + ": save it as UTF-8 in your editor.");
     if (text.find('\0') != text.npos)
-        return Verdict{.kind = Kind::does_not_compile,
-                       .sentence = name + " is not a text file: has a compiled file been saved over it?" + back};
+        return because(" is not a text file: has a compiled file been saved over it?" + back);
     return {};
 }
 

@@ -13,10 +13,12 @@
 namespace course {
 
 namespace {
-constexpr std::array<std::string_view, 16> names = {
+constexpr std::array<std::string_view, 18> names = {
     "passed",
     "wrong",
     "not started",
+    "is empty",
+    "can't be read",
     "does not compile",
     "does not link",
     "function missing",

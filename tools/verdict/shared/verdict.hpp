@@ -14,6 +14,8 @@ enum class Kind {
     passed,
     wrong,
     not_started,
+    empty,
+    unreadable, ///< no text in UTF-8
     does_not_compile,
     does_not_link,
     missing,
