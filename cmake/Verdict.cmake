@@ -45,13 +45,6 @@ else()
   set(compiled ${COURSE_PCH}.gch)
   set(COURSE_LOOP_PCH -include ${COURSE_PCH})
 endif()
-set(COURSE_LOOP_ASSEMBLER) # before the file where the assembler lists what it reads, as for `.incbin "..."`
-if(CMAKE_SYSTEM_NAME STREQUAL Linux)
-  set(COURSE_LOOP_ASSEMBLER -Xassembler --MD -Xassembler)
-  if(CMAKE_CXX_COMPILER_ID MATCHES Clang) # has an assembler of its own, which lists nothing
-    list(PREPEND COURSE_LOOP_ASSEMBLER -fno-integrated-as)
-  endif()
-endif()
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/loop)
 foreach(header student.hpp quick.hpp)
   set(original ${PROJECT_SOURCE_DIR}/tools/verdict/student/${header})
@@ -99,12 +92,11 @@ if(COURSE_QUICK_LOOP AND COURSE_QUICK_FAILS EQUAL 0)
     DEPENDS ${quick}.pch VERBATIM COMMENT "Compiling these templates")
   add_custom_target(course_quick DEPENDS ${quick}.o)
   add_dependencies(course_pch course_quick)
-  # Its own assembler cannot list what it reads, so code for it is refused here, and GCC is asked.
-  list(APPEND COURSE_QUICK_LOOP -fno-gnu-inline-asm -Xclang -fno-validate-pch)
+  list(APPEND COURSE_QUICK_LOOP -Xclang -fno-validate-pch)
 endif()
 
-# Where the headers are that a student's file may include.
-set(COURSE_INCLUDES ${PROJECT_SOURCE_DIR}/chapters ${PROJECT_BINARY_DIR}/loop ${eigen} ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES}
+# What a student's file may include: files, or folders with headers.
+set(COURSE_INCLUDES ${PROJECT_SOURCE_DIR}/chapters ${COURSE_PCH} ${compiled} ${PROJECT_BINARY_DIR}/loop/quick.hpp ${eigen} ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES}
   /usr/include /usr/lib /usr/local/include)
 
 # Puts a section's target behind the header that stands before a student's file, which is read in a tenth of the time

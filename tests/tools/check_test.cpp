@@ -1,7 +1,9 @@
 // `course check` as a command: one exercise alone; with --watch again whenever the file changes, again at Enter, and
 // gone at q. What it says of a file is in tests/verdicts.
 
+#include "ground/text.hpp"
 #include "small_course.hpp"
+#include "verdict/tests/shut_in.hpp"
 #include "whole_answer.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -75,7 +77,34 @@ struct OtherBuild {
                    work = folder / "loop";
 };
 
+/// The same command, as an ordinary user types it.
+std::vector<std::string> as_nobody(const std::vector<std::string> &command) {
+    std::vector<std::string> line{"setpriv",        "--reuid=65534", "--regid=65534",
+                                  "--clear-groups", "env",           "HOME=/nowhere"};
+    line.insert(line.end(), command.begin(), command.end());
+    return line;
+}
+
+/// What check says of a file, and what it leaves with.
+std::string said_of(const course::Finished &done) { return done.out + done.err + "code " + std::to_string(done.code); }
+
 constexpr const char *our_answer = "solutions/07_segment_intersection.cpp";
+
+/// Ways in which a file can have a compiler open another one, whose path stands in the place of @.
+const std::vector<std::string> ways_to_open{
+    "#include \"@\"\n",
+    "#include \"@\"\n#include \"nowhere.hpp\"\n",
+    "#define HERE <@>\n#include HERE\n",
+    "#include \"../../../../../../../../../../../../..@\"\n",
+    "#import \"@\"\n",
+    "#include_next <@>\n",
+    "#pragma GCC dependency \"@\"\n",
+    "#line 1 \"@\"\nint wrong = ;\n",
+    "# 1 \"@\" 1\nint wrong = ;\n",
+    "asm(\".incbin \\\"@\\\"\");\n",
+    "asm(\".include \\\"@\\\"\");\n",
+    "#if __has_include(\"@\")\n#error it is there\n#endif\n",
+};
 
 } // namespace
 
@@ -141,6 +170,88 @@ TEST_CASE("asked for one exercise, check speaks of no other that is passed, and 
     CHECK(check("7.9", our_answer).code == 2);
 }
 
+TEST_CASE("a file that isn't the student's is neither read nor told of while his is compiled, whoever runs the check") {
+    if (!course::protection_of_this_kernel().files) SKIP("this kernel has no Landlock");
+    REQUIRE(check("7.2", our_answer).code == 0); // and all of section 7 is built
+    const OtherBuild build{""};
+    const course::OwnFolder own;
+    fs::permissions(own.path, fs::perms::all);
+    const fs::path answer = own.path / "ann.cpp", roster = own.path / "roster.csv";
+    const bool by_root = ::geteuid() == 0 && course::run(as_nobody({"cat", COURSE_BUILD "/course.json"})).code == 0;
+    if (by_root)
+        for (const fs::path &its : {build.folder, build.work, build.work / "07_segment_intersection.checked"})
+            REQUIRE(::chown(its.c_str(), 65534, 65534) == 0);
+    const auto line = course::course_command({COURSE_ROOT, build.folder}, {"check", "7.2", "--file", answer.string()});
+    for (const bool as_user : {false, true})
+        for (std::string way : ways_to_open) {
+            if (as_user && !by_root) continue;
+            CAPTURE(as_user, way);
+            course::replace_all(way, "@", roster.string());
+            course::write_file(answer, course::read_file(fs::path{COURSE_ROOT} / our_answer) + way);
+            course::write_file(roster, "xyzzy = Ann Other, 4711;\n");
+            const std::string there = said_of(course::run(as_user ? as_nobody(line) : line));
+            fs::remove(roster);
+            const std::string not_there = said_of(course::run(as_user ? as_nobody(line) : line));
+            CHECK(there == not_there);
+            CHECK(there.ends_with("code 1"));
+            CHECK(count(there, "does not compile") == 1);
+            CHECK(count(there, "xyzzy") == 0);
+        }
+    if (!by_root) return;
+    course::write_file(answer, course::read_file(fs::path{COURSE_ROOT} / our_answer));
+    CHECK(said_of(course::run(as_nobody(line))).ends_with("code 0"));
+}
+
+TEST_CASE("on a kernel without Landlock, too, a file may include nothing but headers, and isn't waited for") {
+#ifdef __linux__
+    const course::OwnFolder own;
+    const fs::path answer = own.path / "ann.cpp", other = own.path / "other";
+    const std::string ours = course::read_file(fs::path{COURSE_ROOT} / our_answer);
+    const auto checked_with = [&](const std::string &more) {
+        course::write_file(answer, ours + more);
+        std::vector<std::string> line{ATTACK};
+        for (const auto &word :
+             course::course_command({COURSE_ROOT, COURSE_BUILD}, {"check", "7.2", "--file", answer.string()}))
+            line.push_back(word);
+        return said_of(course::run(line));
+    };
+    CHECK(checked_with("").ends_with("code 0"));
+    course::write_file(other, "xyzzy = 1;\n");
+    const std::string include = "#include \"" + other.string() + "\"\n", there = checked_with(include);
+    CHECK_THAT(there, ContainsSubstring("A check can't open this file"));
+    fs::remove(other);
+    CHECK(checked_with(include) == there);
+    ::mkfifo(other.c_str(), 0600);
+    const auto begin = std::chrono::steady_clock::now();
+    CHECK_THAT(checked_with(include), ContainsSubstring("The compiler waited for something that never came"));
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds{18});
+#else
+    SKIP("there is none here");
+#endif
+}
+
+TEST_CASE("what a shell sets for compilers, or doesn't, changes nothing") {
+    const std::vector<std::string> line{"sh", "-c", "set=$1; shift; eval \"$set\"; exec \"$@\"", "sh", ""};
+    const auto in_shell = [&](const std::string &setting) {
+        std::vector<std::string> all = line;
+        all.back() = setting;
+        for (const auto &word : check_command("7.2", our_answer, COURSE_BUILD)) all.push_back(word);
+        return course::run(all);
+    };
+    const course::OwnFolder own;
+    course::write_file(own.path / "cmath", "#error the wrong one\n");
+    for (const std::string setting :
+         {"unset PATH; exec /usr/bin/\"$@\"", "PATH=/nowhere; exec /usr/bin/\"$@\"",
+          "export GCC_EXEC_PREFIX=/nowhere/ COMPILER_PATH=/nowhere",
+          "export CPATH='FOLDER' CPLUS_INCLUDE_PATH='FOLDER'", "export LIBRARY_PATH='FOLDER' TMPDIR=/nowhere"}) {
+        std::string set = setting;
+        course::replace_all(set, "FOLDER", own.path.string());
+        CAPTURE(set);
+        CHECK(in_shell(set).code == 0);
+    }
+    fs::remove(checked());
+}
+
 TEST_CASE("a compiler that the machine has stopped is no verdict, and exits with 4") {
     REQUIRE(check("7.1", our_answer).code == 0); // and all of section 7 is built
     const auto [script, sentence] = GENERATE(table<std::string, std::string>({
@@ -158,21 +269,19 @@ TEST_CASE("an answer with nothing to complain of is compiled by Clang, where it 
     REQUIRE(check("7.1", our_answer).code == 0);
     const auto settings = nlohmann::json::parse(course::read_file(COURSE_BUILD "/course.json"));
     if (!settings.contains("quick")) SKIP("there is one compiler only");
-    const OtherBuild build{"echo \"$*\" >>\"$0.calls\"; exec '" + settings.at("compiler").get<std::string>()
-                           + "' \"$@\""};
-    const fs::path calls = build.folder / "compiler.calls", answer = build.folder / "answer.cpp";
+    const OtherBuild build{"case \"$*\" in *' -c '*) echo \"$PWD/student.cpp:1:1: warning: by GCC\" >&2; esac; exec '"
+                           + settings.at("compiler").get<std::string>() + "' \"$@\""}; // it always links
+    const fs::path answer = build.folder / "answer.cpp";
     const std::string ours = course::read_file(fs::path{COURSE_ROOT} / our_answer);
     const auto gcc_compiles = [&](const std::string &added) {
         course::write_file(answer, ours + added);
-        fs::remove(calls);
-        const auto done = check({"7.2", "--file", answer.string()}, build.folder);
+        const auto done = check({"7", "--file", answer.string()}, build.folder);
         CHECK_THAT(done.out, ContainsSubstring("✓ 7.2"));
-        return count(course::read_file(calls), " -c "); // it always links
+        return count(done.out, "by GCC");
     };
     CHECK(gcc_compiles("") == 0);
     CHECK(gcc_compiles("static int unused = 0;\n") == 1);
     CHECK(gcc_compiles("int odd(int n) { switch (n % 2) { case 0: return 0; default: return 1; } }\n") == 1);
-    CHECK(gcc_compiles("asm(\"nop\");\n") == 1);
 
     auto broken = nlohmann::json::parse(course::read_file(build.folder / "course.json"));
     broken["quick"]["compiler"] = "false";
@@ -243,7 +352,8 @@ TEST_CASE("check --file takes a file of any name, and says what is wrong with on
         return done.out + done.err + "code " + std::to_string(done.code);
     };
     const fs::path solution = fs::path{COURSE_ROOT} / "solutions/07_segment_intersection.cpp";
-    for (const char *any : {"ann.txt", "ann", "ann.hpp", "ann.o", "-ann.cpp", "an answer, 'finished' for $5.cxx"}) {
+    for (const char *any :
+         {"ann.txt", "ann", "ann.hpp", "ann.o", "-ann.cpp", "an answer, 'finished' for $5.cxx", "two\nlines.cpp"}) {
         CAPTURE(any);
         fs::copy(solution, folder / any);
         CHECK(said(folder / any).ends_with("code 0"));

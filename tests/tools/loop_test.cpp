@@ -252,6 +252,14 @@ TEST_CASE("a deadline ends a program and its children, and so does the end of th
     CHECK(std::chrono::steady_clock::now() - begin < 10s);
 }
 
+TEST_CASE("a program that only sleeps, and whatever it has started, too, is ended; one that computes is not") {
+    CHECK(run({"sh", "-c", "sleep 60 & sleep 60; :"}, {.deadline = 30, .patience = 0.3}).timed_out);
+    const Finished busy =
+        run({"sh", "-c", "sh -c 'while :; do :; done'; exit 7"}, {.patience = 0.3, .limits = {.processor_time = 2}});
+    CHECK_FALSE(busy.timed_out);
+    CHECK(busy.code == 7);
+}
+
 TEST_CASE("a program may use no more memory, time and disk than it is given") {
     const auto ends_with = [](const char *script, const Limits &limits) {
         return run({"sh", "-c", script}, {.deadline = 60, .limits = limits}).code;
@@ -260,7 +268,7 @@ TEST_CASE("a program may use no more memory, time and disk than it is given") {
     CHECK(ends_with("f=$(mktemp) && exec 3>$f && rm $f && exec head -c 2000 /dev/zero >&3", {.file_size = 1000})
           == 128 + SIGXFSZ);
     CHECK(run({"sh", "-c", "ulimit -v"}, {.limits = {.memory = 512u << 20}}).out == "524288\n");
-    CHECK(run({"sh", "-c", "echo $ADDED $LC_ALL"}, {.environment = {"ADDED=more"}}).out == "more C.UTF-8\n");
+    CHECK(run({"sh", "-c", "echo $ONE $HOME $LC_ALL"}, {.environment = {"ONE=one"}}).out == "one\n");
 }
 
 TEST_CASE("a program that is not there is named, with what to do") {

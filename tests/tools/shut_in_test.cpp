@@ -47,7 +47,9 @@ std::string children() {
 }
 
 /// Shuts this process itself in once more, as if it were a subject; false when the kernel has had enough.
-bool shut_in_for_good() { return ShutIn{ATTACK, {.calls = false, .privileges = false, .descriptors = false}}.shut(); }
+bool shut_in_for_good() {
+    return ShutIn{places_of(ATTACK), {.calls = false, .privileges = false, .descriptors = false}}.shut(STDERR_FILENO);
+}
 
 #ifndef __SANITIZE_ADDRESS__ // whose leak checker must see
 /// Whether a child of a process can read what /proc has of that process; both are nobody, if we are root.

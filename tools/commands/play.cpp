@@ -61,7 +61,7 @@ void need_compiler(const Tree &tree, bool yes) {
     const std::string why = "a browser runs your functions as WebAssembly, and this machine has no compiler for that";
     std::vector<std::string> trial = command;
     trial.push_back("--assume-no");
-    const std::string printed = in_path("apt-get") ? run(trial, {.environment = {"LC_ALL=C"}}).out : "";
+    const std::string printed = in_path("apt-get") ? run(trial).out : "";
     if (sizes(printed).empty())
         throw Complaint{why
                         + "; it is Clang 14 with the packages wasi-libc and libc++-14-dev-wasm32 of Debian 12, "

@@ -1,7 +1,9 @@
 #include "ground/process.hpp"
 
+#include "ground/asleep.hpp"
 #include "ground/complaint.hpp"
 #include "ground/limits.hpp"
+#include "verdict/tests/shut_in.hpp"
 
 #include <algorithm>
 #include <array>
@@ -89,16 +91,19 @@ struct Captured {
     }
 };
 
-/// Our environment with more in it. Compilers and gnuplot speak to us, and the same on every machine: in English.
-std::vector<std::string> environment_with(const std::vector<std::string> &more) {
+/// Our environment, for programs that speak to us, and the same on every machine: in English, and with nothing that leads
+/// a compiler to other files than its own.
+std::vector<std::string> our_environment() {
+    constexpr std::array<std::string_view, 8> left_out{
+        "LC_ALL=", "LANGUAGE=",       "GCC_EXEC_PREFIX=",    "COMPILER_PATH=",
+        "CPATH=",  "C_INCLUDE_PATH=", "CPLUS_INCLUDE_PATH=", "LIBRARY_PATH="};
     std::vector<std::string> all{"LC_ALL=C.UTF-8"};
-    all.insert(all.end(), more.begin(), more.end());
-    const auto name_of = [](std::string_view entry) { return entry.substr(0, entry.find('=') + 1); };
     for (char **ours = environ; *ours != nullptr; ++ours) {
-        const std::string_view name = name_of(*ours);
-        const auto is_it = [&](const std::string &one) { return name_of(one) == name; };
-        if (name != "LANGUAGE=" && std::none_of(all.begin(), all.end(), is_it)) all.emplace_back(*ours);
+        const std::string_view entry = *ours;
+        if (std::find(left_out.begin(), left_out.end(), entry.substr(0, entry.find('=') + 1)) == left_out.end())
+            all.emplace_back(entry);
     }
+    if (std::getenv("PATH") == nullptr) all.emplace_back(usual_path);
     return all;
 }
 
@@ -119,7 +124,7 @@ void impose(const Limits &limits) {
 /// Starts the program. Apart: in a process group of its own, so that its children can be ended with it.
 pid_t start(const std::vector<std::string> &command, const RunOptions &options, bool apart, Captured &out,
             Captured &err) {
-    const auto environment = environment_with(options.environment);
+    const auto environment = options.environment.empty() ? our_environment() : options.environment;
     const auto arguments = pointers_to(command), variables = pointers_to(environment);
     Captured trouble; // closed by the program's start; else the number of the error comes
     trouble.open();
@@ -144,7 +149,9 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
         ::sigemptyset(&none);
         ::sigprocmask(SIG_SETMASK, &none, nullptr);
         environ = const_cast<char **>(variables.data());
-        if (options.folder.empty() || ::chdir(options.folder.c_str()) == 0) ::execvp(arguments[0], arguments.data());
+        if ((options.folder.empty() || ::chdir(options.folder.c_str()) == 0)
+            && (options.shut_in == nullptr || options.shut_in->shut(STDERR_FILENO)))
+            ::execvp(arguments[0], arguments.data());
         const int error = errno;
         if (::write(trouble.write.number, &error, sizeof error) != sizeof error) ::_exit(126);
         ::_exit(127);
@@ -162,6 +169,12 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
     if (error == EAGAIN || error == ENOMEM || error == ENFILE || error == EMFILE)
         throw MachineTrouble{sentence + ": the machine has no room for another program; close some"};
     throw Complaint{sentence + "; `./course doctor` says what is missing"};
+}
+
+/// Whether a program and all that it has started wait for something that none of them does.
+bool all_asleep(pid_t program) {
+    const auto children = children_of(program);
+    return is_asleep(program) && std::all_of(children.begin(), children.end(), all_asleep);
 }
 
 /// Waits a little, or until the program has printed or closed something.
@@ -216,12 +229,17 @@ Finished run(const std::vector<std::string> &command, const RunOptions &options)
 
     Finished finished;
     auto killed_at = Clock::time_point::max();
+    auto awake = begin; // when it was last seen so, or not looked at
     int status = 0;
     while (::waitpid(child, &status, WNOHANG) == 0) {
         listen(out, err);
         const auto now = Clock::now();
         const std::chrono::duration<double> passed = now - begin;
-        if (options.deadline > 0 && passed.count() > options.deadline && !finished.timed_out) {
+        if (options.patience <= 0 || passed.count() < 1 || !all_asleep(child)) awake = now;
+        const std::chrono::duration<double> slept = now - awake;
+        const bool late = (options.deadline > 0 && passed.count() > options.deadline)
+                          || (options.patience > 0 && slept.count() > options.patience);
+        if (late && !finished.timed_out) {
             finished.timed_out = true;
             killed_at = now;
         }

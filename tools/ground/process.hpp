@@ -6,6 +6,8 @@
 
 namespace course {
 
+class ShutIn;
+
 /// What each process of a command may use at most; 0: as much as there is.
 struct Limits {
     std::size_t memory = 0;      ///< [bytes] of addresses
@@ -16,15 +18,17 @@ struct Limits {
 struct RunOptions {
     bool quiet = true;                 ///< keep what it prints, instead of letting it through to the terminal
     double deadline = 0;               ///< [s], 0: as long as it takes; afterwards it and its children are killed
+    double patience = 0;               ///< [s], the same, for how long all of them only sleep
     std::filesystem::path folder = {}; ///< where it runs; empty: here
     Limits limits = {};
-    std::vector<std::string> environment = {}; ///< added to ours: "TMPDIR=/some/folder"
+    std::vector<std::string> environment = {}; ///< all of it: "TMPDIR=/some/folder"; empty: ours, in English
+    const ShutIn *shut_in = nullptr;           ///< what keeps it from files and calls; null: nothing does
 };
 
 struct Finished {
-    int code = 0; ///< exit code; 128 + signal if it was killed
-    bool timed_out = false;
-    std::string out, err; ///< what it printed, if kept: the first 16 MB of each
+    int code = 0;           ///< exit code; 128 + signal if it was killed
+    bool timed_out = false; ///< by its deadline, or our patience
+    std::string out, err;   ///< what it printed, if kept: the first 16 MB of each
 };
 
 /// Ctrl-C, or another request to stop: unwinds to main, which leaves with 128 + signal.
@@ -37,6 +41,9 @@ struct Interrupted {
 /// @throws Complaint if it is not there, MachineTrouble if the machine cannot start it; Interrupted after Ctrl-C, once
 ///         the program has ended.
 Finished run(const std::vector<std::string> &command, const RunOptions &options = {});
+
+/// Where programs are on any machine, as an entry of an environment.
+inline constexpr const char *usual_path = "PATH=/usr/local/bin:/usr/bin:/bin";
 
 /// Whether there is a program of this name in PATH.
 bool in_path(const std::string &program);

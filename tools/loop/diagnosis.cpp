@@ -128,8 +128,17 @@ std::string readable(std::string words) {
     return plain_line(words, longest_name);
 }
 
+/// Whether a compiler could not open a file, or an assembler: the first two.
+bool could_not_open(std::string_view words) {
+    if (words.starts_with("can't open ") || words.starts_with("file not found: ")) return true;
+    const auto ends = [&](const char *why) { return words.ends_with(why); };
+    return ends("' file not found") || ends(": No such file or directory") || ends(": Permission denied")
+           || ends(": Too many levels of symbolic links");
+}
+
 /// What the compiler says, and what it means.
 std::string explained(const Said &said) {
+    if (could_not_open(said.words)) return explain_unopened();
     if (said.words.starts_with("'*(__m128d*)") && contains(said.words, "&<unnamed>")) // GCC looks into Eigen
         return "This vector's parts may be gone by now: if it is declared with auto, write Vec2 instead.";
     Said known = said;
@@ -153,6 +162,15 @@ std::string wide_encoding(std::string_view text) {
     return zeros > 6 * text.size() ? "UTF-32" : zeros > 3 * text.size() ? "UTF-16" : "";
 }
 
+/// Whether a file that isn't the student's may be asked for, however the word is put together.
+bool asks_for_files(std::string_view text) {
+    std::string joined; // without what may stand within a name, or between its parts
+    std::copy_if(text.begin(), text.end(), std::back_inserter(joined), [](char c) {
+        return !contains("\\\r\n \t#", {&c, 1});
+    });
+    return contains(joined, "__has_include") || contains(joined, "__has_embed");
+}
+
 } // namespace
 
 std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
@@ -168,7 +186,17 @@ std::optional<Verdict> diagnose_text(std::string_view text, const std::string &n
         return because(" is saved as " + encoding + ": save it as UTF-8 in your editor.");
     if (text.find('\0') != text.npos)
         return because(" is not a text file: has a compiled file been saved over it?" + back);
+    if (asks_for_files(text))
+        return Verdict{.kind = Kind::does_not_compile,
+                       .sentence =
+                           "Your file asks with `__has_include` which files there are, and a check doesn't tell: "
+                           "include what you need."};
     return {};
+}
+
+std::string explain_unopened() {
+    return "A check can't open this file: it has only headers of the system, Eigen and chapters/. Check the name, or "
+           "write what you need yourself.";
 }
 
 namespace {
@@ -212,9 +240,11 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
     std::erase_if(remarks, [](const Remark &remark) { return !remark.is_error; });
     drop_imagined_templates(remarks);
     if (remarks.empty()) {
-        const std::string_view first = printed.substr(0, printed.find('\n'));
-        verdict.sentence =
-            "The compiler stopped: " + (first.empty() ? "it said nothing." : plain_line(first, longest_name));
+        const std::string_view first = printed.substr(0, printed.find('\n')),
+                               words = between(printed, ": Error: ", "\n").value_or(first); // of the assembler
+        verdict.sentence = could_not_open(words) ? explain_unopened()
+                           : words.empty()       ? "The compiler stopped: it said nothing."
+                                                 : "The compiler stopped: " + plain_line(words, longest_name);
         return verdict;
     }
     Remark &first = remarks.front();
@@ -224,7 +254,7 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
         for (const Remark &remark : remarks) unknown.push_back(unknown_name(remark.said.words));
         verdict.sentence = explain_renamed(unknown, renamed);
     }
-    verdict.file = shown(first.file, file, name);
+    if (first.line != 0) verdict.file = shown(first.file, file, name);
     verdict.line = first.line;
     if (first.said.code.empty() && first.file == file.string()) first.said.code = line_of_file(file, first.line);
     if (const auto &[words, code, caret, notes] = first.said; !code.empty()) {

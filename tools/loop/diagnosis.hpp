@@ -11,7 +11,7 @@
 
 namespace course {
 
-/// Says what is wrong with a file before any compiler sees it: it is empty, or not text.
+/// Says what is wrong with a file before any compiler sees it: it is empty, not text, or asks which files there are.
 /// @param number  of the section, for the command that brings the stub back
 std::optional<Verdict> diagnose_text(std::string_view text, const std::string &shown_name, const std::string &number);
 
@@ -22,6 +22,10 @@ std::optional<Verdict> diagnose_text(std::string_view text, const std::string &s
 /// @param renamed  old names of the section
 Verdict diagnose_compiler(std::string_view errors, const std::filesystem::path &file, const std::string &shown_name,
                           const std::vector<Renamed> &renamed = {});
+
+/// The sentence about a file that a compiler could not open. Whether it isn't there or is closed to a check, nobody is
+/// told; nor its name, of which the compiler's words depend on that.
+std::string explain_unopened();
 
 /// Warnings, one line each, without those that only explain another.
 std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,

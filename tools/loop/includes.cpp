@@ -1,7 +1,6 @@
 #include "loop/includes.hpp"
 
 #include <algorithm>
-#include <map>
 #include <string>
 
 namespace course {
@@ -29,32 +28,16 @@ bool is_below(const fs::path &file, const fs::path &folder) {
     return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
-/// Where files are when all links are followed. Each folder is looked at once: hundreds of headers are in a few of them.
-class Homes {
-  public:
-    fs::path of(const fs::path &file) {
-        std::error_code ignored; // where a link cannot be followed, its name is compared
-        if (fs::is_symlink(file, ignored)) return fs::weakly_canonical(file, ignored);
-        const auto [folder, is_new] = folders.try_emplace(file.parent_path().native());
-        if (is_new) folder->second = fs::weakly_canonical(file.parent_path(), ignored);
-        return folder->second / file.filename();
-    }
-
-  private:
-    std::map<std::string, fs::path> folders;
-};
-
 } // namespace
 
 std::optional<fs::path> included_from_elsewhere(std::string_view rule, const fs::path &file, const fs::path &from,
                                                 const std::vector<fs::path> &allowed) {
-    Homes homes;
     std::error_code ignored;
     std::vector<fs::path> folders;
     for (const fs::path &folder : allowed) folders.push_back(fs::weakly_canonical(folder, ignored));
-    const fs::path own = homes.of(file);
+    const fs::path own = fs::weakly_canonical(file, ignored);
     for (const std::string &name : files_of(rule)) {
-        const fs::path read = homes.of(from / name);
+        const fs::path read = fs::weakly_canonical(from / name, ignored);
         const auto is_home = [&](const fs::path &folder) { return is_below(read, folder); };
         if (read != own && std::none_of(folders.begin(), folders.end(), is_home)) return read;
     }

@@ -10,6 +10,7 @@
 #include "loop/includes.hpp"
 #include "loop/stopped.hpp"
 #include "loop/toolbox.hpp"
+#include "verdict/tests/shut_in.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <functional>
 
 namespace course {
@@ -77,20 +79,6 @@ Judgement not_built(Verdict why, std::vector<std::string> warnings = {}) {
     return {std::move(why), {}, std::move(warnings)};
 }
 
-/// For a function that is missing: how the header declares it, and what is there instead.
-void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section, const Toolbox &tools,
-                      const fs::path &object) {
-    std::string defined, header; // read once, and only if a function is missing
-    for (auto &verdict : verdicts) {
-        if (verdict.kind != Kind::missing || !verdict.call) continue;
-        if (defined.empty()) {
-            defined = plain_output(run({tools.nm, "-C", "--defined-only", object.string()}).out);
-            header = read_file(tree.header(section));
-        }
-        verdict.sentence += explain_missing(defined, header, verdict.call->function, renamed(tree, section));
-    }
-}
-
 /// For input that was accepted, although lines that came with the function refused it.
 void help_the_accepting(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section,
                         std::string_view text) {
@@ -122,54 +110,28 @@ std::string run_tests(const Tree &tree, const Section &section, const std::strin
     return tested.out;
 }
 
-/// A student's file becomes a subject, the program against which tests run.
+/// A student's file becomes a subject, the program against which tests run. Compilers see a copy of it, with nothing
+/// beside it and a name that none of them stumbles over.
 struct SubjectBuild {
-    const Tree &tree;
-    const Section &section;
-    const Toolbox &tools;
-    const fs::path &file;
-    const Scratch &scratch;
+    SubjectBuild(const Tree &tree_, const Section &section_, const Toolbox &tools_, const std::string &name_,
+                 const std::string &text_)
+        : tree{tree_}, section{section_}, tools{tools_}, name{name_}, text{text_} {
+        std::ofstream copy{file, std::ios::binary}; // write_file would wait for the disk
+        if (!(copy << text).flush()) throw MachineTrouble{"the disk is full; make some room and try again"};
+    }
 
     std::string object() const { return scratch / "student.o"; }
     std::string subject() const { return scratch / "subject"; }
 
-    /// By the quick compiler. Whatever it has to complain of is left to the other one, whose words students read, and
-    /// so is a `switch`: if it has all values of an enum, only GCC wants a return behind it.
-    /// @return whether the subject is built
-    bool quickly(std::string_view text) const {
-        if (!tools.quick || text.find("switch") != std::string_view::npos) return false;
-        Limits limits = compiler_limits;
-        limits.processor_time = quick_enough;
-        const auto compiled = run(compile_command(*tools.quick), within(limits));
-        return compiled.code == 0 && compiled.err.empty() && !foreign_header() && link_with(tools.quick_link).code == 0;
-    }
-
-    /// By the course's own compiler.
     /// @return why it could not be compiled
-    std::optional<Verdict> compile(std::vector<std::string> &warnings) const {
-        const std::string name = tree.shown(file);
-        auto command = compile_command(tools.compiler);
-        command.insert(command.end(), tools.assembler.begin(), tools.assembler.end());
-        if (!tools.assembler.empty()) command.push_back(assembled());
-        fs::remove(includes()); // the quick compiler has left its own, and may have read other files
-        const auto compiled = run(command, within(compiler_limits));
+    std::optional<Verdict> compile(std::vector<std::string> &warnings) {
+        if (!protection_of_this_kernel().files)
+            if (auto why = look_elsewhere()) return why;
+        if (auto why = quickly(); why || is_linked) return why;
+        const auto compiled = run_tool(compile_command(tools.compiler), compiler_limits);
         const std::string said = plain_output(compiled.err);
         if (auto why = stopped_by_a_limit(compiled, said); !why.empty())
             return Verdict{.kind = Kind::does_not_compile, .sentence = std::move(why)};
-        // before a word of the compiler's is passed on: it may quote what a foreign file says
-        if (!fs::exists(includes()) && !list_includes())
-            return Verdict{.kind = Kind::does_not_compile,
-                           .sentence = "The compiler can't tell what your file includes: include only headers that a "
-                                       "check allows, and each once."};
-        auto elsewhere = foreign_header();
-        if (!elsewhere && fs::exists(assembled())) // it is in the scratch folder, as is what the compiler hands to it
-            elsewhere = included_from_elsewhere(read_file(assembled()), file, scratch.folder, {scratch.folder});
-        if (elsewhere)
-            return Verdict{.kind = Kind::does_not_compile,
-                           .sentence =
-                               "Your file includes " + tree.shown(*elsewhere)
-                               + ", which a check does not allow: it may include headers of the system, of Eigen and "
-                                 "of chapters/. Write what you need into the file itself."};
         if (compiled.code != 0) return diagnose_compiler(said, file, name, renamed(tree, section));
         warnings = find_warnings(said, file, name);
         return {};
@@ -178,39 +140,65 @@ struct SubjectBuild {
     /// What that has compiled.
     /// @return why it could not be linked
     std::optional<Verdict> link() const {
+        if (is_linked) return {};
         const auto linked = link_with({});
         if (linked.code == 0) return {};
         const std::string linker = plain_output(linked.err);
         auto why = stopped_by_a_limit(linked, linker);
-        return why.empty() ? diagnose_linker(linker, tree.shown(file), section.short_number())
+        return why.empty() ? diagnose_linker(linker, name, section.short_number())
                            : Verdict{.kind = Kind::does_not_link, .sentence = std::move(why)};
     }
 
-    std::string includes() const { return scratch / "includes"; }
-    std::string assembled() const { return scratch / "assembled"; }
+    /// The functions of the object, as nm lists them.
+    std::string symbols() const {
+        return plain_output(run_tool({tools.nm, "-C", "--defined-only", object()}, compiler_limits).out);
+    }
 
-    RunOptions within(const Limits &limits) const {
-        return {.deadline = longest_wait,
-                .folder = scratch.folder,
-                .limits = limits,
-                .environment = {"TMPDIR=" + scratch.folder.string() + '/'}};
+  private:
+    /// By the quick compiler. Whatever it has to complain of is left to the other one, whose words students read, and
+    /// so is a `switch`: if it has all values of an enum, only GCC wants a return behind it.
+    /// @return why no compiler need try again
+    std::optional<Verdict> quickly() {
+        if (!tools.quick || text.find("switch") != text.npos) return {};
+        Limits limits = compiler_limits;
+        limits.processor_time = quick_enough;
+        const auto compiled = run_tool(compile_command(*tools.quick), limits);
+        if (compiled.timed_out)
+            return Verdict{.kind = Kind::does_not_compile, .sentence = stopped_by_a_limit(compiled, "")};
+        is_linked = compiled.code == 0 && compiled.err.empty() && link_with(tools.quick_link).code == 0;
+        return {};
+    }
+
+    /// Where the kernel can't keep the compiler from other files: whether the preprocessor would read any, before a word
+    /// is passed on of one that might quote them. It passes over headers that aren't there.
+    std::optional<Verdict> look_elsewhere() const {
+        auto command = compile_command(tools.compiler);
+        const std::string list = scratch / "includes";
+        command.insert(command.end(), {"-M", "-MG", "-MF", list, "-fmax-errors=0"});
+        const auto listed = run_tool(command, compiler_limits);
+        std::string why = stopped_by_a_limit(listed, "");
+        if (why.empty()
+            && (!fs::exists(list) || included_from_elsewhere(read_file(list), file, scratch.folder, tools.includes)))
+            why = explain_unopened();
+        if (why.empty()) return {};
+        return Verdict{.kind = Kind::does_not_compile, .sentence = std::move(why)};
+    }
+
+    /// A compiler, a linker or nm, which can open what it needs and nothing else.
+    Finished run_tool(const std::vector<std::string> &command, const Limits &limits) const {
+        return run(command,
+                   {.deadline = longest_compilation,
+                    .patience = longest_wait,
+                    .folder = scratch.folder,
+                    .limits = limits,
+                    .environment = {usual_path, "LC_ALL=C.UTF-8", "HOME=" + scratch.folder.string(), // for ccache
+                                    "TMPDIR=" + scratch.folder.string() + '/'},
+                    .shut_in = &shut_in});
     }
     std::vector<std::string> compile_command(const Compiler &compiler) const {
         auto command = compiler.command(tree, section, file, object());
-        command.insert(command.end(), {"-MD", "-MF", includes()});
+        command.push_back("-fmacro-prefix-map=" + (scratch.folder / "").string() + "="); // for __FILE__ of an assert
         return command;
-    }
-    /// Where the compiler gave up before it had listed what it reads: the preprocessor alone does, and passes over
-    /// headers that aren't there.
-    bool list_includes() const {
-        auto command = compile_command(tools.compiler);
-        std::replace(command.begin(), command.end(), std::string{"-MD"}, std::string{"-M"});
-        command.insert(command.end(), {"-MG", "-fmax-errors=0"});
-        run(command, within(compiler_limits));
-        return fs::exists(includes());
-    }
-    std::optional<fs::path> foreign_header() const {
-        return included_from_elsewhere(read_file(includes()), file, scratch.folder, tools.includes);
     }
     Finished link_with(const std::vector<std::string> &also) const {
         std::vector<std::string> command{tools.compiler.program, object(), tools.server.string(),
@@ -218,9 +206,32 @@ struct SubjectBuild {
         command.insert(command.end(), also.begin(), also.end());
         command.insert(command.end(), tools.earlier.begin(), tools.earlier.end());
         command.insert(command.end(), tools.link.begin(), tools.link.end());
-        return run(command, within(compiler_limits));
+        return run_tool(command, compiler_limits);
     }
+
+    const Tree &tree;
+    const Section &section;
+    const Toolbox &tools;
+    const std::string &name, &text;
+    const Scratch scratch{tree.build};
+    const fs::path file = scratch / "student.cpp";
+    const ShutIn shut_in{places_of(tools, scratch.folder), {.calls = false, .privileges = false}};
+    bool is_linked = false;
 };
+
+/// For a function that is missing: how the header declares it, and what is there instead.
+void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Section &section,
+                      const SubjectBuild &build) {
+    std::string defined, header; // read once, and only if a function is missing
+    for (auto &verdict : verdicts) {
+        if (verdict.kind != Kind::missing || !verdict.call) continue;
+        if (defined.empty()) {
+            defined = build.symbols();
+            header = read_file(tree.header(section));
+        }
+        verdict.sentence += explain_missing(defined, header, verdict.call->function, renamed(tree, section));
+    }
+}
 
 } // namespace
 
@@ -252,29 +263,24 @@ std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std
 
 Judgement judge(const Tree &tree, const Section &section, const fs::path &given, unsigned seed,
                 const std::string &exercise) {
-    const fs::path file = fs::absolute(given).lexically_normal();
-    const std::string name = tree.shown(file);
-    const std::string text = read_answer(file);
+    const std::string name = tree.shown(given);
+    const std::string text = read_answer(given);
     if (auto trouble = diagnose_text(text, name, section.short_number())) return not_built(*trouble);
     if (auto trouble = diagnose_section(text, name, tree, section)) return not_built(*trouble);
 
     const Toolbox tools = toolbox(tree, section);
     bring_up_to_date(tree, section, tools);
-    const Scratch scratch{tree.build};
-    const SubjectBuild build{tree, section, tools, file, scratch};
+    SubjectBuild build{tree, section, tools, name, text};
     std::vector<std::string> warnings;
-    const bool is_built = build.quickly(text);
-    if (!is_built)
-        if (auto trouble = build.compile(warnings)) return not_built(*trouble);
+    if (auto trouble = build.compile(warnings)) return not_built(*trouble);
     for (const auto &find : {find_unreached, find_whole_divisions})
         for (const std::string &found : find(text, name)) warnings.push_back(found);
-    if (!is_built)
-        if (auto trouble = build.link()) return not_built(*trouble, warnings);
+    if (auto trouble = build.link()) return not_built(*trouble, warnings);
 
     auto tests = tests_of(tree, section);
     if (!exercise.empty()) std::erase_if(tests, [&](const KnownTest &test) { return test.exercise != exercise; });
     Judgement judgement{{}, one_for_each(tests, run_tests(tree, section, build.subject(), seed, exercise)), warnings};
-    help_the_missing(judgement.verdicts, tree, section, tools, build.object());
+    help_the_missing(judgement.verdicts, tree, section, build);
     help_the_accepting(judgement.verdicts, tree, section, text);
     return judgement;
 }

@@ -46,8 +46,8 @@ constexpr std::array killed{"Killed", "Terminated", "Hangup"};
 
 std::string stopped_by_a_limit(const Finished &finished, const std::string &said) {
     if (finished.timed_out)
-        return "The compiler was stopped after " + std::to_string(static_cast<int>(longest_wait / 60))
-               + " minutes in which it waited for something: does your file include something that is not a file?";
+        return "The compiler waited for something that never came, and was stopped: does your file include something "
+               "that isn't a file?";
     if (finished.code == 0) return {};
     const auto lines = lines_of(said);
     const bool disk_full =

@@ -11,8 +11,9 @@ namespace course {
 constexpr Limits compiler_limits{
     .memory = std::size_t{2} << 30, .file_size = std::size_t{256} << 20, .processor_time = 10};
 
-/// For a compiler that waits for something that never comes, such as an included pipe without a writer.
-constexpr double longest_wait = 120; // [s]
+/// [s] For a compiler that sleeps, waiting for something that never comes, such as an included pipe without a writer.
+constexpr double longest_wait = 10;
+constexpr double longest_compilation = 120; ///< [s] in all, where nobody tells whether it sleeps
 
 /// Whether a limit stopped it: then one sentence to the student, with what may be the cause; else an empty one.
 /// @param said  what it printed, made plain

@@ -39,7 +39,6 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
         w.nm = json.at("nm");
         w.node = json.at("node");
         w.link = json.at("link");
-        w.assembler = json.at("assembler");
         for (const auto &folder : json.at("includes")) w.includes.emplace_back(folder.get<std::string>());
         for (const auto &each : json.at("sections"))
             if (each.at("name") == section.name) {
@@ -51,6 +50,38 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
     } catch (const nlohmann::json::exception &) {
         throw Complaint{file.string() + " is broken: delete it, and type ./course, which makes a new one."};
     }
+}
+
+namespace {
+
+/// What the build has made for these tools.
+std::vector<fs::path> made_for(const Toolbox &tools) {
+    std::vector<fs::path> files{tools.server, tools.missing};
+    files.insert(files.end(), tools.earlier.begin(), tools.earlier.end());
+    auto quick = tools.quick_link;
+    if (tools.quick) quick.insert(quick.end(), tools.quick->precompiled.begin(), tools.quick->precompiled.end());
+    std::copy_if(quick.begin(), quick.end(), std::back_inserter(files),
+                 [](const std::string &word) { return word.starts_with('/'); });
+    return files;
+}
+
+} // namespace
+
+Places places_of(const Toolbox &tools, const fs::path &work) {
+    Places places{places_of_system(), {work, "/dev/null"}};
+    auto &readable = places.readable;
+    readable.insert(readable.end(), tools.includes.begin(), tools.includes.end());
+    std::vector<std::string> programs{tools.compiler.program, tools.nm};
+    if (tools.quick) programs.push_back(tools.quick->program);
+    for (const std::string &program : programs) {
+        std::error_code missing; // run says so
+        const fs::path home = fs::canonical(program, missing).parent_path().parent_path();
+        if (missing) continue;
+        readable.emplace_back(program);
+        for (const char *part : {"bin", "include", "lib", "lib64", "libexec"}) readable.push_back(home / part);
+    }
+    for (const fs::path &file : made_for(tools)) readable.push_back(file);
+    return places;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // What a student's file is compiled and linked with, as CMake left it in course.json.
 
 #include "ground/tree.hpp"
+#include "verdict/tests/shut_in.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -24,14 +25,16 @@ struct Toolbox {
     std::optional<Compiler> quick; ///< Clang beside GCC, at -O0, with its templates compiled beforehand: see `judge`
     std::string nm, node;
     std::vector<std::string> link, quick_link; ///< the last: also, for what the quick compiler has compiled
-    std::vector<std::string> assembler;        ///< before the file where it lists what it reads; empty if it cannot
     std::filesystem::path server, missing;
-    std::vector<std::filesystem::path> includes; ///< folders with what a student's file may include
+    std::vector<std::filesystem::path> includes; ///< what a student's file may include: files, or folders with headers
     std::vector<std::string> earlier;            ///< objects: the solutions of the sections that this one builds on
 };
 
 /// @throws Complaint if the course is not built yet, or course.json is broken
 Toolbox toolbox(const Tree &tree, const Section &section);
+
+/// What the tools open, and the folder that they work in.
+Places places_of(const Toolbox &tools, const std::filesystem::path &work);
 
 /// Builds what is older than the course's files: ninja is asked only then, for it takes longer to say "no work".
 /// @throws Complaint if that fails

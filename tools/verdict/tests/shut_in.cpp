@@ -2,7 +2,6 @@
 
 #include "ground/complaint.hpp"
 #include "ground/hidden.hpp"
-#include "verdict/shared/wire.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -10,16 +9,20 @@
 namespace course {
 namespace {
 
-/// Every descriptor above the two of the wire, when the program starts.
-void close_at_start() {
-    constexpr int first = wire::reply_fd + 1;
+/// Every descriptor from this one on, when the program starts.
+void close_at_start(int first) {
 #ifdef CLOSE_RANGE_CLOEXEC
-    if (::close_range(first, ~0u, CLOSE_RANGE_CLOEXEC) == 0) return;
+    if (::close_range(static_cast<unsigned>(first), ~0u, CLOSE_RANGE_CLOEXEC) == 0) return;
 #endif
     for (int other = first; other < 1024; ++other) ::fcntl(other, F_SETFD, FD_CLOEXEC);
 }
 
 } // namespace
+
+std::vector<std::filesystem::path> places_of_system() {
+    return {"/bin",         "/lib",           "/lib64",         "/usr/bin",         "/usr/lib",    "/usr/lib32",
+            "/usr/libexec", "/usr/local/bin", "/usr/local/lib", "/etc/ld.so.cache", "/dev/urandom"};
+}
 } // namespace course
 
 #ifdef __linux__
@@ -55,19 +58,19 @@ struct [[gnu::packed]] PathRule {
     std::uint64_t allowed;
     std::int32_t file;
 };
-constexpr std::uint64_t execute = 1, read_file = 4;
+constexpr std::uint64_t execute = 1, write_a_file = 2, read_file = 4, read_folder = 8, truncate = 1u << 14;
 
 /// The newest version of Landlock that this kernel knows; 0 or less: none.
 long landlock() { return ::syscall(create_ruleset, nullptr, 0, 1); }
 
-/// The libraries that we are linked with ourselves: a subject needs no others.
-const std::vector<std::string> &libraries() {
-    static const std::vector<std::string> all = [] {
-        std::vector<std::string> found;
+/// The libraries that we are linked with ourselves.
+const std::vector<std::filesystem::path> &libraries() {
+    static const std::vector<std::filesystem::path> all = [] {
+        std::vector<std::filesystem::path> found;
         ::dl_iterate_phdr(
             [](dl_phdr_info *info, std::size_t, void *into) {
                 if (info->dlpi_name != nullptr && info->dlpi_name[0] == '/')
-                    static_cast<std::vector<std::string> *>(into)->emplace_back(info->dlpi_name);
+                    static_cast<std::vector<std::filesystem::path> *>(into)->emplace_back(info->dlpi_name);
                 return 0;
             },
             &found);
@@ -76,14 +79,19 @@ const std::vector<std::string> &libraries() {
     return all;
 }
 
-void allow(long rules, const char *file, std::uint64_t what) {
-    const PathRule rule{what, ::open(file, O_PATH | O_CLOEXEC)};
+/// A rule for a file must not speak of what can be done in folders.
+void allow(long rules, const std::filesystem::path &place, std::uint64_t what, std::uint64_t known) {
+    constexpr std::uint64_t of_files = execute | write_a_file | read_file | truncate;
+    PathRule rule{what & known, ::open(place.c_str(), O_PATH | O_CLOEXEC)};
     if (rule.file < 0) return;
-    ::syscall(add_rule, rules, 1, &rule, 0);
+    if (::syscall(add_rule, rules, 1, &rule, 0) != 0) {
+        rule.allowed &= of_files;
+        ::syscall(add_rule, rules, 1, &rule, 0);
+    }
     ::close(rule.file);
 }
 
-int make_rules(const std::filesystem::path &program) {
+int make_rules(const Places &places) {
     const long version = landlock();
     if (version <= 0) return -1;
     const std::uint64_t all = (1u << (version >= 5 ? 16 : version >= 3 ? 15 : version == 2 ? 14 : 13)) - 1;
@@ -91,9 +99,8 @@ int make_rules(const std::filesystem::path &program) {
     const long rules = ::syscall(create_ruleset, &set, sizeof set, 0);
     if (rules < 0)
         throw MachineTrouble{"cannot shut the student's process in (" + std::string{std::strerror(errno)} + ")"};
-    allow(rules, program.c_str(), execute | read_file);
-    for (const std::string &library : libraries()) allow(rules, library.c_str(), execute | read_file);
-    for (const char *file : {"/etc/ld.so.cache", "/dev/urandom"}) allow(rules, file, read_file);
+    for (const auto &place : places.readable) allow(rules, place, execute | read_file | read_folder, all);
+    for (const auto &place : places.writable) allow(rules, place, ~execute, all);
     const int high = ::fcntl(static_cast<int>(rules), F_DUPFD_CLOEXEC, 10); // the subject's own take the low numbers
     ::close(static_cast<int>(rules));
     return high;
@@ -317,8 +324,14 @@ bool knows_filters() {
 
 Protection protection_of_this_kernel() { return {!sanitized && landlock() > 0, !sanitized && knows_filters()}; }
 
-ShutIn::ShutIn(const std::filesystem::path &program, Protection wanted)
-    : rules{wanted.files && !sanitized ? make_rules(program) : -1},
+Places places_of(const std::filesystem::path &program) {
+    Places places{{program, "/etc/ld.so.cache", "/dev/urandom"}, {}};
+    places.readable.insert(places.readable.end(), libraries().begin(), libraries().end());
+    return places;
+}
+
+ShutIn::ShutIn(const Places &places, Protection wanted)
+    : rules{wanted.files && !sanitized ? make_rules(places) : -1},
       calls{wanted.calls && !sanitized && knows_filters()},
       privileges{wanted.privileges && !sanitized},
       descriptors{wanted.descriptors} {}
@@ -327,8 +340,8 @@ ShutIn::~ShutIn() {
     if (rules >= 0) ::close(rules);
 }
 
-bool ShutIn::shut() const {
-    if (descriptors) close_at_start();
+bool ShutIn::shut(int last) const {
+    if (descriptors) close_at_start(last + 1);
     if (privileges) drop_privileges();
     return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && (rules < 0 || ::syscall(restrict_self, rules, 0) == 0)
            && (!calls || refuse_calls());
@@ -341,10 +354,11 @@ bool ShutIn::shut() const {
 namespace course {
 
 Protection protection_of_this_kernel() { return {false, false}; }
-ShutIn::ShutIn(const std::filesystem::path &, Protection wanted) : descriptors{wanted.descriptors} {}
+Places places_of(const std::filesystem::path &) { return {}; }
+ShutIn::ShutIn(const Places &, Protection wanted) : descriptors{wanted.descriptors} {}
 ShutIn::~ShutIn() = default;
-bool ShutIn::shut() const {
-    if (descriptors) close_at_start();
+bool ShutIn::shut(int last) const {
+    if (descriptors) close_at_start(last + 1);
     return true;
 }
 

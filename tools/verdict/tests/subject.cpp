@@ -1,5 +1,6 @@
 #include "verdict/tests/subject.hpp"
 
+#include "ground/asleep.hpp"
 #include "ground/complaint.hpp"
 #include "ground/hidden.hpp"
 #include "ground/limits.hpp"
@@ -11,7 +12,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
 #include <poll.h>
 #include <string>
 #include <sys/resource.h>
@@ -83,7 +83,7 @@ struct Start {
     if (start.limited) set_limits();
     char *arguments[] = {const_cast<char *>("subject"), nullptr};
     char *environment[] = {const_cast<char *>("LC_ALL=C.UTF-8"), start.answer, nullptr};
-    const bool shut_in = start.shut_in.shut();
+    const bool shut_in = start.shut_in.shut(wire::reply_fd);
     if (shut_in) ::execve(start.program, arguments, environment);
     const Trouble trouble{shut_in ? "cannot start the student's process" : "cannot shut the student's process in",
                           errno};
@@ -105,16 +105,6 @@ bool ready_for(short event, int file, Clock::time_point deadline) {
         if (ready == 0 && Clock::now() >= deadline) return false;
         if (ready < 0 && errno != EINTR) return false;
     }
-}
-
-/// Processes whose parent we are by now.
-std::vector<pid_t> children() {
-    std::vector<pid_t> all;
-#ifdef __linux__
-    std::ifstream list{"/proc/self/task/" + std::to_string(::getpid()) + "/children"};
-    for (pid_t child = 0; list >> child;) all.push_back(child);
-#endif
-    return all;
 }
 
 double in_seconds(const timeval &time) {
@@ -155,7 +145,7 @@ void prepare_for_subjects([[maybe_unused]] int core) {
 }
 
 Subject::Subject(const std::filesystem::path &program, const std::string &answer, Protection protection) {
-    const ShutIn shut_in{program, protection};
+    const ShutIn shut_in{places_of(program), protection};
     const auto requests = make_pipe(), replies = make_pipe(), trouble = make_pipe();
     std::string chosen = "COURSE_ANSWER=" + answer;
     process = ::vfork(); // no copy of our memory is made; it is the child's, too, until it has become the subject
@@ -220,18 +210,6 @@ double Subject::computed() const {
 
 double Subject::spent() const { return computed() + asleep / 2; }
 
-/// Whether it neither computes nor waits for a core or a disk, at this moment.
-bool Subject::is_asleep() const {
-#ifdef __linux__
-    std::string line;
-    std::getline(std::ifstream{"/proc/" + std::to_string(process) + "/stat"}, line);
-    const std::size_t name_ends = line.rfind(") "); // see proc(5)
-    return name_ends != line.npos && std::string_view{"STt"}.find(line[name_ends + 2]) != std::string_view::npos;
-#else
-    return false;
-#endif
-}
-
 /// Waits for something, and looks at the process now and then meanwhile.
 /// @param ready  waits for it until some time, and says whether it has come
 /// @return false if the process is not to be waited for any longer; `silence` says why
@@ -239,7 +217,7 @@ template <class Ready> bool Subject::wait(Ready ready, const Allowance &allowanc
     constexpr double between = 0.05; // [s] so it is not seen at all while it answers as quickly as it should
     const auto began = Clock::now();
     for (int looks = 0, sleeping = 0; !ready(next_look);) {
-        const bool sleeps = is_asleep();
+        const bool sleeps = is_asleep(process);
         if (ready(Clock::time_point{})) return true; // it was only about to answer
         ++looks;
         if (sleeps) ++sleeping, asleep += between;
@@ -311,13 +289,14 @@ bool Subject::left_processes() {
     const auto give_up_at = Clock::now() + std::chrono::seconds{2};
     do {
         any = ::kill(-group, SIGKILL) == 0 || any;
-        for (const pid_t child : children()) { // even one that made itself a group of its own
+        for (const pid_t child : children_of(::getpid())) { // even one that made itself a group of its own
             any = true;
             ::kill(child, SIGKILL);
         }
         reap();
         // A child of what was just killed is ours a moment later.
-    } while ((::kill(-group, 0) == 0 || !children().empty()) && Clock::now() < give_up_at && ::usleep(100) == 0);
+    } while ((::kill(-group, 0) == 0 || !children_of(::getpid()).empty()) && Clock::now() < give_up_at
+             && ::usleep(100) == 0);
     group = -1;
     return any;
 }

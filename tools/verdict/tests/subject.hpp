@@ -67,7 +67,6 @@ class Subject {
   private:
     template <class Ready> bool wait(Ready ready, const Allowance &allowance);
     bool read_all(void *data, std::size_t size, const Allowance &allowance);
-    bool is_asleep() const;
     double computed() const;
 
     pid_t process = -1;
