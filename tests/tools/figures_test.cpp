@@ -8,6 +8,7 @@
 #include "ground/hidden.hpp"
 #include "loop/programs.hpp"
 #include "own_folder.hpp"
+#include "verdict/tests/shut_in.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -430,8 +431,20 @@ TEST_CASE("a student's program that runs well is run with --out, and what it pri
     CHECK(ran("ulimit -v").finished.out == (sanitized ? "unlimited\n" : "4194304\n"));
 }
 
+TEST_CASE("a student's program writes its traces, and can neither read other files, write them, nor start a program") {
+    const auto protection = protection_of_this_kernel();
+    if (!protection.files || !protection.calls) SKIP("this kernel lacks Landlock or seccomp");
+    CHECK(ran("echo 1 >here.tsv && read line <here.tsv && echo $line").finished.out == "1\n");
+    for (const char *attempt : {"read line <../../../../exercises/07_lines.cpp", "echo 1 >../other.tsv", "(:)"})
+        CHECK(ran(std::string{"exec 2>&1; "} + attempt + " && echo done").finished.out.find("done")
+              == std::string::npos);
+    ::setenv("A_SECRET_OF_CI", "told", 1);
+    CHECK(ran("echo $A_SECRET_OF_CI").finished.out == "\n");
+    ::unsetenv("A_SECRET_OF_CI");
+}
+
 TEST_CASE("each way in which a student's program can fail has its sentence") {
-    CHECK_THAT(ran("sleep 60").trouble,
+    CHECK_THAT(ran("while :; do :; done").trouble,
                ContainsSubstring("after 1 s, it would not end") && ContainsSubstring("./course check 7"));
     CHECK_THAT(ran("kill -SEGV $$").trouble, ContainsSubstring("crashed: it used memory that is not its own"));
     CHECK_THAT(ran("kill -ABRT $$").trouble, ContainsSubstring("was stopped by an uncaught exception"));

@@ -5,6 +5,7 @@
 #include "ground/hidden.hpp"
 #include "ground/text.hpp"
 #include "loop/diagnosis.hpp"
+#include "verdict/tests/shut_in.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -100,8 +101,16 @@ Ran run_student(const Tree &tree, const Section &section, const fs::path &traces
         return {
             false, {}, "your program cannot be built: " + student_error(tree, section, built.out + '\n' + built.err)};
     empty_folder(traces);
-    const Finished finished = run(program_command(program_binary(tree, section, Whose::student), part, traces),
-                                  {.deadline = deadline, .folder = traces, .limits = student_limits});
+    const fs::path program = program_binary(tree, section, Whose::student);
+    Places places{places_of_system(), {traces}};
+    places.readable.push_back(program);
+    const ShutIn shut_in{places, {}};
+    // The folder is its own, and named by no path: others may be on the way, where root's capabilities would be needed.
+    const Finished finished = run(program_command(program, part, "."), {.deadline = deadline,
+                                                                        .folder = traces,
+                                                                        .limits = student_limits,
+                                                                        .environment = {"LC_ALL=C.UTF-8"},
+                                                                        .shut_in = &shut_in});
     if (finished.code == unknown_part && !part.empty()) throw Complaint{last_line(finished.err)};
     return {true, finished, student_trouble(section, finished, deadline)};
 }

@@ -35,8 +35,8 @@ constexpr int unknown_part = 2; ///< what a program exits with if it has no part
 std::vector<std::string> program_command(const std::filesystem::path &program, const std::string &part,
                                          const std::filesystem::path &traces);
 
-/// Builds the program where its sources are newer and runs it, or one part of it, the student's with limits and for at
-/// most `deadline` [s].
+/// Builds the program where its sources are newer and runs it, or one part of it; the student's is shut in, with limits,
+/// and for at most `deadline` [s]: it may write its traces, and nothing else.
 /// What a student's file does (not compile, hang, crash, stop early) is told in `trouble`. The caller holds the Lock.
 /// @throws Complaint if there is no such part, if the exercise is not there, if a folder cannot be written, or if cmake
 /// is missing.
