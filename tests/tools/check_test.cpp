@@ -252,6 +252,36 @@ TEST_CASE("what a shell sets for compilers, or doesn't, changes nothing") {
     fs::remove(checked());
 }
 
+TEST_CASE("what was built and has been cut to nothing is built again, not believed") {
+    const course::SmallCourse small;
+    const fs::path build = small.tree.build, program = build / "tests/07_wall_meeting";
+    const auto file = [&](const char *name) { return (build / name).string(); };
+    const nlohmann::json section{{"name", "07_wall_meeting"},
+                                 {"server", file("server.o")},
+                                 {"missing", file("missing.o")},
+                                 {"earlier", nlohmann::json::array()}};
+    const nlohmann::json none = nlohmann::json::array();
+    small.write(build / "course.json", nlohmann::json{{"compiler", "c++"},
+                                                      {"flags", none},
+                                                      {"precompiled", none},
+                                                      {"nm", "nm"},
+                                                      {"node", ""},
+                                                      {"link", none},
+                                                      {"includes", none},
+                                                      {"sections", {section}}}
+                                           .dump());
+    for (const char *name : {"server.o", "missing.o"}) small.write(build / name, "whole");
+    small.write("exercises/07_wall_meeting.cpp", "int first() { return 1; }\n");
+    small.write(program, "");
+    small.write(build / "loop/07_wall_meeting.checked", "");
+    const auto path = small.instead_of("cmake", "exit 1");
+    const auto done = small({"check", "7"}, {path});
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, ContainsSubstring("the course's own files do not build"));
+    CHECK_FALSE(fs::exists(program)); // what makes ninja build it
+    CHECK(fs::exists(build / "server.o"));
+}
+
 TEST_CASE("a compiler that the machine has stopped is no verdict, and exits with 4") {
     REQUIRE(check("7.1", our_answer).code == 0); // and all of section 7 is built
     const auto [script, sentence] = GENERATE(table<std::string, std::string>({

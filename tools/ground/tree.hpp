@@ -51,6 +51,7 @@ struct Tree {
     std::filesystem::path solution(const Section &s) const { return root / "solutions" / (s.name + ".cpp"); }
     std::filesystem::path tests(const Section &s) const { return root / "tests" / (s.name + ".cpp"); }
     std::filesystem::path test_program(const Section &s) const { return build / "tests" / s.name; } ///< the built one
+    std::filesystem::path catalogue(const Section &s) const { return build / "catalogue" / (s.name + ".json"); }
     /// What was called otherwise in earlier versions of the section; it need not exist.
     std::filesystem::path renamed(const Section &s) const { return root / "chapters" / s.name / "renamed.txt"; }
     std::filesystem::path memory() const { return root / ".course"; } ///< what the course remembers of its student

@@ -10,14 +10,10 @@
 namespace course {
 namespace {
 
-std::filesystem::path file_of(const Tree &tree, const Section &section) {
-    return tree.build / "catalogue" / (section.name + ".json");
-}
-
 /// One of the lists that the section's tests printed when they were built.
 template <class Element, class Read>
 std::vector<Element> read_list(const Tree &tree, const Section &section, const char *name, Read read) {
-    const std::filesystem::path file = file_of(tree, section);
+    const std::filesystem::path file = tree.catalogue(section);
     if (!is_built(tree, section)) throw Complaint{section.name + " is not built yet: type ./course, which builds all"};
     const auto found = nlohmann::json::parse(read_file(file), nullptr, false);
     std::vector<Element> result;
@@ -60,7 +56,7 @@ FoundExercise by_function(const Tree &tree, const std::string &word) {
 
 } // namespace
 
-bool is_built(const Tree &tree, const Section &section) { return std::filesystem::exists(file_of(tree, section)); }
+bool is_built(const Tree &tree, const Section &section) { return std::filesystem::exists(tree.catalogue(section)); }
 
 std::vector<Exercise> catalogue(const Tree &tree, const Section &section) {
     return read_list<Exercise>(tree, section, "exercises", [](const nlohmann::json &e) {

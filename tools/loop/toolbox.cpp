@@ -117,9 +117,14 @@ void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &t
     const fs::path stamp = tree.build / "loop" / (section.name + ".checked");
     std::error_code never;
     const auto checked = fs::last_write_time(stamp, never);
-    const bool complete = fs::exists(tree.test_program(section)) && fs::exists(tools.server);
-    if (complete && !never && checked >= newest(tree, section)) return;
+    auto files = made_for(tools);
+    files.insert(files.end(), {tree.test_program(section), tree.catalogue(section)});
+    const auto is_cut = [](const fs::path &file) { return fs::exists(file) && fs::is_empty(file); };
+    const auto is_whole = [&](const fs::path &file) { return fs::exists(file) && !is_cut(file); };
+    if (std::all_of(files.begin(), files.end(), is_whole) && !never && checked >= newest(tree, section)) return;
     const Lock lock{tree};
+    for (const fs::path &file : files)
+        if (is_cut(file)) fs::remove(file); // or it would be newer than what it is made from
     const auto built = build_target(tree, section.name + "_loop");
     if (built.code != 0)
         throw Complaint{"the course's own files do not build; `cmake --build " + tree.build.string() + "` shows why."};
