@@ -230,7 +230,7 @@ TEST_CASE("on a kernel without Landlock, too, a file may include nothing but hea
 #endif
 }
 
-TEST_CASE("what a shell sets for compilers, or doesn't, changes nothing") {
+TEST_CASE("what a shell sets for compilers, or doesn't, changes nothing; a limit of its own for files is said") {
     const std::vector<std::string> line{"sh", "-c", "set=$1; shift; eval \"$set\"; exec \"$@\"", "sh", ""};
     const auto in_shell = [&](const std::string &setting) {
         std::vector<std::string> all = line;
@@ -249,6 +249,9 @@ TEST_CASE("what a shell sets for compilers, or doesn't, changes nothing") {
         CAPTURE(set);
         CHECK(in_shell(set).code == 0);
     }
+    const auto small = in_shell("ulimit -f 100");
+    CHECK(small.code == 4);
+    CHECK_THAT(small.err, ContainsSubstring("lets no file grow beyond") && ContainsSubstring("ulimit -f unlimited"));
     fs::remove(checked());
 }
 

@@ -2,6 +2,7 @@
 
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
+#include "ground/limits.hpp"
 #include "ground/lines.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
@@ -268,6 +269,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     if (auto trouble = diagnose_text(text, name, section.short_number())) return not_built(*trouble);
     if (auto trouble = diagnose_section(text, name, tree, section)) return not_built(*trouble);
 
+    require_room_in_files();
     const Toolbox tools = toolbox(tree, section);
     bring_up_to_date(tree, section, tools);
     SubjectBuild build{tree, section, tools, name, text};
