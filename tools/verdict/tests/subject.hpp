@@ -17,8 +17,9 @@ namespace course {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t memory_limit = 256u << 20; ///< [bytes] of a subject; an exercise needs a few
-constexpr std::size_t print_limit = 4u << 20;    ///< [bytes] that it may write
+constexpr std::size_t memory_limit =
+    128u << 20; ///< [bytes] of a subject; an exercise needs a few. Filled well within Patience::a_case
+constexpr std::size_t print_limit = 4u << 20; ///< [bytes] that it may write
 
 /// How long a student's process is waited for. None of it is what other programs leave of the machine.
 struct Allowance {
