@@ -177,7 +177,7 @@ struct SubjectBuild {
         const std::string list = scratch / "includes";
         command.insert(command.end(), {"-M", "-MG", "-MF", list, "-fmax-errors=0"});
         const auto listed = run_tool(command, compiler_limits);
-        std::string why = stopped_by_a_limit(listed, "");
+        std::string why = stopped_by_a_limit(listed, plain_output(listed.err));
         if (why.empty()
             && (!fs::exists(list) || included_from_elsewhere(read_file(list), file, scratch.folder, tools.includes)))
             why = explain_unopened();
