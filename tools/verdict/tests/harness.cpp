@@ -318,10 +318,13 @@ std::string in_words(const Verdict &verdict) {
     return out.str();
 }
 
+/// Whether it is enough that one verdict is red.
+bool wants_red(std::string_view expect) { return expect == "red" || expect.starts_with("got "); }
+
 /// How long a subject is waited for whose verdicts are known. The machine may be slow; but a wrong one may well hang, and
 /// will be no less wrong after a minute. Where a count is expected, what a student sees as too slow must be too slow.
 Patience patience_for(const std::string &expect) {
-    if (expect == "red" || expect.starts_with("got ")) return {};
+    if (wants_red(expect)) return {};
     const bool all = expect == "all" || expect == "none";
     return {.a_case = all ? 60 : Patience{}.a_case, .all = 600, .start = 60};
 }
@@ -332,8 +335,7 @@ bool judge_known(const std::string &subject, const std::string &answer, const st
                  const std::string &expect, unsigned seed) {
     verdicts.clear();
     Session here{subject, patience_for(expect), answer};
-    const bool red = expect == "red" || expect.starts_with("got ");
-    run_tests(here, seed, {.exercise = exercise, .until_red = red});
+    run_tests(here, seed, {.exercise = exercise, .until_red = wants_red(expect)});
     if (!here.trouble().empty()) throw MachineTrouble{here.trouble()};
     return as_expected(expect);
 }
