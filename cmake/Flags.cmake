@@ -13,7 +13,8 @@ set(COURSE_WARNINGS
     -Wconversion # 0.5 in an int is a classic slip of a beginner;
     -Wno-sign-conversion # an int as an index is none, but for Clang part of it
     -Wshadow)    # as is a second variable of the same name
-set(COURSE_OPTIMIZATION -O1 CACHE STRING "For programs and answers. The course program has the property COURSE_UNOPTIMIZED; its tests of sections have not, as they take longer to run at -O0 than to compile at -O1")
+set(COURSE_OPTIMIZATION -O1 CACHE STRING "For programs and answers; other targets say their own in the property COURSE_OPTIMIZE")
+set(of_target $<TARGET_PROPERTY:COURSE_OPTIMIZE>)
 set(COURSE_CODE_FLAGS
     -ffp-contract=off    # a * b + c is rounded twice on every machine
     -ftrivial-auto-var-init=pattern # an uninitialized number has a strange value, never the right one by luck
@@ -25,7 +26,7 @@ set(COURSE_DEFINITIONS
 # Ours, and a student's: who has not begun has not used a parameter either. (For Clang the order of the two matters.)
 foreach(flags course_flags course_student_flags)
   add_library(${flags} INTERFACE)
-  target_compile_options(${flags} INTERFACE $<IF:$<BOOL:$<TARGET_PROPERTY:COURSE_UNOPTIMIZED>>,-O0,${COURSE_OPTIMIZATION}> ${COURSE_CODE_FLAGS} ${COURSE_WARNINGS})
+  target_compile_options(${flags} INTERFACE $<IF:$<STREQUAL:${of_target},>,${COURSE_OPTIMIZATION},${of_target}> ${COURSE_CODE_FLAGS} ${COURSE_WARNINGS})
   target_compile_definitions(${flags} INTERFACE ${COURSE_DEFINITIONS})
   target_include_directories(${flags} INTERFACE ${PROJECT_SOURCE_DIR}/chapters)
   target_link_libraries(${flags} INTERFACE Eigen3::Eigen)

@@ -21,7 +21,9 @@ if(COURSE_WASM)
   file(WRITE ${PROJECT_BINARY_DIR}/play/can_compile "") # for ./course play
 endif()
 
+add_custom_target(demo-tests)
 add_test(NAME demos.stills COMMAND ${NODE} --test ${PROJECT_SOURCE_DIR}/tests/play/stills.test.mjs)
+set_tests_properties(demos.stills PROPERTIES LABELS slow)
 
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(COURSE_WASM_FLAGS --target=wasm32-wasi -std=c++20 -Os ${COURSE_CODE_FLAGS}
@@ -67,14 +69,18 @@ macro(section_demo)
     stand_behind_student_header(${section}_demo course_flags)
     target_compile_definitions(${section}_demo PRIVATE DEMO="${section}/demo.cpp")
     set_target_properties(${section}_demo PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/demo)
+    add_dependencies(demo-tests ${section}_demo)
     add_dependencies(${section}_checks ${section}_demo)
+    set(tests ${section}.demo)
     add_test(NAME ${section}.demo COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/play/script.mjs $<TARGET_FILE:${section}_demo>
       ${PROJECT_SOURCE_DIR}/demos/${section}.js)
     file(GLOB tasks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section_number}_*.mjs) # what a place asks can be done
     foreach(task ${tasks})
       cmake_path(GET task STEM stem)
       add_test(NAME ${section}.demo.${stem} COMMAND ${NODE} ${task} $<TARGET_FILE:${section}_demo>)
+      list(APPEND tests ${section}.demo.${stem})
     endforeach()
+    set_tests_properties(${tests} PROPERTIES LABELS slow)
     if(COURSE_WASM)
       section_wasm()
     endif()

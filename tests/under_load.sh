@@ -3,7 +3,7 @@
 # then answers that loop or sleep, four at once, beside five busy loops a core, and compares each verdict with the one of a
 # quiet machine, byte for byte. At last all of tests/right, eight times at once.
 #
-#     tests/under_load.sh [ROUNDS]      a round takes a minute or two on two cores, and the end five; needs ./course test
+#     tests/under_load.sh [ROUNDS]      a round takes a minute or two on two cores, and the end five; needs ./course test --all
 set -u
 cd "$(dirname "$0")/.." || exit 2
 rounds=${1:-20}

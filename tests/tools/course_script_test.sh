@@ -219,7 +219,7 @@ claim='test: what shows that the course works is built and run, and ctest gets t
 course test -R 'a b'
 leaves_with 0
 has "$did" 'build checks'
-has "$out" "ctest: --test-dir $build --output-on-failure --no-tests=error --exclude-regex ^(tools\\.|tool-tests|script\$) -R a b"
+has "$out" "ctest: --test-dir $build --output-on-failure --no-tests=error --label-exclude ^(slow|thorough|configure)\$ --exclude-regex ^tool-tests -R a b"
 
 claim='test --all: everything is built, all tests run, and a failure of ctest is 1'
 ctest_leaves=8

@@ -10,8 +10,8 @@ Usage: ./course [command]
   ./course setup      only the installing; --yes: without asking
   ./course doctor     one line for each tool: what was found, what is needed, what to type
   ./course test       shows that the course works here: the solutions pass, wrong answers fail, and each kind of mistake
-                      gets its words; --all: also the tests of the course program, some minutes more, as CI does.
-                      What follows goes to ctest: ./course test -R 07_
+                      gets its words. --all: also every wrong answer that we know of, and the tests of the course
+                      program, some minutes more. What follows goes to ctest: ./course test -R 07_
 
   ./course --version  says which version of the course this is
   COURSE_BUILD=/some/folder ./course    builds there instead of in build/default
@@ -67,8 +67,8 @@ check_the_book() {
     unlike=$(differences) || give_up 1
 }
 
-# The tests of the sections and of what a student reads; with --all, those of the course program and of this script
-# too. ctest's closing lines are the last.
+# The tests of the sections and of what a student reads; with --all, whatever takes longer, and those of the course
+# program and of this script, too. ctest's closing lines are the last.
 run_tests() {
     wanted=checks
     case ${1-} in
@@ -76,7 +76,7 @@ run_tests() {
         shift
         wanted=all
         ;;
-    *) set -- --exclude-regex '^(tools\.|tool-tests|script$)' "$@" ;;
+    *) set -- --label-exclude '^(slow|thorough|configure)$' --exclude-regex '^tool-tests' "$@" ;;
     esac
     take_build_folder
     configure

@@ -218,6 +218,7 @@ template <class Ready> bool Subject::wait(Ready ready, const Allowance &allowanc
     const auto began = Clock::now();
     for (int looks = 0, sleeping = 0; !ready(next_look);) {
         const bool sleeps = is_asleep(process);
+        next_look = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>{between});
         if (ready(Clock::time_point{})) return true; // it was only about to answer
         ++looks;
         if (sleeps) ++sleeping, asleep += between;
@@ -226,7 +227,6 @@ template <class Ready> bool Subject::wait(Ready ready, const Allowance &allowanc
             silence = timed_out && 2 * sleeping < looks && spent() < allowance.spent ? Silence::starved : Silence::late;
             return false;
         }
-        next_look = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>{between});
     }
     return true;
 }
