@@ -647,8 +647,8 @@ TEST_CASE("exercises of the header without a row, a hint, a solution, rows witho
 TEST_CASE("the glossary has a row for each bold term, with what else it is called and where it is explained") {
     const Book book;
     book.edit_chapter("# 7 Wall\n",
-                      "# 7 Wall\n\nA **wall** is high.\n\n## Which side?\n\nThe **normal**\n(also called the "
-                      "*unit normal*, or *$\\hat n$*) is *not* a **`Vec2`, of length $1$**, for *it* is **long.**\n\n"
+                      "# 7 Wall\n\nA **wall** is high.\n\n## Which side?\n\nThe **normal**\n<!-- also: unit "
+                      "normal, normal vector --> is *not* a **`Vec2`, of length $1$**, for *it* is **long.**\n\n"
                       "> ### A box: **x**\n>\n> **Write** it.\n\nA **box | wall** (see *there*). **Pencil first:** 2 "
                       "**and so on…**\n\n"
                       "```text\n**code**\n```\n\n## Which side?\n\n"
@@ -667,7 +667,7 @@ TEST_CASE("the glossary has a row for each bold term, with what else it is calle
                                                                              "| Determinant | | [7]"
                                                                            + chapter_link
                                                                            + "#which-side-1) |\n"
-                                                                             "| normal | unit normal, $\\hat n$ | [7]"
+                                                                             "| normal | unit normal, normal vector | [7]"
                                                                            + chapter_link
                                                                            + "#which-side) |\n"
                                                                              "| wall | | [7]"
@@ -690,8 +690,8 @@ TEST_CASE("the glossary has a row for each bold term, with what else it is calle
 
 TEST_CASE(
     "a term of several chapters is one row; twice in one chapter it is a finding; without terms there is no table") {
-    const std::string one = "# A\n\n**wall** (also called *brick*), **corner**\n",
-                      two = "# B\n\nA **Wall** (also called the *brick*, *fence*).\n";
+    const std::string one = "# A\n\n**wall** <!-- also: brick -->, **corner**\n",
+                      two = "# B\n\nA **Wall** <!-- also: brick, fence -->.\n";
     std::vector<Term> terms = terms_of(one, 1, "a.md", "a.md");
     for (const Term &term : terms_of(two, 2, "b.md", "b.md")) terms.push_back(term);
     const Glossary woven = weave_glossary("## Glossary\n", "book.md", terms);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace course {
 namespace {
@@ -44,18 +45,15 @@ bool is_in_heading_or_box(cmark_node *node) {
     return false;
 }
 
-/// The italics of "(also called the *first*, or *second*)", if that is what follows.
-std::vector<std::string> also_called(cmark_node *bold, const std::vector<Formula> &formulas, std::size_t next) {
-    std::vector<std::string> names;
+/// `the first`, `second` of `<!-- also: the first, second -->`, if that follows.
+std::vector<std::string> also_called(cmark_node *bold) {
     cmark_node *node = cmark_node_next(bold);
-    if (node && cmark_node_get_type(node) == CMARK_NODE_SOFTBREAK) node = cmark_node_next(node);
-    if (!node || !without_blanks(literal(node)).starts_with("(also called")) return names;
-    for (; node; node = cmark_node_next(node)) {
-        const bool is_name = cmark_node_get_type(node) == CMARK_NODE_EMPH;
-        const std::string words = markdown_of(node, formulas, next);
-        if (is_name) names.push_back(words);
-        else if (contains(words, ")")) break;
-    }
+    if (node && without_blanks(literal(node)).empty()) node = cmark_node_next(node);
+    const std::string comment = node ? literal(node) : "";
+    const auto listed = between(comment, "<!-- also: ", " -->");
+    std::vector<std::string> names;
+    std::istringstream list{std::string{listed.value_or("")}};
+    for (std::string name; std::getline(list >> std::ws, name, ',');) names.push_back(name);
     return names;
 }
 
@@ -79,8 +77,7 @@ std::vector<Term> terms_of(std::string_view chapter, int section, const std::str
             std::size_t next = formula;
             const std::string name = markdown_of(node, taken.formulas, next);
             if (is_term(name))
-                terms.push_back({name, also_called(node, taken.formulas, next), section, place, file,
-                                 cmark_node_get_start_line(node)});
+                terms.push_back({name, also_called(node), section, place, file, cmark_node_get_start_line(node)});
         } else if (cmark_node_get_type(node) == CMARK_NODE_TEXT) {
             static_cast<void>(markdown_of(node, taken.formulas, formula));
         }

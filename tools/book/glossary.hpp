@@ -11,11 +11,11 @@
 
 namespace course {
 
-/// A term where a chapter explains it: `**determinant** (also called the *2D cross product*)`. Bold text that ends in
+/// A term where a chapter explains it: `**determinant** <!-- also: 2D cross product -->`. Bold text that ends in
 /// punctuation is not a term, and neither is any in a heading or in a box: `> **Write** ...`.
 struct Term {
     std::string name;                     ///< "determinant", as in a cell of a table
-    std::vector<std::string> also_called; ///< "2D cross product": the italics of a parenthesis right after it
+    std::vector<std::string> also_called; ///< "2D cross product": what a comment right after it lists
     int section = 0;                      ///< 7
     std::string link;                     ///< "chapters/07_walls/README.md#where-two-lines-cross"
     std::filesystem::path file;           ///< of the chapter

@@ -24,7 +24,10 @@ std::vector<fs::path> figures(const Tree &tree, const Section &section) {
 } // namespace
 
 Page page_of(const Tree &tree, const Section &section) {
-    Page page{tree.chapter(section), {tree.header(section), tree.program(section), tree.solution(section)}, {}};
+    Page page{tree.chapter(section),
+              {tree.header(section), tree.program(section), tree.solution(section)},
+              {},
+              {tree.header(section), tree.solution(section)}};
     for (const fs::path &file : files_in(page.file.parent_path(), "pp")) // a benchmark, and what it measures
         if (std::find(page.code.begin(), page.code.end(), file) == page.code.end()) page.code.push_back(file);
     for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
@@ -36,7 +39,10 @@ Page page_of(const Tree &tree, const Section &section) {
     return page;
 }
 
-Page page_of_book(const Tree &tree) { return {tree.root / "book.md", files_in(tree.root / "chapters", ".hpp"), {}}; }
+Page page_of_book(const Tree &tree) {
+    const std::vector<fs::path> shared = files_in(tree.root / "chapters", ".hpp");
+    return {tree.root / "book.md", shared, {}, shared};
+}
 
 namespace {
 
@@ -112,7 +118,8 @@ class Weaver {
 
     void find_unshown() {
         for (const auto &[title, chunk] : chunks)
-            if (!shown.contains(title))
+            if (!shown.contains(title)
+                && (title.starts_with("The frame loop") || std::ranges::count(page.shown, chunk.file) > 0))
                 find(chunk.file, chunk.line,
                      fmt::format("the chunk \"{}\" is not shown in {}; put a fence there whose first line is `{}`, or "
                                  "take the title out of the mark if the code is to stay out.",

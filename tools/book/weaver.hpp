@@ -16,11 +16,13 @@ namespace course {
 /// A chapter, or book.md, and the code that it shows.
 struct Page {
     std::filesystem::path file;
-    std::vector<std::filesystem::path> code;  ///< the page shows every chunk of these, once
+    std::vector<std::filesystem::path> code;  ///< the page may show the chunks of these, each once
     std::vector<std::filesystem::path> whole; ///< those of them that are in chunks from their includes on
+    std::vector<std::filesystem::path> shown; ///< those whose chunks it must show, as it must every frame loop
 };
 
-/// The chapter of a section: it shows header, program, solution, tests and the scripts of its figures.
+/// The chapter of a section. It shows header, solution and frame loops, and what it likes of the program, the tests and
+/// the scripts of its figures: these stand on pages of their own.
 Page page_of(const Tree &tree, const Section &section);
 
 /// book.md, which may show what sections share: chapters/*.hpp.

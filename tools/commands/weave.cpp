@@ -1,4 +1,5 @@
 // course weave: brings the listings, outputs and glossary of the book up to date, or says where they are not.
+#include "book/voice.hpp"
 #include "book/weaver.hpp"
 
 #include "book/budgets.hpp"
@@ -83,6 +84,7 @@ class Command {
         if (check && readable) {
             add(missing_parts(tree, section, text));
             add(exceeded_budgets(text, file));
+            add(out_of_voice(text, file));
             add(misshapen_demos(text, file));
         }
         ++chapters;

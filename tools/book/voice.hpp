@@ -1,0 +1,16 @@
+#pragma once
+// How a chapter sounds, in numbers, if a line `<!-- voice -->` of it says that it's written in the course's voice. What
+// is meant is in CONTRIBUTING.md; a number only catches habits.
+
+#include "book/finding.hpp"
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// Habits that a chapter in the voice has more often than it may. There are no exceptions.
+std::vector<Finding> out_of_voice(std::string_view chapter, const std::filesystem::path &file);
+
+} // namespace course
