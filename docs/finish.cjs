@@ -101,11 +101,17 @@ const unbroken = (text) => text.replace(quantity, (found) => found.replace(/\s/g
 // What is empty is no heading of a column.
 const tables = (html) => html.replace(/<t[hd] align="\w+">/g, (cell) => cell.replace('align', 'class')).replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
 
+// The hints of an exercise are a row of chips, and what a hint is about is seen once it is open.
+const chips = (html) => html
+  .replace(/<summary>Hint \d+: still red\?<\/summary>/g, '<summary>Still red?</summary>')
+  .replace(/<summary>(Hint \d+)(: [^]*?)<\/summary>/g, '<summary>$1<span>$2</span></summary>')
+  .replace(/(?:<details class="hint">[^]*?<\/details>\s*)+/g, (row) => `<div class="hints">${row.trimEnd()}</div>\n`);
+
 const pieces = /<span class="math( display)?" data-from="([^"]*)" data-plain="[^"]*">([^<]*)<\/span>([,.;:!?)]*)|<pre class="code( numbered)?" data-language="(\w+)"><code>([^<]*)<\/code><\/pre>|<code(?: class="long")?>([^<]*)<\/code>|<(\/?)(a|h1|h2|h3|summary|pre)\b[^>]*>|<[^>]*>|[^<]+/g;
 function finished({ html, space }) {
   const seen = new Set(); // names that are links already, in this part of the page
   let within = 0; // elements in which names are no links
-  return tables(html).replace(pieces, (all, display, from, tex, mark, numbered, language, code, name, end, tag) => {
+  return chips(tables(html)).replace(pieces, (all, display, from, tex, mark, numbered, language, code, name, end, tag) => {
     if (tex !== undefined) return display ? formula(tex, display, from) + mark : mark ? withMark(formula(tex, '', from), mark) : formula(tex, '', from);
     if (code !== undefined) return listing(code, language, numbered ?? '', space);
     if (name !== undefined) {

@@ -112,5 +112,78 @@ double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int j
     }
     return by < 0 ? -turn : turn;
 }
+
+//> Solution: handles
+static void require_handles(const Handles &handles) {
+    for (const double handle : {handles.drive, handles.boom, handles.stick, handles.bucket})
+        course::require(std::abs(handle) <= 1, "a handle goes from -1 to 1", handle);
+}
+
+//> Solution 9.7: one frame of the digger
+Site next_frame(Site now, const Handles &handles, double dt) {
+    course::require_range(now.place, now.boom, now.stick, now.bucket, now.stone);
+    require_handles(handles);
+    course::require(dt >= 0 && dt <= 1, "dt [s] must be from 0 to 1", dt);
+    now.place += dt * 2 * handles.drive;
+    now.boom += dt * 0.8 * handles.boom;
+    now.stick += dt * 0.8 * handles.stick;
+    now.bucket += dt * 0.8 * handles.bucket;
+    const Vec2 teeth = joints({now.place, boom_height},
+                              {{boom_length, now.boom}, {stick_length, now.stick}, {bucket_length, now.bucket}})
+                           .back();
+
+    if (!handles.closed) now.held = false;
+    else if ((teeth - now.stone).norm() <= 0.3) now.held = true;
+    if (now.held) now.stone = teeth;
+    else now.stone.y() = std::max(0.0, now.stone.y() - dt * 4);
+    return now;
+}
+
+//> Solution: a good crane
+static void require_pose(const Crane &crane, const Pose &pose, double side) {
+    course::require(std::abs(pose.first) <= 2 * std::numbers::pi, "the first angle must be within ±2π", pose.first);
+    course::require(std::abs(pose.second) <= 3.1, "the second angle must be within ±3.1", pose.second);
+    const auto [elbow, hand] = two_links({crane.first, pose.first}, {crane.second, pose.second});
+    for (const Vec2 &point : {elbow, hand}) {
+        course::require(side * point.x() > 0, "elbow and hand must be on their side of the wall, x [m]", point.x());
+        course::require(crane.height + point.y() >= 0, "elbow and hand must be above the ground, y [m]", point.y());
+    }
+}
+static void require_crane(const Crane &crane) {
+    course::require_range(crane.height, crane.first, crane.second, crane.wall);
+    course::require(crane.wall >= 0 && crane.wall < crane.height, "the wall must be lower than the crane", crane.wall);
+    for (const double length : {crane.first, crane.second})
+        course::require(length > 0 && length <= crane.height, "a link must not be longer than the crane is high",
+                        length);
+}
+
+//> Solution: to another pose
+/// Goes on from the last pose in equal small turns.
+static void turn_to(std::vector<Pose> &poses, const Pose &there) {
+    const Pose from = poses.back();
+    const double far = std::max(std::abs(there.first - from.first), std::abs(there.second - from.second));
+    const int steps = int(far / 0.09) + 1;
+    for (int i = 1; i <= steps; ++i) {
+        const double part = double(i) / steps;
+        poses.push_back(
+            {from.first + part * (there.first - from.first), from.second + part * (there.second - from.second)});
+    }
+}
+
+//> Solution 9.8: over the wall
+std::vector<Pose> over_the_wall(const Crane &crane, const Pose &start, const Pose &goal) {
+    require_crane(crane);
+    require_pose(crane, start, -1);
+    require_pose(crane, goal, 1);
+    const double up = std::numbers::pi / 2;
+    const auto from_up = [&](double angle) { return std::remainder(angle - up, 2 * std::numbers::pi); };
+    // As it is, until the first link points up: what's on the left goes up, too. Then the elbow, high above the wall. And
+    // down as it's going to be, which is the first part backwards, in a mirror.
+    std::vector<Pose> poses{start};
+    turn_to(poses, {start.first - from_up(start.first), start.second});
+    turn_to(poses, {start.first - from_up(start.first), goal.second});
+    turn_to(poses, {start.first - from_up(start.first) + from_up(goal.first), goal.second});
+    return poses;
+}
 //>
 } // namespace forward_kinematics

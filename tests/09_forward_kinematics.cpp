@@ -7,10 +7,14 @@
 #include <complex>
 #include <numbers>
 
+using forward_kinematics::Crane;
 using forward_kinematics::ElbowAndHand;
 using forward_kinematics::Frame;
+using forward_kinematics::Handles;
 using forward_kinematics::Link;
-using namespace forward_kinematics::subject; // two_links, compose, ... turn_above_ground: the student's
+using forward_kinematics::Pose;
+using forward_kinematics::Site;
+using namespace forward_kinematics::subject; // two_links, compose, ... over_the_wall: the student's
 
 namespace {
 
@@ -1080,4 +1084,268 @@ TEST_CASE("rejects any negative length, or a number beyond ±1e5, above the grou
     CHECK_REFUSED(turn_above_ground({0, too_large}, {{2, 0}}, 0, 1), "y of the base, just above 1e5");
     CHECK_REFUSED(turn_above_ground({0, 3}, {{2, 0}}, 0, too_large), "by, just above 1e5");
     turn_above_ground({0, 3}, {{2, 0.1}}, 0, 1); // good input is still answered
+}
+
+// ------------------------------------------------------------------------------------------------------ 9.7 next_frame
+
+namespace {
+
+constexpr double frame_time = 1.0 / 60; // [s]
+
+/// The end of the bucket: boom 3.2 m, stick 2.4 m, bucket 0.7 m, from 1.2 m above the ground.
+Vec2 teeth_of(const Site &site) {
+    return walked({site.place, 1.2}, {{3.2, site.boom}, {2.4, site.stick}, {0.7, site.bucket}}).back();
+}
+Site site(Dice &dice) {
+    return {dice.real(-5, 5), dice.real(-1, 2), dice.real(-2, 1), dice.real(-2, 2), dice.point(-9, 9), false};
+}
+Handles handles(Dice &dice, bool closed) {
+    return {dice.real(-1, 1), dice.real(-1, 1), dice.real(-1, 1), dice.real(-1, 1), closed};
+}
+
+} // namespace
+
+//> Worked example: a second of driving
+TEST_CASE("drives 2 m and turns the boom 0.8 rad in a second, and lets the stone come down", "[9.7]") {
+    const Site start{1, 0.5, -0.5, 0.25, {20, 9}, false};
+    CHECK_THAT(next_frame(start, {1, 1, 0, 0, false}, 1), IsNear(Site{3, 1.3, -0.5, 0.25, {20, 5}, false}, digits));
+}
+
+//> Each handle
+TEST_CASE("turns each joint by its own handle, both ways", "[9.7]") {
+    const Site start{0, 0, 0, 0, {20, 0}, false};
+    CHECK_THAT(next_frame(start, {0, 0, -1, 0, false}, 0.5), IsNear(Site{0, 0, -0.4, 0, {20, 0}, false}, digits));
+    CHECK_THAT(next_frame(start, {0, 0, 0, 0.5, false}, 0.5), IsNear(Site{0, 0, 0, 0.2, {20, 0}, false}, digits));
+    CHECK_THAT(next_frame(start, {-0.5, 0, 0, 0, false}, 0.25), IsNear(Site{-0.25, 0, 0, 0, {20, 0}, false}, digits));
+}
+
+//> Nobody at the handles
+TEST_CASE("changes nothing when nobody touches a handle and the stone lies on the ground", "[9.7]") {
+    const Site start{1, 0.5, -0.5, 0.25, {20, 0}, false};
+    CHECK_THAT(next_frame(start, {}, frame_time), IsNear(start, digits));
+    CHECK_THAT(next_frame(start, {1, 1, 1, 1, true}, 0), IsNear(start, digits));
+}
+
+//> Grab
+TEST_CASE("grabs a stone within 0.3 m of the teeth, and not one farther away", "[9.7]") {
+    const Vec2 teeth{6.3, 1.2}; // a straight arm, level: 3.2 + 2.4 + 0.7
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 1.49}, false}, {0, 0, 0, 0, true}, 0),
+               IsNear(Site{0, 0, 0, 0, teeth, true}, digits));
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 1.51}, false}, {0, 0, 0, 0, true}, 0),
+               IsNear(Site{0, 0, 0, 0, {6.3, 1.51}, false}, digits));
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.1, 1.0}, false}, {0, 0, 0, 0, true}, 0),
+               IsNear(Site{0, 0, 0, 0, teeth, true}, digits));
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.05, 1.0}, false}, {0, 0, 0, 0, true}, 0).held, IsNear(false).of("held"));
+}
+
+//> Open, it grabs nothing
+TEST_CASE("doesn't grab with an open bucket", "[9.7]") {
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 1.2}, false}, {}, 0), IsNear(Site{0, 0, 0, 0, {6.3, 1.2}, false}, digits));
+}
+
+//> Move first, then grab
+TEST_CASE("looks for the stone where the teeth are after the move", "[9.7]") {
+    // the teeth drive from x = 6.3 to 7.3, where the stone is
+    CHECK_THAT(next_frame({0, 0, 0, 0, {7.3, 1.2}, false}, {1, 0, 0, 0, true}, 0.5),
+               IsNear(Site{1, 0, 0, 0, {7.3, 1.2}, true}, digits));
+    // and away from one that was within reach
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 0}, false}, {-1, 0, 0, 0, true}, 0.5).held, IsNear(false).of("held"));
+}
+
+//> Carried
+TEST_CASE("carries the stone at the teeth, however they move", "[9.7]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        Site now = site(dice);
+        now.stone = teeth_of(now);
+        now.held = true;
+        const Site then = next_frame(now, handles(dice, true), dice.real(0, 1));
+        CHECK_THAT(then.held, IsNear(true).of("held"));
+        CHECK_THAT(then.stone, IsNear(teeth_of(then), chained).of("stone [m]"));
+    }
+}
+
+//> Let go
+TEST_CASE("lets go when the bucket opens; the stone comes down at 4 m/s and lies on the ground", "[9.7]") {
+    Site now{0, 0, 0, 0, {6.3, 1.2}, true};
+    now = next_frame(now, {}, 0.1);
+    CHECK_THAT(now, IsNear(Site{0, 0, 0, 0, {6.3, 0.8}, false}, digits));
+    now = next_frame(now, {}, 0.1);
+    CHECK_THAT(now.stone, IsNear(Vec2{6.3, 0.4}, chained).of("stone [m]"));
+    now = next_frame(now, {}, 0.9);
+    CHECK_THAT(now.stone, IsNear(Vec2{6.3, 0}, chained).of("stone [m]"));
+}
+
+//> Anywhere
+TEST_CASE("leaves a stone out of reach to itself, wherever the digger goes", "[9.7]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        Site now = site(dice);
+        now.stone = {30, dice.real(0, 9)};
+        const double dt = dice.real(0, 1);
+        const Site then = next_frame(now, handles(dice, i % 2 == 0), dt);
+        CHECK_THAT(then.held, IsNear(false).of("held"));
+        CHECK_THAT(then.stone, IsNear(Vec2{30, std::max(0.0, now.stone.y() - 4 * dt)}, chained).of("stone [m]"));
+    }
+}
+
+//> Half as long
+TEST_CASE("gets to the same place in two half frames", "[9.7]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        Site now = site(dice);
+        now.stone = {30, 9};
+        const Handles pushed = handles(dice, false);
+        const double dt = dice.real(0, 1);
+        const Site halves = next_frame(next_frame(now, pushed, dt / 2), pushed, dt / 2),
+                   whole = next_frame(now, pushed, dt);
+        CHECK_THAT(halves.place - whole.place, IsNear(0.0, chained).of("difference of the places [m]"));
+        CHECK_THAT(halves.boom - whole.boom, IsNear(0.0, chained).of("difference of the booms [rad]"));
+        CHECK_THAT(halves.stick - whole.stick, IsNear(0.0, chained).of("difference of the sticks [rad]"));
+        CHECK_THAT(halves.bucket - whole.bucket, IsNear(0.0, chained).of("difference of the buckets [rad]"));
+    }
+}
+
+//> A whole job
+TEST_CASE("picks up a stone, drives off with it and puts it down 2 m farther on", "[9.7]") {
+    Site now{0, 0, 0, 0, {6.3, 1.3}, false};
+    for (int frame = 0; frame < 60; ++frame) now = next_frame(now, {1, 0, 0, 0, true}, frame_time);
+    CHECK_THAT(now.stone, IsNear(Vec2{8.3, 1.2}, chained).of("stone, after a second [m]"));
+    for (int frame = 0; frame < 60; ++frame) now = next_frame(now, {}, frame_time);
+    CHECK_THAT(now.stone, IsNear(Vec2{8.3, 0}, chained).of("stone, after another one [m]"));
+}
+
+//>
+TEST_CASE("rejects a handle beyond ±1, a dt that isn't from 0 to 1, and numbers beyond ±1e5", "[9.7]") {
+    const Site start{1, 0.5, -0.5, 0.25, {20, 9}, false};
+    for (const double bad : {1.0001, -1.0001, 50.0}) {
+        CHECK_REFUSED(next_frame(start, {bad, 0, 0, 0, false}, 0.1), "the first handle is beyond ±1");
+        CHECK_REFUSED(next_frame(start, {0, bad, 0, 0, false}, 0.1), "the second handle is beyond ±1");
+        CHECK_REFUSED(next_frame(start, {0, 0, bad, 0, false}, 0.1), "the third handle is beyond ±1");
+        CHECK_REFUSED(next_frame(start, {0, 0, 0, bad, false}, 0.1), "the fourth handle is beyond ±1");
+    }
+    for (const double bad : {-1e-9, 1.0001}) CHECK_REFUSED(next_frame(start, {}, bad), "dt is not from 0 to 1");
+    CHECK_OUT_OF_RANGE_REFUSED(next_frame, {start, Handles{0.5, 0.5, 0.5, 0.5, true}, 0.5});
+    next_frame(start, {1, -1, 1, -1, true}, 1); // good input is still answered
+}
+
+// --------------------------------------------------------------------------------------------------- 9.8 over_the_wall
+
+namespace {
+
+/// The joints of a crane's arm in a pose.
+std::vector<Vec2> joints_of(const Crane &crane, const Pose &pose) {
+    return walked({0, crane.height}, {{crane.first, pose.first}, {crane.second, pose.second}});
+}
+bool on_side(const Crane &crane, const Pose &pose, double side) {
+    const std::vector<Vec2> all = joints_of(crane, pose);
+    return side * all[1].x() > 0.01 && side * all[2].x() > 0.01 && all[1].y() > 0.01 && all[2].y() > 0.01;
+}
+
+/// How much room there is between the wall and a link where it crosses the line of the wall [m]; a lot if it doesn't.
+double room_above_wall(const Crane &crane, const Vec2 &from, const Vec2 &to) {
+    if (from.x() * to.x() > 0 || from.x() == to.x())
+        return from.x() == 0 ? std::min(from.y(), to.y()) - crane.wall : 1e3;
+    const double part = from.x() / (from.x() - to.x());
+    return from.y() + part * (to.y() - from.y()) - crane.wall;
+}
+
+double difference(double one, double other) { return std::abs(std::remainder(one - other, 2 * pi)); }
+
+/// All that `over_the_wall` promises.
+void check_promises(const Crane &crane, const Pose &start, const Pose &goal) {
+    const std::vector<Pose> poses = over_the_wall(crane, start, goal);
+    CHECK_THAT(int(poses.size()), IsAtLeast(2).of("poses"));
+    CHECK_THAT(int(poses.size()), IsAtMost(10000).of("poses"));
+    CHECK_THAT(difference(poses.front().first, start.first),
+               IsNear(0.0, digits).of("the first pose's first angle, off by [rad]"));
+    CHECK_THAT(difference(poses.front().second, start.second),
+               IsNear(0.0, digits).of("the first pose's second angle, off by [rad]"));
+    CHECK_THAT(difference(poses.back().first, goal.first),
+               IsNear(0.0, chained).of("the last pose's first angle, off by [rad]"));
+    CHECK_THAT(difference(poses.back().second, goal.second),
+               IsNear(0.0, chained).of("the last pose's second angle, off by [rad]"));
+    double step = 0, lowest = 1e3, room = 1e3;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const std::vector<Vec2> all = joints_of(crane, poses[i]);
+        lowest = std::min({lowest, all[1].y(), all[2].y()});
+        room = std::min({room, room_above_wall(crane, all[0], all[1]), room_above_wall(crane, all[1], all[2])});
+        if (i > 0)
+            step = std::max(
+                {step, std::abs(poses[i].first - poses[i - 1].first), std::abs(poses[i].second - poses[i - 1].second)});
+    }
+    CHECK_THAT(step, IsAtMost(0.1 + digits).of("largest turn from a pose to the next [rad]"));
+    CHECK_THAT(lowest, IsAtLeast(-digits).of("height of the lowest point of all poses [m]"));
+    CHECK_THAT(room, IsAbove(0).of("room between the wall and the arm [m]"));
+}
+
+} // namespace
+
+//> Straight over
+TEST_CASE("swings a straight arm from the left of the wall to the right", "[9.8]") {
+    check_promises({5, 3, 2, 3}, {degrees(200), 0}, {degrees(-20), 0});
+}
+
+//> Not from below
+TEST_CASE("goes over the top, even when the way under the base is shorter", "[9.8]") {
+    check_promises({5, 2, 1, 4}, {degrees(260), 0}, {degrees(-80), 0});
+}
+
+//> Bent
+TEST_CASE("brings a hand that's held down on the left to one that's held up on the right", "[9.8]") {
+    check_promises({5, 3, 4, 4.5}, {degrees(160), degrees(60)}, {degrees(-10), degrees(120)});
+    check_promises({5, 3, 4, 4.5}, {degrees(190), degrees(-120)}, {degrees(20), degrees(-70)});
+}
+
+//> Folded up
+TEST_CASE("carries an arm that's folded up tightly", "[9.8]") {
+    check_promises({5, 4, 3, 4}, {degrees(250), degrees(-170)}, {degrees(-70), degrees(170)});
+    check_promises({5, 4, 5, 4}, {degrees(100), degrees(150)}, {degrees(80), degrees(-150)});
+}
+
+//> Another turn
+TEST_CASE("doesn't mind angles of another turn", "[9.8]") {
+    check_promises({5, 3, 2, 3}, {degrees(-160), 0}, {degrees(340), 0});
+    check_promises({5, 3, 2, 3}, {degrees(200), 0}, {degrees(340), 0});
+    check_promises({5, 3, 2, 3}, {degrees(-160), 0}, {degrees(-340), 0});
+}
+
+//> Long links
+TEST_CASE("keeps long links off the ground", "[9.8]") {
+    check_promises({5, 5, 5, 4}, {degrees(200), degrees(-60)}, {degrees(-20), degrees(60)});
+    check_promises({5, 1, 5, 0}, {degrees(95), degrees(100)}, {degrees(85), degrees(-100)});
+}
+
+//> Any crane
+TEST_CASE("gets over the wall with any crane, from any pose to any other", "[9.8]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        const double height = dice.real(1, 9);
+        const Crane crane{height, dice.real(0.1, 1) * height, dice.real(0.1, 1) * height, dice.real(0, 0.99) * height};
+        Pose start, goal;
+        do start = {dice.real(-6, 6), dice.real(-3.05, 3.05)};
+        while (!on_side(crane, start, -1));
+        do goal = {dice.real(-6, 6), dice.real(-3.05, 3.05)};
+        while (!on_side(crane, goal, 1));
+        check_promises(crane, start, goal);
+    }
+}
+
+//>
+TEST_CASE("rejects poses on the wrong side or in the ground, long links, and a wall as high as the crane", "[9.8]") {
+    const Crane crane{5, 3, 2, 3};
+    const Pose left{degrees(200), 0}, right{degrees(-20), 0};
+    CHECK_REFUSED(over_the_wall(crane, right, right), "the start is on the right");
+    CHECK_REFUSED(over_the_wall(crane, left, left), "the goal is on the left");
+    CHECK_REFUSED(over_the_wall(crane, {degrees(100), degrees(-60)}, right), "the hand starts on the right");
+    CHECK_REFUSED(over_the_wall({3, 3, 2, 1}, {degrees(255), 0}, right), "the hand starts in the ground");
+    CHECK_REFUSED(over_the_wall({5, 5.1, 2, 3}, left, right), "the first link is longer than the crane is high");
+    CHECK_REFUSED(over_the_wall({5, 3, 5.1, 3}, left, right), "the second link is longer than the crane is high");
+    CHECK_REFUSED(over_the_wall({5, 0, 2, 3}, left, right), "a link has no length");
+    CHECK_REFUSED(over_the_wall({5, 3, 2, 5}, left, right), "the wall is as high as the crane");
+    CHECK_REFUSED(over_the_wall({5, 3, 2, -1}, left, right), "the wall has a negative height");
+    CHECK_REFUSED(over_the_wall(crane, {left.first, 3.2}, right), "the second angle is beyond ±3.1");
+    CHECK_REFUSED(over_the_wall(crane, {left.first + 2 * pi, 0}, right), "the first angle is beyond ±2π");
+    CHECK_OUT_OF_RANGE_REFUSED(over_the_wall, {crane, left, right});
+    over_the_wall(crane, left, right); // good input is still answered
 }

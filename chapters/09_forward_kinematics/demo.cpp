@@ -7,11 +7,11 @@ namespace play {
 using namespace forward_kinematics;
 using demo::Colour, demo::Input, demo::Shape;
 
-enum Game { you_guess, drawing, digging, swinging, arrows, carrying, grounded };
+enum Game { you_guess, drawing, digging, swinging, arrows, carrying, grounded, driving, crossing };
 
 const std::vector<std::string_view> games{
-    "you guess",     "an arm that draws (9.1)", "a digger (9.2)", "tentacle (9.3)", "how the hand moves (9.4)",
-    "pick up (9.5)", "above the ground (9.6)"};
+    "you guess",     "an arm that draws (9.1)", "a digger (9.2)",   "tentacle (9.3)",     "how the hand moves (9.4)",
+    "pick up (9.5)", "above the ground (9.6)",  "in the cab (9.7)", "over the wall (9.8)"};
 
 std::vector<std::string_view> in_games(std::initializer_list<Game> which) {
     std::vector<std::string_view> names;
@@ -33,11 +33,17 @@ const demo::About about{"Arms, and where their hands are.",
                          {"links", "", 1, 40, 1, 20, {}, in_games({swinging})},
                          {"swing", "°", 0, 30, 1, 8, {}, in_games({swinging})},
                          {"lag", "rad", 0, 1, 0.05, 0.25, {}, in_games({swinging})},
-                         {"joint", "", 1, 3, 1, 1, {}, in_games({arrows, carrying, grounded})}},
+                         {"joint", "", 1, 3, 1, 1, {}, in_games({arrows, carrying, grounded})},
+                         {"drive", "", -1, 1, 0.1, 0, {}, in_games({driving})},
+                         {"lift the boom", "", -1, 1, 0.1, 0, {}, in_games({driving})},
+                         {"lift the stick", "", -1, 1, 0.1, 0, {}, in_games({driving})},
+                         {"curl the bucket", "", -1, 1, 0.1, 0, {}, in_games({driving})}},
                         {{"f", "Show", in_games({you_guess})},
                          {"t", "Take, or let go", in_games({carrying})},
                          {"u", "Turn left", in_games({arrows, carrying, grounded})},
-                         {"d", "Turn right", in_games({arrows, carrying, grounded})}}};
+                         {"d", "Turn right", in_games({arrows, carrying, grounded})},
+                         {"c", "Close, or open", in_games({driving})},
+                         {"n", "New", in_games({crossing})}}};
 const demo::Still still{1.6};
 
 struct State {
@@ -48,6 +54,10 @@ struct State {
     Vec2 base{0, 0};                     ///< of the links [m]
     std::vector<Link> links{};           ///< of the arm whose joints one turns
     Box box{};                           ///< that it picks up
+    Site site{};                         ///< with a digger to be driven
+    bool closed = false;                 ///< whether its bucket is
+    int round = 0;                       ///< of the crane
+    std::vector<Pose> poses{};           ///< that carry its load over the wall
     double time{}, spare{}, chosen = -1; ///< [s], [s], the sum of all controls
 };
 
@@ -55,6 +65,21 @@ State begin() { return {}; }
 
 /// Not inline, which saves the page some bytes.
 [[gnu::noinline]] Frame hand_frame(const State &now) { return hand_of(now.base, now.links); }
+
+constexpr Crane crane{3.4, 2.6, 2.2, 2.7};
+std::vector<Vec2> joints_of(const Pose &pose) {
+    return joints({0, crane.height}, {{crane.first, pose.first}, {crane.second, pose.second}});
+}
+
+/// A pose with all of the arm on one side of the wall, and another one in each round.
+Pose pose_on(double side, int round) {
+    for (unsigned seed = unsigned(round) * 2654435761u + (side > 0 ? 77u : 1u);; seed = seed * 1664525u + 1013904223u) {
+        const Pose pose{(double(seed >> 20) / 4096 * 2 - 1) * 3.1, (double(seed >> 8 & 4095) / 4096 * 2 - 1) * 2.6};
+        const std::vector<Vec2> all = joints_of(pose);
+        const auto is_fine = [&](const Vec2 &at) { return side * at.x() > 0.5 && at.y() > 0.3; };
+        if (is_fine(all[1]) && is_fine(all[2])) return pose;
+    }
+}
 
 /// The choice of the game begins it anew; the other controls do not.
 void start(State &now) {
@@ -65,6 +90,9 @@ void start(State &now) {
     now.links = {{2.2, 100 * degree}, {1.8, -60 * degree}, {1.2, -30 * degree}};
     if (now.game == grounded) now.base = {0, 2};
     if (now.game == arrows) now.links = {{3, 45 * degree}, {2, 90 * degree}};
+    now.site = {-5, 55 * degree, -75 * degree, -40 * degree, {1.5, 0.2}, false};
+    now.closed = false;
+    if (now.game == crossing) now.poses = over_the_wall(crane, pose_on(-1, now.round), pose_on(1, now.round));
 }
 
 /// The arm above the ground is drawn this much lower [m].
@@ -102,6 +130,11 @@ void press(State &now, const Input &in) {
     if (in.key == "t" && now.box.held) now.box.held = false;
     else if (in.key == "t") take(now.box, hand_frame(now));
     const int joint = std::min(int(in["joint"]), int(now.links.size())) - 1;
+    if (in.key == "c") now.closed = !now.closed;
+    if (in.key == "n") {
+        ++now.round;
+        start(now);
+    }
     if (in.key == "u") turn(now, joint, 5 * degree);
     if (in.key == "d") turn(now, joint, -5 * degree);
 }
@@ -113,6 +146,10 @@ void step(State &now, const Input &in) {
         if (now.arm.trail.size() > 900) now.arm.trail.clear();
     }
     if (now.game == carrying) next_frame(now.box, hand_frame(now));
+    if (now.game == driving)
+        now.site = next_frame(
+            now.site, {in["drive"], in["lift the boom"], in["lift the stick"], in["curl the bucket"], now.closed},
+            frame_time);
 }
 
 State next(State now, const Input &in) {
@@ -246,6 +283,50 @@ void draw_grounded(demo::Picture &seen, const State &now) {
     say(seen, "hand, up", "m", all.back().y() + sunk);
 }
 
+/// The ground of these two, drawn lower [m].
+const Vec2 down{0, -4};
+std::vector<Vec2> lowered(std::vector<Vec2> points) {
+    for (Vec2 &each : points) each += down;
+    return points;
+}
+
+void draw_driving(demo::Picture &seen, const State &now) {
+    const Site &site = now.site;
+    const std::vector<Vec2> all =
+        lowered(joints({site.place, boom_height},
+                       {{boom_length, site.boom}, {stick_length, site.stick}, {bucket_length, site.bucket}}));
+    const Frame cab{{1, 0}, {0, 1}, Vec2{site.place - 0.5, 0} + down};
+    add(seen, Shape::line, Colour::dim, 4, {Vec2{-9, 0} + down, Vec2{9, 0} + down});
+    add_part(seen, cab, Colour::ink, {{-1.6, 0}, {1.2, 0}, {1.4, 0.3}, {1.2, 0.55}, {-1.6, 0.55}, {-1.8, 0.3}});
+    add_part(seen, cab, Colour::amber,
+             {{-1.5, 0.65}, {0.9, 0.65}, {0.9, 1.3}, {0.3, 2.3}, {-0.6, 2.3}, {-0.8, 1.4}, {-1.5, 1.4}});
+    add(seen, Shape::line, Colour::orange, 8, {all[0], all[1], all[2]});
+    add(seen, Shape::line, now.closed ? Colour::violet : Colour::ink, 10, {all[2], all[3]});
+    add(seen, Shape::discs, Colour::ink, 0.1, {all[0], all[1], all[2]});
+    add(seen, Shape::discs, site.held ? Colour::violet : Colour::dim, 0.2, {site.stone + down});
+    say(seen, "to the stone", "m", (all[3] - down - site.stone).norm());
+    say(seen, "stone, to the right", "m", site.stone.x());
+    say(seen, "stone, up", "m", site.stone.y());
+}
+
+void draw_crossing(demo::Picture &seen, const State &now) {
+    add(seen, Shape::line, Colour::dim, 4, {Vec2{-9, 0} + down, Vec2{9, 0} + down});
+    add_part(seen, {{1, 0}, {0, 1}, down}, Colour::violet,
+             {{-0.08, 0}, {0.08, 0}, {0.08, crane.wall}, {-0.08, crane.wall}});
+    add(seen, Shape::line, Colour::ink, 3, {Vec2{0, crane.wall} + down, Vec2{0, crane.height} + down});
+    for (const Pose &pose : {now.poses.front(), now.poses.back()})
+        add_list(seen, Shape::line, Colour::dim, -2, lowered(joints_of(pose)));
+    const int at = std::min(int(now.time * 30) % (int(now.poses.size()) + 30), int(now.poses.size()) - 1);
+    const std::vector<Vec2> all = lowered(joints_of(now.poses[std::size_t(at)]));
+    add_arm(seen, all, false);
+    add(seen, Shape::discs, Colour::pink, 0.3, {all.back()});
+    double lowest = 1e3;
+    for (const Pose &pose : now.poses)
+        for (const Vec2 &point : joints_of(pose)) lowest = std::min(lowest, point.y());
+    say(seen, "poses", "", double(now.poses.size()), 0);
+    say(seen, "lowest point of all", "m", lowest);
+}
+
 demo::Picture draw(const State &now, const Input &in) {
     demo::Picture seen;
     switch (now.game) {
@@ -258,6 +339,8 @@ demo::Picture draw(const State &now, const Input &in) {
     case arrows: draw_arrows(seen, now); break;
     case carrying: draw_carrying(seen, now); break;
     case grounded: draw_grounded(seen, now); break;
+    case driving: draw_driving(seen, now); break;
+    case crossing: draw_crossing(seen, now); break;
     }
     return seen;
 }

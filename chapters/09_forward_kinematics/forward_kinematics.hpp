@@ -72,6 +72,54 @@ Vec2 to_local(const Frame &frame, const Vec2 &point);
 ///         if a length is negative, or a number is not within ±1e5.
 double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int joint, double by);
 
+//> A digger and a stone
+/// A digger on level ground, the line y = 0, and a stone.
+struct Site {
+    double place{};                   ///< of the boom's joint, along x [m]; it's `boom_height` above the ground
+    double boom{}, stick{}, bucket{}; ///< each angle as in a Link [rad]
+    Vec2 stone;                       ///< [m]
+    bool held = false;                ///< whether the bucket has the stone
+    COURSE_FIELDS("m, rad, rad, rad, m, ", place, boom, stick, bucket, stone, held)
+};
+constexpr double boom_height = 1.2, boom_length = 3.2, stick_length = 2.4, bucket_length = 0.7; ///< [m]
+
+//> The handles
+/// How far the driver pushes each handle, from -1 to 1, and whether the bucket is closed.
+struct Handles {
+    double drive{}, boom{}, stick{}, bucket{};
+    bool closed = false;
+    COURSE_FIELDS("1, 1, 1, 1, ", drive, boom, stick, bucket, closed)
+};
+
+//> One frame of the digger
+/// The site one frame later. A handle pushed all the way drives at 2 m/s, or turns its joint at 0.8 rad/s. The teeth are at
+/// the end of the bucket: when they end up within 0.3 m of the stone and the bucket is closed, it has the stone, and the
+/// stone is at the teeth until the bucket opens. A stone that nobody holds comes down at 4 m/s, and lies on the ground.
+/// @param dt  [s], 0 to 1
+/// @throws std::invalid_argument if a handle is beyond ±1, if dt isn't from 0 to 1, or a number is not within ±1e5.
+Site next_frame(Site now, const Handles &handles, double dt);
+
+//> A crane on a wall
+/// An arm with two links on top of a post above a wall. The wall is the line x = 0 from the ground, y = 0, up.
+struct Crane {
+    double height{};          ///< of the first joint, which is at (0, height) [m]
+    double first{}, second{}; ///< lengths, neither more than `height` [m]
+    double wall{};            ///< its height, less than `height` [m]
+    COURSE_FIELDS("m, m, m, m", height, first, second, wall)
+};
+struct Pose {
+    double first{}, second{}; ///< angles, as in a Link [rad]
+    COURSE_FIELDS("rad, rad", first, second)
+};
+
+//> Over the wall
+/// The poses that carry a load from `start`, on the left of the wall, to `goal`, on its right. The first is `start`, the last
+/// is `goal`, give or take whole turns, and from each to the next no angle changes by more than 0.1 rad. In none of them is the elbow or the hand
+/// below the ground, and no link touches the wall. At most 10000 poses will do.
+/// @throws std::invalid_argument if elbow and hand aren't on their side of the wall and above the ground in `start` and in
+///         `goal`, if a first angle isn't within ±2π, a second one within ±3.1, or a length or height is not as it must be.
+std::vector<Pose> over_the_wall(const Crane &crane, const Pose &start, const Pose &goal);
+
 //>
 namespace subject {
 COURSE_EXERCISE("9.1", core, forward_kinematics, two_links, "first, second", "")
@@ -80,5 +128,7 @@ COURSE_EXERCISE("9.3", core, forward_kinematics, joints, "base [m], links", "m")
 COURSE_EXERCISE("9.4", stretch, forward_kinematics, jacobian, "links", "m/rad")
 COURSE_EXERCISE("9.5", stretch, forward_kinematics, to_local, "frame, point [m]", "m")
 COURSE_EXERCISE("9.6", challenge, forward_kinematics, turn_above_ground, "base [m], links, joint, by [rad]", "rad")
+COURSE_EXERCISE("9.7", stretch, forward_kinematics, next_frame, "now, handles, dt [s]", "")
+COURSE_EXERCISE("9.8", challenge, forward_kinematics, over_the_wall, "crane, start, goal", "")
 } // namespace subject
 } // namespace forward_kinematics

@@ -54,6 +54,21 @@ for (const row of rows('an arm that draws (9.1)', { 'second motor': -1 }, second
   const [x, y] = local(after(game, {}, [0, 0, 1], [1, 2.5, 0.5], [2, 2.5, 0.5]));
   assert.ok(Math.hypot(x, y) < 0.5, `${x}, ${y}`);
 }
+{ // in the cab: the stone is grabbed, carried, and let go
+  const idle = (frames) => Array(frames).fill('');
+  const path = rows('in the cab (9.7)', { drive: 0.865, 'lift the boom': -0.5 }, [...idle(69), 'c', ...idle(50), 'c', ...idle(119)]);
+  near(path[0]['stone, to the right'], 1.5);
+  near(path[1]['to the stone'], 0, 1e-5);
+  assert.ok(path[1]['stone, to the right'] > 2);
+  near(path[3]['stone, up'], 0, 1e-5);
+  assert.ok(path[3]['to the stone'] > 1);
+}
+{ // over the wall: never in the ground, in any round
+  for (let rounds = 0; rounds < 20; ++rounds) {
+    const row = after('over the wall (9.8)', {}, ...Array(rounds).fill('n'), '');
+    assert.ok(row['lowest point of all'] >= 0 && row.poses > 20, JSON.stringify(row));
+  }
+}
 { // above the ground: pushed as hard as one likes, it never gets below, and never trembles
   const game = 'above the ground (9.6)';
   for (const handle of [0, 1, 2]) {

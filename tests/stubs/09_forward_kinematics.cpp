@@ -69,4 +69,42 @@ double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int j
     throw course::NotYet{"at which angle, as seen from the joint, does each of the others meet the ground?"};
 }
 
+static void require_handles(const Handles &handles) {
+    for (const double handle : {handles.drive, handles.boom, handles.stick, handles.bucket})
+        course::require(std::abs(handle) <= 1, "a handle goes from -1 to 1", handle);
+}
+
+// 9.7 stretch
+Site next_frame(Site now, const Handles &handles, double dt) {
+    course::require_range(now.place, now.boom, now.stick, now.bucket, now.stone);
+    require_handles(handles);
+    course::require(dt >= 0 && dt <= 1, "dt [s] must be from 0 to 1", dt);
+    throw course::NotYet{"where do the handles move everything, and where are the teeth then?"};
+}
+
+static void require_pose(const Crane &crane, const Pose &pose, double side) {
+    course::require(std::abs(pose.first) <= 2 * std::numbers::pi, "the first angle must be within ±2π", pose.first);
+    course::require(std::abs(pose.second) <= 3.1, "the second angle must be within ±3.1", pose.second);
+    const auto [elbow, hand] = two_links({crane.first, pose.first}, {crane.second, pose.second});
+    for (const Vec2 &point : {elbow, hand}) {
+        course::require(side * point.x() > 0, "elbow and hand must be on their side of the wall, x [m]", point.x());
+        course::require(crane.height + point.y() >= 0, "elbow and hand must be above the ground, y [m]", point.y());
+    }
+}
+static void require_crane(const Crane &crane) {
+    course::require_range(crane.height, crane.first, crane.second, crane.wall);
+    course::require(crane.wall >= 0 && crane.wall < crane.height, "the wall must be lower than the crane", crane.wall);
+    for (const double length : {crane.first, crane.second})
+        course::require(length > 0 && length <= crane.height, "a link must not be longer than the crane is high",
+                        length);
+}
+
+// 9.8 challenge
+std::vector<Pose> over_the_wall(const Crane &crane, const Pose &start, const Pose &goal) {
+    require_crane(crane);
+    require_pose(crane, start, -1);
+    require_pose(crane, goal, 1);
+    throw course::NotYet{"in which pose is the load as high as it gets?"};
+}
+
 } // namespace forward_kinematics

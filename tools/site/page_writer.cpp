@@ -349,8 +349,8 @@ class PageWriter {
             hint{R"(<details>(\s*<summary>)(\d+\.\d+), a hint: )"};
         out = std::regex_replace(out, solution, "<details class=\"solution\">$1");
         for (std::smatch found; std::regex_search(out, found, hint);)
-            out = found.prefix().str() + "<details class=\"hint\">" + found[1].str() + rung(found[2]) + ": "
-                  + found.suffix().str();
+            out = found.prefix().str() + "<details class=\"hint\">" + found[1].str() + "Hint "
+                  + std::to_string(++hints_so_far[found[2]]) + ": " + found.suffix().str();
         if (auto mark = demo_mark(text)) {
             mark->exercise = last_box;
             out = demo(*mark, cmark_node_get_start_line(node));
@@ -358,14 +358,6 @@ class PageWriter {
         static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
         out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());
-    }
-
-    /// "Hint 1 of 4": the next of an exercise's hints.
-    std::string rung(const std::string &exercise) {
-        const std::string beginning = "<summary>" + exercise + ", a hint: ";
-        int all = 0;
-        for (std::size_t at = 0; (at = taken.text.find(beginning, at)) != taken.text.npos; ++at) ++all;
-        return "Hint " + std::to_string(++hints_so_far[exercise]) + " of " + std::to_string(all);
     }
 
     /// A demo's place; nothing if its section keeps none in demos/.
