@@ -93,8 +93,8 @@ struct Handles {
 
 //> One frame of the digger
 /// The site one frame later. A handle pushed all the way drives at 2 m/s, or turns its joint at 0.8 rad/s. The teeth are at
-/// the end of the bucket: when they end up within 0.3 m of the stone and the bucket is closed, it has the stone, and the
-/// stone is at the teeth until the bucket opens. A stone that nobody holds comes down at 4 m/s, and lies on the ground.
+/// the end of the bucket: a closed bucket pulls a stone within 0.3 m of them to the teeth, and holds it there until it
+/// opens. A stone that nobody holds comes down at 4 m/s, and lies on the ground.
 /// @param dt  [s], 0 to 1
 /// @throws std::invalid_argument if a handle is beyond ±1, if dt isn't from 0 to 1, or a number is not within ±1e5.
 Site next_frame(Site now, const Handles &handles, double dt);

@@ -1,4 +1,5 @@
 #include "book/budgets.hpp"
+#include "book/voice.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -109,4 +110,43 @@ TEST_CASE("what exceeds its budget is said with the remedy, unless the chapter s
     CHECK(complaints(box + repeated("A sentence.\n", 100) + "\n<!-- budget: patience 3, since -->\n").size() == 1);
     CHECK(complaints(box + repeated("A sentence.\n", 100) + "\n<!-- budget: patience 3, since ever -->\n")
           == std::vector<std::string>{"there is no budget called \"patience\"."});
+}
+
+TEST_CASE("a chapter in the voice is told of its habits, each with the last line that has it; any other is not") {
+    const std::string good = "# 7 Wall\n\n<!-- voice -->\n\nIt's high, isn't it? You'll see why it can't fall.\n\n";
+    const auto told = [](const std::string &chapter) {
+        std::vector<std::string> all;
+        for (const Finding &finding : out_of_voice(chapter, "7.md"))
+            all.push_back(std::to_string(finding.line) + ' ' + finding.message);
+        return all;
+    };
+    CHECK(told(good).empty());
+    using List = std::vector<std::string>;
+    CHECK(told(good + "The ball begins here.\nIt has not begun.\nWe begin.\n")
+          == List{"9 the voice: 3 times \"begin\", for \"start\", where 1 are the most."});
+    CHECK(told(good + "## Further\n") == List{"7 the voice: 1 times a standing heading, where 0 are the most."});
+    CHECK(told(good + "> ### What your function must do\n").size() == 1);
+    CHECK(told(good + "That one is wanted.\n").size() == 1);
+
+    // what is folded away, a listing, a formula or a comment is not heard
+    const std::string begin = "begin, begin, begin\n";
+    CHECK(told(good + "```text\n" + begin + "```\n\n<details><summary>Answer</summary>\n\n" + begin
+               + "</details>\n\n<!-- words: begin, begin -->\n\n$\\begin{pmatrix}\\begin{a}\\begin{b}$\n")
+              .empty());
+    CHECK(told(good + "<details><summary>Answer</summary>\n\nNo.\n</details>\n\n" + begin).size() == 1);
+
+    // all hints of an exercise are one fold
+    const auto folds = [](int count, const std::string &summary) {
+        std::string text;
+        while (count-- > 0) text += "<details><summary>" + summary + "</summary>\n\nx\n</details>\n\n";
+        return text;
+    };
+    CHECK(told(good + folds(30, "7.1, a hint: why")).empty());
+    CHECK(told(good + folds(25, "Answer")).empty());
+    CHECK(told(good + folds(26, "Answer")) == List{"1 the voice: 26 folds, where 25 are the most."});
+
+    std::string stiff = "<!-- voice -->\n\n";
+    for (int i = 0; i < 100; ++i) stiff += "A wall stands on a hill.\n";
+    CHECK(told(stiff) == List{"1 the voice: 0 contractions, where 3 are the fewest."});
+    CHECK(told("# 7 Wall\n\n" + begin + stiff.substr(16)).empty()); // it doesn't say that it's in the voice
 }

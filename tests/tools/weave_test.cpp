@@ -312,17 +312,24 @@ TEST_CASE("a chunk that no chapter shows is found") {
     CHECK(book.weave().code == something_to);
 }
 
-TEST_CASE("a chunk of each kind of file must be shown") {
+TEST_CASE("header, solution and frame loops must be shown; what prints, tests and draws may be") {
     const Book book;
-    const std::string file =
-        GENERATE("chapters/07_wall/wall.hpp", "chapters/07_wall/main.cpp", "chapters/07_wall/bench.cpp",
-                 "solutions/07_wall.cpp", "tests/07_wall.cpp", "plots/07_wall_path.gp", "tests/peers/07_wall.txt");
-    const bool is_code = file.ends_with("pp");
-    book.put(file, (fs::exists(book.tree.root / file) ? book.text(file) : "")
-                       + (is_code ? "//> New\nint x;\n" : "#> New\nreset\n"));
+    const auto [file, title, must] = GENERATE(
+        std::tuple{"chapters/07_wall/wall.hpp", "New", true}, std::tuple{"solutions/07_wall.cpp", "New", true},
+        std::tuple{"chapters/07_wall/main.cpp", "The frame loop: new", true},
+        std::tuple{"chapters/07_wall/main.cpp", "New", false}, std::tuple{"chapters/07_wall/bench.cpp", "New", false},
+        std::tuple{"tests/07_wall.cpp", "New", false}, std::tuple{"plots/07_wall_path.gp", "New", false},
+        std::tuple{"tests/peers/07_wall.txt", "New", false});
+    const std::string path = file;
+    const bool is_code = path.ends_with("pp");
+    book.put(path, (fs::exists(book.tree.root / path) ? book.text(path) : "") + (is_code ? "//> " : "#> ") + title
+                       + (is_code ? "\nint x;\n" : "\nreset\n"));
     book.renew_program();
 
-    CHECK_THAT(book.check().text, StartsWith(file) && ContainsSubstring("\"New\" is not shown"));
+    const Told told = book.check();
+    INFO(told.text);
+    CHECK(told.text.starts_with(path) == must);
+    CHECK(contains(told.text, "is not shown") == must);
 }
 
 TEST_CASE("a chunk that is shown twice is found") {
@@ -647,7 +654,7 @@ TEST_CASE("exercises of the header without a row, a hint, a solution, rows witho
 TEST_CASE("the glossary has a row for each bold term, with what else it is called and where it is explained") {
     const Book book;
     book.edit_chapter("# 7 Wall\n",
-                      "# 7 Wall\n\nA **wall** is high.\n\n## Which side?\n\nThe **normal**\n<!-- also: unit "
+                      "# 7 Wall\n\nA **wall** is high.\n\n## Which side?\n\nThe **normal** <!-- also: unit "
                       "normal, normal vector --> is *not* a **`Vec2`, of length $1$**, for *it* is **long.**\n\n"
                       "> ### A box: **x**\n>\n> **Write** it.\n\nA **box | wall** (see *there*). **Pencil first:** 2 "
                       "**and so on…**\n\n"
@@ -658,20 +665,20 @@ TEST_CASE("the glossary has a row for each bold term, with what else it is calle
     CHECK_THAT(book.check().text, ContainsSubstring("book.md:9: this line is not what the chapters' demos, bold"));
     CHECK(book.check().code == something_to);
     CHECK(book.weave("7").text == "woven: book.md, 1 block changed\n");
-    const std::string chapter_link = "(chapters/07_wall/README.md", rows = "| `Vec2`, of length $1$ | | [7]"
-                                                                           + chapter_link
-                                                                           + "#which-side) |\n"
-                                                                             "| box \\| wall | | [7]"
-                                                                           + chapter_link
-                                                                           + "#which-side) |\n"
-                                                                             "| Determinant | | [7]"
-                                                                           + chapter_link
-                                                                           + "#which-side-1) |\n"
-                                                                             "| normal | unit normal, normal vector | [7]"
-                                                                           + chapter_link
-                                                                           + "#which-side) |\n"
-                                                                             "| wall | | [7]"
-                                                                           + chapter_link + ") |\n";
+    const std::string chapter_link = "(chapters/07_wall/README.md",
+                      rows = "| `Vec2`, of length $1$ | | [7]" + chapter_link
+                             + "#which-side) |\n"
+                               "| box \\| wall | | [7]"
+                             + chapter_link
+                             + "#which-side) |\n"
+                               "| Determinant | | [7]"
+                             + chapter_link
+                             + "#which-side-1) |\n"
+                               "| normal | unit normal, normal vector | [7]"
+                             + chapter_link
+                             + "#which-side) |\n"
+                               "| wall | | [7]"
+                             + chapter_link + ") |\n";
     const std::string woven =
         "# B\n\n**bold**\n\n## Glossary\n\nThe terms.\n\n| term | also called | where |\n|:--|:--|:--|\n" + rows + rest;
     CHECK(book.text("book.md") == woven);
