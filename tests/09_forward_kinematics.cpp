@@ -1265,18 +1265,18 @@ void check_promises(const Crane &crane, const Pose &start, const Pose &goal) {
                IsNear(0.0, chained).of("the last pose's first angle, off by [rad]"));
     CHECK_THAT(difference(poses.back().second, goal.second),
                IsNear(0.0, chained).of("the last pose's second angle, off by [rad]"));
-    double step = 0, lowest = 1e3, room = 1e3;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const std::vector<Vec2> all = joints_of(crane, poses[i]);
-        lowest = std::min({lowest, all[1].y(), all[2].y()});
-        room = std::min({room, room_above_wall(crane, all[0], all[1]), room_above_wall(crane, all[1], all[2])});
-        if (i > 0)
-            step = std::max(
-                {step, std::abs(poses[i].first - poses[i - 1].first), std::abs(poses[i].second - poses[i - 1].second)});
+        const std::string which = ", in pose " + std::to_string(i) + " of " + std::to_string(poses.size());
+        CHECK_THAT(all[1].y(), IsAtLeast(-digits).of("height of the elbow" + which + " [m]"));
+        CHECK_THAT(all[2].y(), IsAtLeast(-digits).of("height of the hand" + which + " [m]"));
+        const double room = std::min(room_above_wall(crane, all[0], all[1]), room_above_wall(crane, all[1], all[2]));
+        CHECK_THAT(room, IsAbove(0).of("room above the wall" + which + " [m]"));
+        if (i == 0) continue;
+        const double step =
+            std::max(std::abs(poses[i].first - poses[i - 1].first), std::abs(poses[i].second - poses[i - 1].second));
+        CHECK_THAT(step, IsAtMost(0.1 + digits).of("largest turn" + which + " [rad]"));
     }
-    CHECK_THAT(step, IsAtMost(0.1 + digits).of("largest turn from a pose to the next [rad]"));
-    CHECK_THAT(lowest, IsAtLeast(-digits).of("height of the lowest point of all poses [m]"));
-    CHECK_THAT(room, IsAbove(0).of("room between the wall and the arm [m]"));
 }
 
 } // namespace
@@ -1310,6 +1310,18 @@ TEST_CASE("doesn't mind angles of another turn", "[9.8]") {
     check_promises({5, 3, 2, 3}, {degrees(-160), 0}, {degrees(-340), 0});
 }
 
+//> Both at once, into the ground
+TEST_CASE("doesn't take a load through the ground, where turning both angles at once would", "[9.8]") {
+    check_promises({5, 4.93, 4.81, 4.91}, {degrees(139), degrees(83)}, {degrees(-18), degrees(-117)});
+    check_promises({5, 4.22, 3.19, 4.22}, {degrees(227), degrees(98)}, {degrees(-61), degrees(-171)});
+}
+
+//> Both at once, into the wall
+TEST_CASE("doesn't take a load through the wall, where turning both angles at once would", "[9.8]") {
+    check_promises({5, 4.45, 3.42, 4.29}, {degrees(222), degrees(172)}, {degrees(-62), degrees(-172)});
+    check_promises({5, 3.31, 2.84, 3.48}, {degrees(230), degrees(175)}, {degrees(0), degrees(-131)});
+}
+
 //> Long links
 TEST_CASE("keeps long links off the ground", "[9.8]") {
     check_promises({5, 5, 5, 4}, {degrees(200), degrees(-60)}, {degrees(-20), degrees(60)});
@@ -1323,9 +1335,10 @@ TEST_CASE("gets over the wall with any crane, from any pose to any other", "[9.8
         const double height = dice.real(1, 9);
         const Crane crane{height, dice.real(0.1, 1) * height, dice.real(0.1, 1) * height, dice.real(0, 0.99) * height};
         Pose start, goal;
-        do start = {dice.real(-6, 6), dice.real(-3.05, 3.05)};
+        const double bent = i % 2 == 0 ? 1.5 : -3.05; // half of them far, and to opposite sides
+        do start = {dice.real(-6, 6), dice.real(bent, 3.05)};
         while (!on_side(crane, start, -1));
-        do goal = {dice.real(-6, 6), dice.real(-3.05, 3.05)};
+        do goal = {dice.real(-6, 6), -dice.real(bent, 3.05)};
         while (!on_side(crane, goal, 1));
         check_promises(crane, start, goal);
     }

@@ -92,15 +92,16 @@ struct Handles {
 };
 
 //> One frame of the digger
-/// The site one frame later. A handle pushed all the way drives at 2 m/s, or turns its joint at 0.8 rad/s. The teeth are at
-/// the end of the bucket: a closed bucket pulls a stone within 0.3 m of them to the teeth, and holds it there until it
-/// opens. A stone that nobody holds comes down at 4 m/s, and lies on the ground.
+/// The site one frame later. First everything moves: a handle pushed all the way drives at 2 m/s, or turns its joint at
+/// 0.8 rad/s. Then a closed bucket pulls a stone within 0.3 m of its teeth, which are at its end, to the teeth, and holds
+/// it there until it opens. A stone that isn't held comes down at 4 m/s, and lies on the ground.
 /// @param dt  [s], 0 to 1
 /// @throws std::invalid_argument if a handle is beyond ±1, if dt isn't from 0 to 1, or a number is not within ±1e5.
 Site next_frame(Site now, const Handles &handles, double dt);
 
 //> A crane on a wall
-/// An arm with two links on top of a post above a wall. The wall is the line x = 0 from the ground, y = 0, up.
+/// An arm with two links on top of a post above a wall. The wall is the line x = 0 from the ground, y = 0, up; the post is
+/// not in the way.
 struct Crane {
     double height{};          ///< of the first joint, which is at (0, height) [m]
     double first{}, second{}; ///< lengths, neither more than `height` [m]
@@ -113,9 +114,9 @@ struct Pose {
 };
 
 //> Over the wall
-/// The poses that carry a load from `start`, on the left of the wall, to `goal`, on its right. The first is `start`, the last
-/// is `goal`, give or take whole turns, and from each to the next no angle changes by more than 0.1 rad. In none of them is the elbow or the hand
-/// below the ground, and no link touches the wall. At most 10000 poses will do.
+/// The poses that carry a load from `start`, on the left of the wall, to `goal`, on its right. The first pose is `start`,
+/// the last is `goal`, either one give or take whole turns, and from each to the next no angle changes by more than
+/// 0.1 rad. In none of them is the elbow or the hand below the ground, and no link touches the wall. At most 10000 will do.
 /// @throws std::invalid_argument if elbow and hand aren't on their side of the wall and above the ground in `start` and in
 ///         `goal`, if a first angle isn't within ±2π, a second one within ±3.1, or a length or height is not as it must be.
 std::vector<Pose> over_the_wall(const Crane &crane, const Pose &start, const Pose &goal);

@@ -104,7 +104,7 @@ std::vector<Pose> over_the_wall(const Crane &crane, const Pose &start, const Pos
     require_crane(crane);
     require_pose(crane, start, -1);
     require_pose(crane, goal, 1);
-    throw course::NotYet{"in which pose is the load as high as it gets?"};
+    throw course::NotYet{"which list of poses leads from one to the other? Try the simplest that you can think of"};
 }
 
 } // namespace forward_kinematics
