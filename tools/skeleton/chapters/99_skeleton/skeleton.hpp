@@ -7,15 +7,13 @@ namespace skeleton {
 
 //> The pull of a spring
 /// Force of a spring on what stretches it, along its axis [N]; positive is the direction of a positive stretch.
-/// Exact to 1e-12 of its size.
 /// @param stiffness  newtons for each metre of stretch [N/m], positive
 /// @param stretch    how much longer it is than at rest [m]; negative: how much shorter
-/// @throws std::invalid_argument if the stiffness is not positive, or if one of the two is not within ±1e5.
+/// @throws std::invalid_argument if the stiffness is not positive, or a number is not within ±1e5.
 double pull(double stiffness, double stretch);
 
-//> The exercises
+//>
 namespace subject {
 COURSE_EXERCISE("99.1", core, skeleton, pull, "stiffness [N/m], stretch [m]", "N")
 } // namespace subject
-//>
 } // namespace skeleton
