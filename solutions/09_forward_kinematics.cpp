@@ -57,7 +57,33 @@ std::vector<Vec2> joints(const Vec2 &base, const std::vector<Link> &links) {
     return all;
 }
 
-//> Solution 9.4: Jacobian
+//> Solution: handles
+static void require_handles(const Handles &handles) {
+    for (const double handle : {handles.drive, handles.boom, handles.stick, handles.bucket})
+        course::require(std::abs(handle) <= 1, "a handle goes from -1 to 1", handle);
+}
+
+//> Solution 9.4: one frame of the digger
+Site next_frame(Site now, const Handles &handles, double dt) {
+    course::require_range(now.place, now.boom, now.stick, now.bucket, now.stone);
+    require_handles(handles);
+    course::require(dt >= 0 && dt <= 1, "dt [s] must be from 0 to 1", dt);
+    now.place += dt * 2 * handles.drive;
+    now.boom += dt * 0.8 * handles.boom;
+    now.stick += dt * 0.8 * handles.stick;
+    now.bucket += dt * 0.8 * handles.bucket;
+    const Vec2 teeth = joints({now.place, boom_height},
+                              {{boom_length, now.boom}, {stick_length, now.stick}, {bucket_length, now.bucket}})
+                           .back();
+
+    if (!handles.closed) now.held = false;
+    else if ((teeth - now.stone).norm() <= 0.3) now.held = true;
+    if (now.held) now.stone = teeth;
+    else now.stone.y() = std::max(0.0, now.stone.y() - dt * 4);
+    return now;
+}
+
+//> Solution 9.5: Jacobian
 std::vector<Vec2> jacobian(const std::vector<Link> &links) {
     require_links(links);
     const std::vector<Vec2> all = joints({0, 0}, links);
@@ -69,7 +95,7 @@ std::vector<Vec2> jacobian(const std::vector<Link> &links) {
     return columns;
 }
 
-//> Solution 9.5: to local
+//> Solution 9.6: to local
 Vec2 to_local(const Frame &frame, const Vec2 &point) {
     require_frame(frame);
     course::require_range(point);
@@ -96,7 +122,7 @@ static double turn_until_below(const Vec2 &arm, double height) {
     return turn > above / 2 + std::numbers::pi ? std::max(0.0, turn - 2 * std::numbers::pi) : turn;
 }
 
-//> Solution 9.6: turn above ground
+//> Solution 9.7: turn above ground
 double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int joint, double by) {
     course::require_range(base, by);
     require_links(links);
@@ -111,32 +137,6 @@ double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int j
         turn = std::min(turn, turn_until_below(arm, std::max(0.0, all[joint].y())));
     }
     return by < 0 ? -turn : turn;
-}
-
-//> Solution: handles
-static void require_handles(const Handles &handles) {
-    for (const double handle : {handles.drive, handles.boom, handles.stick, handles.bucket})
-        course::require(std::abs(handle) <= 1, "a handle goes from -1 to 1", handle);
-}
-
-//> Solution 9.7: one frame of the digger
-Site next_frame(Site now, const Handles &handles, double dt) {
-    course::require_range(now.place, now.boom, now.stick, now.bucket, now.stone);
-    require_handles(handles);
-    course::require(dt >= 0 && dt <= 1, "dt [s] must be from 0 to 1", dt);
-    now.place += dt * 2 * handles.drive;
-    now.boom += dt * 0.8 * handles.boom;
-    now.stick += dt * 0.8 * handles.stick;
-    now.bucket += dt * 0.8 * handles.bucket;
-    const Vec2 teeth = joints({now.place, boom_height},
-                              {{boom_length, now.boom}, {stick_length, now.stick}, {bucket_length, now.bucket}})
-                           .back();
-
-    if (!handles.closed) now.held = false;
-    else if ((teeth - now.stone).norm() <= 0.3) now.held = true;
-    if (now.held) now.stone = teeth;
-    else now.stone.y() = std::max(0.0, now.stone.y() - dt * 4);
-    return now;
 }
 
 //> Solution: a good crane

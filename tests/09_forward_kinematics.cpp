@@ -536,48 +536,191 @@ TEST_CASE("rejects any negative length, or a number beyond ±1e5, among the link
     joints({0, 0}, {{3, 0.5}, {5, 1}}); // good input is still answered
 }
 
-// -------------------------------------------------------------------------------------------------------- 9.4 jacobian
+// ------------------------------------------------------------------------------------------------------ 9.4 next_frame
+
+namespace {
+
+constexpr double frame_time = 1.0 / 60; // [s]
+
+/// The end of the bucket: boom 3.2 m, stick 2.4 m, bucket 0.7 m, from 1.2 m above the ground.
+Vec2 teeth_of(const Site &site) {
+    return walked({site.place, 1.2}, {{3.2, site.boom}, {2.4, site.stick}, {0.7, site.bucket}}).back();
+}
+Site site(Dice &dice) {
+    return {dice.real(-5, 5), dice.real(-1, 2), dice.real(-2, 1), dice.real(-2, 2), dice.point(-9, 9), false};
+}
+Handles handles(Dice &dice, bool closed) {
+    return {dice.real(-1, 1), dice.real(-1, 1), dice.real(-1, 1), dice.real(-1, 1), closed};
+}
+
+} // namespace
+
+//> Worked example: a second of driving
+TEST_CASE("drives 2 m and turns the boom 0.8 rad in a second, and lets the stone come down", "[9.4]") {
+    const Site start{1, 0.5, -0.5, 0.25, {20, 9}, false};
+    CHECK_THAT(next_frame(start, {1, 1, 0, 0, false}, 1), IsNear(Site{3, 1.3, -0.5, 0.25, {20, 5}, false}, digits));
+}
+
+//> Each handle
+TEST_CASE("turns each joint by its own handle, both ways", "[9.4]") {
+    const Site start{0, 0, 0, 0, {20, 0}, false};
+    CHECK_THAT(next_frame(start, {0, 0, -1, 0, false}, 0.5), IsNear(Site{0, 0, -0.4, 0, {20, 0}, false}, digits));
+    CHECK_THAT(next_frame(start, {0, 0, 0, 0.5, false}, 0.5), IsNear(Site{0, 0, 0, 0.2, {20, 0}, false}, digits));
+    CHECK_THAT(next_frame(start, {-0.5, 0, 0, 0, false}, 0.25), IsNear(Site{-0.25, 0, 0, 0, {20, 0}, false}, digits));
+}
+
+//> Nobody at the handles
+TEST_CASE("changes nothing when nobody touches a handle and the stone lies on the ground", "[9.4]") {
+    const Site start{1, 0.5, -0.5, 0.25, {20, 0}, false};
+    CHECK_THAT(next_frame(start, {}, frame_time), IsNear(start, digits));
+    CHECK_THAT(next_frame(start, {1, 1, 1, 1, true}, 0), IsNear(start, digits));
+}
+
+//> Grab
+TEST_CASE("grabs a stone within 0.3 m of the teeth, and not one farther away", "[9.4]") {
+    const Vec2 teeth{6.3, 1.2}; // a straight arm, level: 3.2 + 2.4 + 0.7
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 1.49}, false}, {0, 0, 0, 0, true}, 0),
+               IsNear(Site{0, 0, 0, 0, teeth, true}, digits));
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 1.51}, false}, {0, 0, 0, 0, true}, 0),
+               IsNear(Site{0, 0, 0, 0, {6.3, 1.51}, false}, digits));
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.1, 1.0}, false}, {0, 0, 0, 0, true}, 0),
+               IsNear(Site{0, 0, 0, 0, teeth, true}, digits));
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.05, 1.0}, false}, {0, 0, 0, 0, true}, 0).held, IsNear(false).of("held"));
+}
+
+//> Open, it grabs nothing
+TEST_CASE("doesn't grab with an open bucket", "[9.4]") {
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 1.2}, false}, {}, 0), IsNear(Site{0, 0, 0, 0, {6.3, 1.2}, false}, digits));
+}
+
+//> Move first, then grab
+TEST_CASE("looks for the stone where the teeth are after the move", "[9.4]") {
+    // the teeth drive from x = 6.3 to 7.3, where the stone is
+    CHECK_THAT(next_frame({0, 0, 0, 0, {7.3, 1.2}, false}, {1, 0, 0, 0, true}, 0.5),
+               IsNear(Site{1, 0, 0, 0, {7.3, 1.2}, true}, digits));
+    // and away from one that was within reach
+    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 0}, false}, {-1, 0, 0, 0, true}, 0.5).held, IsNear(false).of("held"));
+}
+
+//> Carried
+TEST_CASE("carries the stone at the teeth, however they move", "[9.4]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        Site now = site(dice);
+        now.stone = teeth_of(now);
+        now.held = true;
+        const Site then = next_frame(now, handles(dice, true), dice.real(0, 1));
+        CHECK_THAT(then.held, IsNear(true).of("held"));
+        CHECK_THAT(then.stone, IsNear(teeth_of(then), chained).of("stone [m]"));
+    }
+}
+
+//> Let go
+TEST_CASE("lets go when the bucket opens; the stone comes down at 4 m/s and lies on the ground", "[9.4]") {
+    Site now{0, 0, 0, 0, {6.3, 1.2}, true};
+    now = next_frame(now, {}, 0.1);
+    CHECK_THAT(now, IsNear(Site{0, 0, 0, 0, {6.3, 0.8}, false}, digits));
+    now = next_frame(now, {}, 0.1);
+    CHECK_THAT(now.stone, IsNear(Vec2{6.3, 0.4}, chained).of("stone [m]"));
+    now = next_frame(now, {}, 0.9);
+    CHECK_THAT(now.stone, IsNear(Vec2{6.3, 0}, chained).of("stone [m]"));
+}
+
+//> Anywhere
+TEST_CASE("leaves a stone out of reach to itself, wherever the digger goes", "[9.4]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        Site now = site(dice);
+        now.stone = {30, dice.real(0, 9)};
+        const double dt = dice.real(0, 1);
+        const Site then = next_frame(now, handles(dice, i % 2 == 0), dt);
+        CHECK_THAT(then.held, IsNear(false).of("held"));
+        CHECK_THAT(then.stone, IsNear(Vec2{30, std::max(0.0, now.stone.y() - 4 * dt)}, chained).of("stone [m]"));
+    }
+}
+
+//> Half as long
+TEST_CASE("gets to the same place in two half frames", "[9.4]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        Site now = site(dice);
+        now.stone = {30, 9};
+        const Handles pushed = handles(dice, false);
+        const double dt = dice.real(0, 1);
+        const Site halves = next_frame(next_frame(now, pushed, dt / 2), pushed, dt / 2),
+                   whole = next_frame(now, pushed, dt);
+        CHECK_THAT(halves.place - whole.place, IsNear(0.0, chained).of("difference of the places [m]"));
+        CHECK_THAT(halves.boom - whole.boom, IsNear(0.0, chained).of("difference of the booms [rad]"));
+        CHECK_THAT(halves.stick - whole.stick, IsNear(0.0, chained).of("difference of the sticks [rad]"));
+        CHECK_THAT(halves.bucket - whole.bucket, IsNear(0.0, chained).of("difference of the buckets [rad]"));
+    }
+}
+
+//> A whole job
+TEST_CASE("picks up a stone, drives off with it and puts it down 2 m farther on", "[9.4]") {
+    Site now{0, 0, 0, 0, {6.3, 1.3}, false};
+    for (int frame = 0; frame < 60; ++frame) now = next_frame(now, {1, 0, 0, 0, true}, frame_time);
+    CHECK_THAT(now.stone, IsNear(Vec2{8.3, 1.2}, chained).of("stone, after a second [m]"));
+    for (int frame = 0; frame < 60; ++frame) now = next_frame(now, {}, frame_time);
+    CHECK_THAT(now.stone, IsNear(Vec2{8.3, 0}, chained).of("stone, after another one [m]"));
+}
+
+//>
+TEST_CASE("rejects a handle beyond ±1, a dt that isn't from 0 to 1, and numbers beyond ±1e5", "[9.4]") {
+    const Site start{1, 0.5, -0.5, 0.25, {20, 9}, false};
+    for (const double bad : {1.0001, -1.0001, 50.0}) {
+        CHECK_REFUSED(next_frame(start, {bad, 0, 0, 0, false}, 0.1), "the first handle is beyond ±1");
+        CHECK_REFUSED(next_frame(start, {0, bad, 0, 0, false}, 0.1), "the second handle is beyond ±1");
+        CHECK_REFUSED(next_frame(start, {0, 0, bad, 0, false}, 0.1), "the third handle is beyond ±1");
+        CHECK_REFUSED(next_frame(start, {0, 0, 0, bad, false}, 0.1), "the fourth handle is beyond ±1");
+    }
+    for (const double bad : {-1e-9, 1.0001}) CHECK_REFUSED(next_frame(start, {}, bad), "dt is not from 0 to 1");
+    CHECK_OUT_OF_RANGE_REFUSED(next_frame, {start, Handles{0.5, 0.5, 0.5, 0.5, true}, 0.5});
+    next_frame(start, {1, -1, 1, -1, true}, 1); // good input is still answered
+}
+
+// -------------------------------------------------------------------------------------------------------- 9.5 jacobian
 
 //> Worked example: the hand's two velocities
-TEST_CASE("moves the hand of 3 m at 45° and 5 m at 90° by (-5.657, -1.414) and (-3.536, -3.536)", "[9.4]") {
+TEST_CASE("moves the hand of 3 m at 45° and 5 m at 90° by (-5.657, -1.414) and (-3.536, -3.536)", "[9.5]") {
     // from the first joint the hand is at (-1.414, 5.657), from the second at (-3.536, 3.536): a quarter turn to the left
     CHECK_THAT(jacobian({{3, degrees(45)}, {5, degrees(90)}}),
                IsNear(std::vector<Vec2>{Vec2{-8, -2} / std::sqrt(2), Vec2{-5, -5} / std::sqrt(2)}, digits));
 }
 
 //> One link turns
-TEST_CASE("sends the hand of one 5 m link off at a right angle, at 5 m/s", "[9.4]") {
+TEST_CASE("sends the hand of one 5 m link off at a right angle, at 5 m/s", "[9.5]") {
     CHECK_THAT(jacobian({{5, 0}}), IsNear(std::vector<Vec2>{{0, 5}}, digits));
     CHECK_THAT(jacobian({{5, degrees(90)}}), IsNear(std::vector<Vec2>{{-5, 0}}, digits));
     CHECK_THAT(jacobian({{5, std::atan2(4, 3)}}), IsNear(std::vector<Vec2>{{-4, 3}}, digits));
 }
 
 //> No link turns
-TEST_CASE("returns an empty list when there's no link", "[9.4]") {
+TEST_CASE("returns an empty list when there's no link", "[9.5]") {
     CHECK_THAT(jacobian({}), IsNear(std::vector<Vec2>{}, digits));
 }
 
 //> A straight arm
-TEST_CASE("moves the hand of a straight arm in one direction only", "[9.4]") {
+TEST_CASE("moves the hand of a straight arm in one direction only", "[9.5]") {
     CHECK_THAT(jacobian({{3, 0}, {5, 0}}), IsNear(std::vector<Vec2>{{0, 8}, {0, 5}}, digits));
     CHECK_THAT(jacobian({{1, degrees(90)}, {2, 0}, {3, 0}}),
                IsNear(std::vector<Vec2>{{-6, 0}, {-5, 0}, {-3, 0}}, digits));
 }
 
 //> A folded arm
-TEST_CASE("can't move a hand that's folded onto the first joint by turning it", "[9.4]") {
+TEST_CASE("can't move a hand that's folded onto the first joint by turning it", "[9.5]") {
     CHECK_THAT(jacobian({{3, 0}, {3, pi}}), IsNear(std::vector<Vec2>{{0, 0}, {0, -3}}, digits));
 }
 
 //> Three links
-TEST_CASE("lifts the hand of an arch straight up by its first angle", "[9.4]") {
+TEST_CASE("lifts the hand of an arch straight up by its first angle", "[9.5]") {
     // up 2 m, right 3 m, down 2 m: from the three joints the hand is at (3, 0), (3, -2) and (0, -2)
     CHECK_THAT(jacobian({{2, degrees(90)}, {3, degrees(-90)}, {2, degrees(-90)}}),
                IsNear(std::vector<Vec2>{{0, 3}, {2, 3}, {2, 0}}, digits));
 }
 
 //> Area
-TEST_CASE("has both lengths times the sine of the second angle as its determinant", "[9.4]") {
+TEST_CASE("has both lengths times the sine of the second angle as its determinant", "[9.5]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
         const Link first = link(dice), second = link(dice);
@@ -589,7 +732,7 @@ TEST_CASE("has both lengths times the sine of the second angle as its determinan
 }
 
 //> A small turn
-TEST_CASE("agrees with a small turn of each joint, divided by that turn", "[9.4]") {
+TEST_CASE("agrees with a small turn of each joint, divided by that turn", "[9.5]") {
     Dice dice;
     for (int i = 0; i < course::cases(500); ++i) {
         const std::vector<Link> links = arm(dice, dice.whole(1, 8));
@@ -605,7 +748,7 @@ TEST_CASE("agrees with a small turn of each joint, divided by that turn", "[9.4]
 }
 
 //> As far as the hand
-TEST_CASE("makes each column as long as the arrow to the hand, and at a right angle to it", "[9.4]") {
+TEST_CASE("makes each column as long as the arrow to the hand, and at a right angle to it", "[9.5]") {
     Dice dice;
     for (int i = 0; i < course::cases(500); ++i) {
         const std::vector<Link> links = arm(dice, dice.whole(1, 8));
@@ -621,7 +764,7 @@ TEST_CASE("makes each column as long as the arrow to the hand, and at a right an
 }
 
 //> All together
-TEST_CASE("turns all columns along when the whole arm turns", "[9.4]") {
+TEST_CASE("turns all columns along when the whole arm turns", "[9.5]") {
     Dice dice;
     for (int i = 0; i < course::cases(300); ++i) {
         std::vector<Link> links = arm(dice, 4);
@@ -637,7 +780,7 @@ TEST_CASE("turns all columns along when the whole arm turns", "[9.4]") {
 }
 
 //>
-TEST_CASE("takes links up to 1e5 m, tiny ones, none, and many turns", "[9.4]") {
+TEST_CASE("takes links up to 1e5 m, tiny ones, none, and many turns", "[9.5]") {
     CHECK_THAT(jacobian({{1e5, 0}, {1e5, degrees(90)}}), IsNear(std::vector<Vec2>{{-1e5, 1e5}, {-1e5, 0}}, of_one));
     CHECK_THAT(jacobian({{3e-9, 0}, {5e-9, degrees(90)}}),
                IsNear(std::vector<Vec2>{{-5e-9, 3e-9}, {-5e-9, 0}}, 2 * of_one));
@@ -665,7 +808,7 @@ TEST_CASE("takes links up to 1e5 m, tiny ones, none, and many turns", "[9.4]") {
     }
 }
 
-TEST_CASE("rejects any negative length, or a number beyond ±1e5, in a moving arm", "[9.4]") {
+TEST_CASE("rejects any negative length, or a number beyond ±1e5, in a moving arm", "[9.5]") {
     for (const double bad : {-1e-9, -3.0, -1e5}) {
         CHECK_REFUSED(jacobian({{bad, 1}, {5, 1}, {4, 1}}), "the first length is negative");
         CHECK_REFUSED(jacobian({{3, 1}, {bad, 1}, {4, 1}}), "the second length is negative");
@@ -675,34 +818,34 @@ TEST_CASE("rejects any negative length, or a number beyond ±1e5, in a moving ar
     jacobian({{3, 0.5}, {5, 1}}); // good input is still answered
 }
 
-// -------------------------------------------------------------------------------------------------------- 9.5 to_local
+// -------------------------------------------------------------------------------------------------------- 9.6 to_local
 
 //> Worked example: a point in the hand's frame
-TEST_CASE("sees (4, 3) of the world at (2, 1), from a leaning torso at (3, 1)", "[9.5]") {
+TEST_CASE("sees (4, 3) of the world at (2, 1), from a leaning torso at (3, 1)", "[9.6]") {
     // the way to it is (1, 2): 1 · 0.8 + 2 · 0.6 along x, and 1 · -0.6 + 2 · 0.8 along y
     CHECK_THAT(to_local({{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}, {4, 3}), IsNear(Vec2{2, 1}, digits));
 }
 
 //> Turned, not moved
-TEST_CASE("takes dot products with the axes when the frame is only turned", "[9.5]") {
+TEST_CASE("takes dot products with the axes when the frame is only turned", "[9.6]") {
     CHECK_THAT(to_local({{0, 1}, {-1, 0}, {0, 0}}, {3, 5}), IsNear(Vec2{5, -3}, digits));
     CHECK_THAT(to_local({{0.8, 0.6}, {-0.6, 0.8}, {0, 0}}, {1, 2}), IsNear(Vec2{2, 1}, digits));
     CHECK_THAT(to_local({{-1, 0}, {0, -1}, {0, 0}}, {3, 5}), IsNear(Vec2{-3, -5}, digits));
 }
 
 //> Moved, not turned
-TEST_CASE("subtracts the origin when the frame is only moved", "[9.5]") {
+TEST_CASE("subtracts the origin when the frame is only moved", "[9.6]") {
     CHECK_THAT(to_local({{1, 0}, {0, 1}, {3, 1}}, {4, 3}), IsNear(Vec2{1, 2}, digits));
 }
 
 //> The world itself
-TEST_CASE("leaves a point alone in the world's own frame", "[9.5]") {
+TEST_CASE("leaves a point alone in the world's own frame", "[9.6]") {
     CHECK_THAT(to_local(Frame{}, {4, -3}), IsNear(Vec2{4, -3}, digits));
     CHECK_THAT(to_local(Frame{}, {0, 0}), IsNear(Vec2{0, 0}, digits));
 }
 
 //> Its origin and its axes
-TEST_CASE("sees the frame's own origin at (0, 0), and its axes end at (1, 0) and (0, 1)", "[9.5]") {
+TEST_CASE("sees the frame's own origin at (0, 0), and its axes end at (1, 0) and (0, 1)", "[9.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(300); ++i) {
         const Frame any = frame(dice);
@@ -713,7 +856,7 @@ TEST_CASE("sees the frame's own origin at (0, 0), and its axes end at (1, 0) and
 }
 
 //> There and back
-TEST_CASE("gets back to the point when you walk along both axes", "[9.5]") {
+TEST_CASE("gets back to the point when you walk along both axes", "[9.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
         const Frame any = frame(dice);
@@ -724,7 +867,7 @@ TEST_CASE("gets back to the point when you walk along both axes", "[9.5]") {
 }
 
 //> By distance and angle
-TEST_CASE("keeps the distance, and turns the direction back by the frame's angle", "[9.5]") {
+TEST_CASE("keeps the distance, and turns the direction back by the frame's angle", "[9.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
         const double angle = dice.real(-pi, pi), towards = dice.real(-pi, pi), far = dice.real(0, 10);
@@ -735,14 +878,14 @@ TEST_CASE("keeps the distance, and turns the direction back by the frame's angle
 }
 
 //> A box in the hand
-TEST_CASE("keeps a box where it is in the hand, however the hand moves and turns", "[9.5]") {
+TEST_CASE("keeps a box where it is in the hand, however the hand moves and turns", "[9.6]") {
     const Vec2 box = to_local(frame(degrees(90), {2, 3}), {2, 3.5}); // picked up, half a metre in front of the hand
     CHECK_THAT(box, IsNear(Vec2{0.5, 0}, digits).of("the box, in the hand's frame [m]"));
     CHECK_THAT(to_local(frame(degrees(180), {-1, 4}), {-1.5, 4}), IsNear(Vec2{0.5, 0}, digits));
 }
 
 //>
-TEST_CASE("takes points and origins up to 1e5, and tiny ones", "[9.5]") {
+TEST_CASE("takes points and origins up to 1e5, and tiny ones", "[9.6]") {
     CHECK_THAT(to_local({{1, 0}, {0, 1}, {-1e5, 1e5}}, {1e5, -1e5}), IsNear(Vec2{2e5, -2e5}, of_one));
     CHECK_THAT(to_local({{0, 1}, {-1, 0}, {0, -1e5}}, {1e5, 1e5}), IsNear(Vec2{2e5, -1e5}, of_one));
     CHECK_THAT(to_local({{0.8, 0.6}, {-0.6, 0.8}, {3e-9, 1e-9}}, {4e-9, 3e-9}), IsNear(Vec2{2e-9, 1e-9}, of_one));
@@ -762,7 +905,7 @@ TEST_CASE("takes points and origins up to 1e5, and tiny ones", "[9.5]") {
     CHECK_THAT(to_local({x, y, {4, 1}}, {2, 2}), IsNear(Vec2{-2 * x.x() + x.y(), -2 * y.x() + y.y()}, digits));
 }
 
-TEST_CASE("rejects a frame or a point beyond ±1e5", "[9.5]") {
+TEST_CASE("rejects a frame or a point beyond ±1e5", "[9.6]") {
     CHECK_OUT_OF_RANGE_REFUSED(to_local, {Frame{{0.8, 0.6}, {-0.6, 0.8}, {3, 1}}, Vec2{4, 3}});
     CHECK_REFUSED(to_local({{too_large, 0}, {0, 1}, {0, 0}}, {4, 3}), "the x axis, just above 1e5");
     CHECK_REFUSED(to_local({{1, 0}, {0, 1}, {too_large, 0}}, {4, 3}), "x of the origin, just above 1e5");
@@ -772,7 +915,7 @@ TEST_CASE("rejects a frame or a point beyond ±1e5", "[9.5]") {
     to_local(Frame{}, {4, 3}); // good input is still answered
 }
 
-// ----------------------------------------------------------------------------------------------- 9.6 turn_above_ground
+// ----------------------------------------------------------------------------------------------- 9.7 turn_above_ground
 
 // What lies up to 1e-5 m below the ground counts as on it. A point that comes down to the ground on its way, and goes no
 // deeper than that, may end the turn there or not; one that stays where it is does not end it. Where the turn ends early,
@@ -808,45 +951,45 @@ Arm raised_arm(Dice &dice) {
 } // namespace
 
 //> Worked example: down to the ground
-TEST_CASE("lets a level 5 m link, 3 m up, turn 0.6435 rad clockwise and no further", "[9.6]") {
+TEST_CASE("lets a level 5 m link, 3 m up, turn 0.6435 rad clockwise and no further", "[9.7]") {
     CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, -pi / 2), IsNear(-std::asin(0.6), in_angle));
 }
 
 //> Not so far
-TEST_CASE("doesn't stop a turn that ends above the ground", "[9.6]") {
+TEST_CASE("doesn't stop a turn that ends above the ground", "[9.7]") {
     CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, -0.6), IsNear(-0.6, digits));
     CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, 3), IsNear(3.0, digits));
     CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, 0), IsNear(0.0, digits));
 }
 
 //> Over the top
-TEST_CASE("comes down on the other side when it turns anticlockwise", "[9.6]") {
+TEST_CASE("comes down on the other side when it turns anticlockwise", "[9.7]") {
     CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}}, 0, 6), IsNear(pi + std::asin(0.6), in_angle));
     CHECK_THAT(turn_above_ground({0, 3}, {{5, pi}}, 0, -6), IsNear(-pi - std::asin(0.6), in_angle));
     CHECK_THAT(turn_above_ground({0, 3}, {{5, pi}}, 0, 6), IsNear(std::asin(0.6), in_angle));
 }
 
 //> Short enough
-TEST_CASE("lets a link that's too short for the ground turn as often as it likes", "[9.6]") {
+TEST_CASE("lets a link that's too short for the ground turn as often as it likes", "[9.7]") {
     CHECK_THAT(turn_above_ground({0, 3}, {{2.9, 0}}, 0, -100), IsNear(-100.0, digits));
     CHECK_THAT(turn_above_ground({0, 3}, {{2.9, 0}}, 0, 1e5), IsNear(1e5, digits));
 }
 
 //> The elbow touches first
-TEST_CASE("stops at the elbow when the hand is held up", "[9.6]") {
+TEST_CASE("stops at the elbow when the hand is held up", "[9.7]") {
     // 5 m to the right, then 2 m straight up: the elbow is down after asin(3/5)
     CHECK_THAT(turn_above_ground({0, 3}, {{5, 0}, {2, degrees(90)}}, 0, -2), IsNear(-std::asin(0.6), in_angle));
 }
 
 //> The hand touches first
-TEST_CASE("stops at the hand when it's held down", "[9.6]") {
+TEST_CASE("stops at the hand when it's held down", "[9.7]") {
     // 4 m to the right and 1 m down: the hand is √17 m away, and atan(1/4) below the level already
     CHECK_THAT(turn_above_ground({0, 3}, {{4, 0}, {1, degrees(-90)}}, 0, -2),
                IsNear(-std::asin(3 / std::sqrt(17)) + std::atan(0.25), in_angle));
 }
 
 //> The second joint
-TEST_CASE("turns only what comes after the elbow when the elbow bends", "[9.6]") {
+TEST_CASE("turns only what comes after the elbow when the elbow bends", "[9.7]") {
     // the elbow is at (3, 4), the hand 5 m to the right of it
     const std::vector<Link> links{{5, std::atan2(4, 3)}, {5, -std::atan2(4, 3)}};
     CHECK_THAT(turn_above_ground({0, 0}, links, 1, -2), IsNear(-std::asin(0.8), in_angle));
@@ -854,7 +997,7 @@ TEST_CASE("turns only what comes after the elbow when the elbow bends", "[9.6]")
 }
 
 //> The middle of three
-TEST_CASE("turns two links of three by the middle joint", "[9.6]") {
+TEST_CASE("turns two links of three by the middle joint", "[9.7]") {
     // up 3 m, right 4 m, down 1 m: the hand is √17 m from the elbow
     const std::vector<Link> links{{3, degrees(90)}, {4, degrees(-90)}, {1, degrees(-90)}};
     CHECK_THAT(turn_above_ground({0, 0}, links, 1, -2),
@@ -863,7 +1006,7 @@ TEST_CASE("turns two links of three by the middle joint", "[9.6]") {
 }
 
 //> Any joint
-TEST_CASE("stops the third joint, the fourth and the fifth where the hand gets to the ground", "[9.6]") {
+TEST_CASE("stops the third joint, the fourth and the fifth where the hand gets to the ground", "[9.7]") {
     for (const int joint : {2, 3, 4}) {
         std::vector<Link> links(joint, Link{1, 0}); // level, 2 m up; the last link is 3 m long
         links.push_back({3, 0});
@@ -872,7 +1015,7 @@ TEST_CASE("stops the third joint, the fourth and the fifth where the hand gets t
 }
 
 //> One in between touches first
-TEST_CASE("stops at a joint in between when that one gets there first", "[9.6]") {
+TEST_CASE("stops at a joint in between when that one gets there first", "[9.7]") {
     // from the first joint the others are at (0, 1), (4, 1), (4, 4), (1, 4), and the hand is at (1, 2)
     const std::vector<Link> links{
         {1, degrees(90)}, {4, degrees(-90)}, {3, degrees(90)}, {3, degrees(90)}, {2, degrees(90)}};
@@ -883,14 +1026,14 @@ TEST_CASE("stops at a joint in between when that one gets there first", "[9.6]")
 }
 
 //> From the ground
-TEST_CASE("turns from level to level when the base is on the ground", "[9.6]") {
+TEST_CASE("turns from level to level when the base is on the ground", "[9.7]") {
     CHECK_THAT(turn_above_ground({0, 0}, {{5, degrees(30)}}, 0, 4), IsNear(degrees(150), in_angle));
     CHECK_THAT(turn_above_ground({0, 0}, {{5, degrees(30)}}, 0, -4), IsNear(degrees(-30), in_angle));
     CHECK_THAT(turn_above_ground({7, 0}, {{5, degrees(90)}}, 0, 4), IsNear(degrees(90), in_angle));
 }
 
 //> On the ground
-TEST_CASE("holds a hand that's on the ground, and lets it go up and over", "[9.6]") {
+TEST_CASE("holds a hand that's on the ground, and lets it go up and over", "[9.7]") {
     CHECK_THAT(turn_above_ground({0, 0}, {{5, 0}}, 0, -1), IsNear(0.0, in_angle));
     CHECK_THAT(turn_above_ground({0, 0}, {{5, 0}}, 0, 1), IsNear(1.0, digits));
     CHECK_THAT(turn_above_ground({0, 0}, {{5, 0}}, 0, 4), IsNear(pi, in_angle));
@@ -903,7 +1046,7 @@ TEST_CASE("holds a hand that's on the ground, and lets it go up and over", "[9.6
 }
 
 //> Asked again
-TEST_CASE("stays where it stopped when you ask again, and may go back up", "[9.6]") {
+TEST_CASE("stays where it stopped when you ask again, and may go back up", "[9.7]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
         auto [base, links] = raised_arm(dice);
@@ -921,7 +1064,7 @@ TEST_CASE("stays where it stopped when you ask again, and may go back up", "[9.6
 }
 
 //> Frame by frame
-TEST_CASE("gets to the ground by a tenth of a radian a frame, and stays there", "[9.6]") {
+TEST_CASE("gets to the ground by a tenth of a radian a frame, and stays there", "[9.7]") {
     std::vector<Link> links{{2, degrees(60)}, {3, degrees(-20)}, {1, degrees(-30)}};
     double angle = links[0].angle;
     for (int frame = 0; frame < 100; ++frame) {
@@ -932,7 +1075,7 @@ TEST_CASE("gets to the ground by a tenth of a radian a frame, and stays there", 
 }
 
 //> Never below
-TEST_CASE("never takes a joint below the ground, and stops early only when one is on it", "[9.6]") {
+TEST_CASE("never takes a joint below the ground, and stops early only when one is on it", "[9.7]") {
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
         const auto [base, links] = raised_arm(dice);
@@ -953,7 +1096,7 @@ TEST_CASE("never takes a joint below the ground, and stops early only when one i
 }
 
 //> In a mirror
-TEST_CASE("turns a mirrored arm the other way, just as far", "[9.6]") {
+TEST_CASE("turns a mirrored arm the other way, just as far", "[9.7]") {
     Dice dice;
     for (int i = 0; i < course::cases(500); ++i) {
         const auto [base, links] = raised_arm(dice);
@@ -969,7 +1112,7 @@ TEST_CASE("turns a mirrored arm the other way, just as far", "[9.6]") {
 }
 
 //> Rounding below the ground
-TEST_CASE("counts 5e-6 m below the ground as on it", "[9.6]") {
+TEST_CASE("counts 5e-6 m below the ground as on it", "[9.7]") {
     CHECK_THAT(turn_above_ground({0, 0}, {{5, -1e-16}}, 0, -1), IsNear(0.0, in_angle));
     CHECK_THAT(turn_above_ground({0, 0}, {{5, -1e-16}}, 0, 1), IsNear(1.0, digits));
     CHECK_THAT(turn_above_ground({0, 0}, {{5, -pi}}, 0, 1), IsNear(0.0, in_angle)); // its y is -6e-16
@@ -981,7 +1124,7 @@ TEST_CASE("counts 5e-6 m below the ground as on it", "[9.6]") {
 }
 
 //>
-TEST_CASE("handles links without length, long arms, and arms right above the ground", "[9.6]") {
+TEST_CASE("handles links without length, long arms, and arms right above the ground", "[9.7]") {
     CHECK_THAT(turn_above_ground({0, 0}, {{0, 1}}, 0, -7), IsNear(-7.0, digits)); // nothing moves
     CHECK_THAT(turn_above_ground({0, 0}, {{0, 1}, {5, 1}, {0, 3}}, 0, -7), IsNear(-2.0, in_angle));
     CHECK_THAT(turn_above_ground({0, 2}, {{5, 0}, {0, 0}}, 1, -7), IsNear(-7.0, digits));
@@ -1046,7 +1189,7 @@ TEST_CASE("handles links without length, long arms, and arms right above the gro
     }
 }
 
-TEST_CASE("rejects an arm that starts below the ground, wherever that is", "[9.6]") {
+TEST_CASE("rejects an arm that starts below the ground, wherever that is", "[9.7]") {
     for (const double deep : {1.005e-5, 2e-5, 0.1, 1.0}) {
         CHECK_REFUSED(turn_above_ground({0, -deep}, {{5, degrees(90)}}, 0, 1), "the base is below the ground");
         CHECK_REFUSED(turn_above_ground({0, 0}, {{5, -std::asin(deep / 5)}}, 0, 1), "the hand is below the ground");
@@ -1061,7 +1204,7 @@ TEST_CASE("rejects an arm that starts below the ground, wherever that is", "[9.6
     turn_above_ground({0, 3}, {{5, 0}}, 0, -1); // good input is still answered
 }
 
-TEST_CASE("rejects a joint that doesn't exist", "[9.6]") {
+TEST_CASE("rejects a joint that doesn't exist", "[9.7]") {
     CHECK_REFUSED(turn_above_ground({0, 3}, {{5, 0}, {2, 0}}, -1, 1), "joint -1");
     CHECK_REFUSED(turn_above_ground({0, 3}, {{5, 0}, {2, 0}}, 2, 1), "joint 2 of two links");
     CHECK_REFUSED(turn_above_ground({0, 3}, {{5, 0}, {2, 0}}, 100, 1), "joint 100 of two links");
@@ -1071,7 +1214,7 @@ TEST_CASE("rejects a joint that doesn't exist", "[9.6]") {
     turn_above_ground({0, 3}, {{5, 0}, {2, 0}}, 1, 1); // good input is still answered
 }
 
-TEST_CASE("rejects any negative length, or a number beyond ±1e5, above the ground", "[9.6]") {
+TEST_CASE("rejects any negative length, or a number beyond ±1e5, above the ground", "[9.7]") {
     for (const double bad : {-1e-9, -3.0}) {
         CHECK_REFUSED(turn_above_ground({0, 3}, {{bad, 0}, {2, 0}}, 0, 1), "the first length is negative");
         CHECK_REFUSED(turn_above_ground({0, 3}, {{2, 0}, {bad, 0}}, 0, 1), "the last length is negative");
@@ -1084,149 +1227,6 @@ TEST_CASE("rejects any negative length, or a number beyond ±1e5, above the grou
     CHECK_REFUSED(turn_above_ground({0, too_large}, {{2, 0}}, 0, 1), "y of the base, just above 1e5");
     CHECK_REFUSED(turn_above_ground({0, 3}, {{2, 0}}, 0, too_large), "by, just above 1e5");
     turn_above_ground({0, 3}, {{2, 0.1}}, 0, 1); // good input is still answered
-}
-
-// ------------------------------------------------------------------------------------------------------ 9.7 next_frame
-
-namespace {
-
-constexpr double frame_time = 1.0 / 60; // [s]
-
-/// The end of the bucket: boom 3.2 m, stick 2.4 m, bucket 0.7 m, from 1.2 m above the ground.
-Vec2 teeth_of(const Site &site) {
-    return walked({site.place, 1.2}, {{3.2, site.boom}, {2.4, site.stick}, {0.7, site.bucket}}).back();
-}
-Site site(Dice &dice) {
-    return {dice.real(-5, 5), dice.real(-1, 2), dice.real(-2, 1), dice.real(-2, 2), dice.point(-9, 9), false};
-}
-Handles handles(Dice &dice, bool closed) {
-    return {dice.real(-1, 1), dice.real(-1, 1), dice.real(-1, 1), dice.real(-1, 1), closed};
-}
-
-} // namespace
-
-//> Worked example: a second of driving
-TEST_CASE("drives 2 m and turns the boom 0.8 rad in a second, and lets the stone come down", "[9.7]") {
-    const Site start{1, 0.5, -0.5, 0.25, {20, 9}, false};
-    CHECK_THAT(next_frame(start, {1, 1, 0, 0, false}, 1), IsNear(Site{3, 1.3, -0.5, 0.25, {20, 5}, false}, digits));
-}
-
-//> Each handle
-TEST_CASE("turns each joint by its own handle, both ways", "[9.7]") {
-    const Site start{0, 0, 0, 0, {20, 0}, false};
-    CHECK_THAT(next_frame(start, {0, 0, -1, 0, false}, 0.5), IsNear(Site{0, 0, -0.4, 0, {20, 0}, false}, digits));
-    CHECK_THAT(next_frame(start, {0, 0, 0, 0.5, false}, 0.5), IsNear(Site{0, 0, 0, 0.2, {20, 0}, false}, digits));
-    CHECK_THAT(next_frame(start, {-0.5, 0, 0, 0, false}, 0.25), IsNear(Site{-0.25, 0, 0, 0, {20, 0}, false}, digits));
-}
-
-//> Nobody at the handles
-TEST_CASE("changes nothing when nobody touches a handle and the stone lies on the ground", "[9.7]") {
-    const Site start{1, 0.5, -0.5, 0.25, {20, 0}, false};
-    CHECK_THAT(next_frame(start, {}, frame_time), IsNear(start, digits));
-    CHECK_THAT(next_frame(start, {1, 1, 1, 1, true}, 0), IsNear(start, digits));
-}
-
-//> Grab
-TEST_CASE("grabs a stone within 0.3 m of the teeth, and not one farther away", "[9.7]") {
-    const Vec2 teeth{6.3, 1.2}; // a straight arm, level: 3.2 + 2.4 + 0.7
-    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 1.49}, false}, {0, 0, 0, 0, true}, 0),
-               IsNear(Site{0, 0, 0, 0, teeth, true}, digits));
-    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 1.51}, false}, {0, 0, 0, 0, true}, 0),
-               IsNear(Site{0, 0, 0, 0, {6.3, 1.51}, false}, digits));
-    CHECK_THAT(next_frame({0, 0, 0, 0, {6.1, 1.0}, false}, {0, 0, 0, 0, true}, 0),
-               IsNear(Site{0, 0, 0, 0, teeth, true}, digits));
-    CHECK_THAT(next_frame({0, 0, 0, 0, {6.05, 1.0}, false}, {0, 0, 0, 0, true}, 0).held, IsNear(false).of("held"));
-}
-
-//> Open, it grabs nothing
-TEST_CASE("doesn't grab with an open bucket", "[9.7]") {
-    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 1.2}, false}, {}, 0), IsNear(Site{0, 0, 0, 0, {6.3, 1.2}, false}, digits));
-}
-
-//> Move first, then grab
-TEST_CASE("looks for the stone where the teeth are after the move", "[9.7]") {
-    // the teeth drive from x = 6.3 to 7.3, where the stone is
-    CHECK_THAT(next_frame({0, 0, 0, 0, {7.3, 1.2}, false}, {1, 0, 0, 0, true}, 0.5),
-               IsNear(Site{1, 0, 0, 0, {7.3, 1.2}, true}, digits));
-    // and away from one that was within reach
-    CHECK_THAT(next_frame({0, 0, 0, 0, {6.3, 0}, false}, {-1, 0, 0, 0, true}, 0.5).held, IsNear(false).of("held"));
-}
-
-//> Carried
-TEST_CASE("carries the stone at the teeth, however they move", "[9.7]") {
-    Dice dice;
-    for (int i = 0; i < course::cases(500); ++i) {
-        Site now = site(dice);
-        now.stone = teeth_of(now);
-        now.held = true;
-        const Site then = next_frame(now, handles(dice, true), dice.real(0, 1));
-        CHECK_THAT(then.held, IsNear(true).of("held"));
-        CHECK_THAT(then.stone, IsNear(teeth_of(then), chained).of("stone [m]"));
-    }
-}
-
-//> Let go
-TEST_CASE("lets go when the bucket opens; the stone comes down at 4 m/s and lies on the ground", "[9.7]") {
-    Site now{0, 0, 0, 0, {6.3, 1.2}, true};
-    now = next_frame(now, {}, 0.1);
-    CHECK_THAT(now, IsNear(Site{0, 0, 0, 0, {6.3, 0.8}, false}, digits));
-    now = next_frame(now, {}, 0.1);
-    CHECK_THAT(now.stone, IsNear(Vec2{6.3, 0.4}, chained).of("stone [m]"));
-    now = next_frame(now, {}, 0.9);
-    CHECK_THAT(now.stone, IsNear(Vec2{6.3, 0}, chained).of("stone [m]"));
-}
-
-//> Anywhere
-TEST_CASE("leaves a stone out of reach to itself, wherever the digger goes", "[9.7]") {
-    Dice dice;
-    for (int i = 0; i < course::cases(500); ++i) {
-        Site now = site(dice);
-        now.stone = {30, dice.real(0, 9)};
-        const double dt = dice.real(0, 1);
-        const Site then = next_frame(now, handles(dice, i % 2 == 0), dt);
-        CHECK_THAT(then.held, IsNear(false).of("held"));
-        CHECK_THAT(then.stone, IsNear(Vec2{30, std::max(0.0, now.stone.y() - 4 * dt)}, chained).of("stone [m]"));
-    }
-}
-
-//> Half as long
-TEST_CASE("gets to the same place in two half frames", "[9.7]") {
-    Dice dice;
-    for (int i = 0; i < course::cases(500); ++i) {
-        Site now = site(dice);
-        now.stone = {30, 9};
-        const Handles pushed = handles(dice, false);
-        const double dt = dice.real(0, 1);
-        const Site halves = next_frame(next_frame(now, pushed, dt / 2), pushed, dt / 2),
-                   whole = next_frame(now, pushed, dt);
-        CHECK_THAT(halves.place - whole.place, IsNear(0.0, chained).of("difference of the places [m]"));
-        CHECK_THAT(halves.boom - whole.boom, IsNear(0.0, chained).of("difference of the booms [rad]"));
-        CHECK_THAT(halves.stick - whole.stick, IsNear(0.0, chained).of("difference of the sticks [rad]"));
-        CHECK_THAT(halves.bucket - whole.bucket, IsNear(0.0, chained).of("difference of the buckets [rad]"));
-    }
-}
-
-//> A whole job
-TEST_CASE("picks up a stone, drives off with it and puts it down 2 m farther on", "[9.7]") {
-    Site now{0, 0, 0, 0, {6.3, 1.3}, false};
-    for (int frame = 0; frame < 60; ++frame) now = next_frame(now, {1, 0, 0, 0, true}, frame_time);
-    CHECK_THAT(now.stone, IsNear(Vec2{8.3, 1.2}, chained).of("stone, after a second [m]"));
-    for (int frame = 0; frame < 60; ++frame) now = next_frame(now, {}, frame_time);
-    CHECK_THAT(now.stone, IsNear(Vec2{8.3, 0}, chained).of("stone, after another one [m]"));
-}
-
-//>
-TEST_CASE("rejects a handle beyond ±1, a dt that isn't from 0 to 1, and numbers beyond ±1e5", "[9.7]") {
-    const Site start{1, 0.5, -0.5, 0.25, {20, 9}, false};
-    for (const double bad : {1.0001, -1.0001, 50.0}) {
-        CHECK_REFUSED(next_frame(start, {bad, 0, 0, 0, false}, 0.1), "the first handle is beyond ±1");
-        CHECK_REFUSED(next_frame(start, {0, bad, 0, 0, false}, 0.1), "the second handle is beyond ±1");
-        CHECK_REFUSED(next_frame(start, {0, 0, bad, 0, false}, 0.1), "the third handle is beyond ±1");
-        CHECK_REFUSED(next_frame(start, {0, 0, 0, bad, false}, 0.1), "the fourth handle is beyond ±1");
-    }
-    for (const double bad : {-1e-9, 1.0001}) CHECK_REFUSED(next_frame(start, {}, bad), "dt is not from 0 to 1");
-    CHECK_OUT_OF_RANGE_REFUSED(next_frame, {start, Handles{0.5, 0.5, 0.5, 0.5, true}, 0.5});
-    next_frame(start, {1, -1, 1, -1, true}, 1); // good input is still answered
 }
 
 // --------------------------------------------------------------------------------------------------- 9.8 over_the_wall

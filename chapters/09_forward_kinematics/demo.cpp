@@ -10,8 +10,8 @@ using demo::Colour, demo::Input, demo::Shape;
 enum Game { you_guess, drawing, digging, swinging, arrows, carrying, grounded, driving, crossing };
 
 const std::vector<std::string_view> games{
-    "you guess",     "an arm that draws (9.1)", "a digger (9.2)",   "tentacle (9.3)",     "how the hand moves (9.4)",
-    "pick up (9.5)", "above the ground (9.6)",  "in the cab (9.7)", "over the wall (9.8)"};
+    "you guess",     "an arm that draws (9.1)", "a digger (9.2)",   "tentacle (9.3)",     "how the hand moves (9.5)",
+    "pick up (9.6)", "above the ground (9.7)",  "in the cab (9.4)", "over the wall (9.8)"};
 
 std::vector<std::string_view> in_games(std::initializer_list<Game> which) {
     std::vector<std::string_view> names;

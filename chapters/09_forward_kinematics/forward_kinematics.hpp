@@ -51,27 +51,6 @@ Frame compose(const Frame &outer, const Frame &inner);
 /// @throws std::invalid_argument if a length is negative, or a number is not within ±1e5.
 std::vector<Vec2> joints(const Vec2 &base, const std::vector<Link> &links);
 
-//> Jacobian
-/// One vector for each link [m/rad]: the velocity of the hand [m/s] while that link's angle grows by 1 rad/s, and no other
-/// angle changes. These are the columns of the arm's Jacobian matrix.
-/// @throws std::invalid_argument if a length is negative, or a number is not within ±1e5.
-std::vector<Vec2> jacobian(const std::vector<Link> &links);
-
-//> To local
-/// A point of the world, as seen from a frame [m]. It undoes what `compose` does to an origin.
-/// @throws std::invalid_argument if a number is not within ±1e5.
-Vec2 to_local(const Frame &frame, const Vec2 &point);
-
-//> Turn above ground
-/// How far one joint can turn before the arm touches the ground, the line y = 0 [rad]: `by`, or less of it, with the same
-/// sign. All links from that joint on turn with it, as one stiff piece, and none of it goes through the ground. What lies
-/// on the ground already, or up to 1e-5 m deep, may be lifted, but not pushed in.
-/// @param joint  which angle changes: 0 for the first link's
-/// @param by     how far you'd like it to turn [rad]; negative: clockwise
-/// @throws std::invalid_argument if a joint or the hand starts more than 1e-5 m below the ground, if there is no such link,
-///         if a length is negative, or a number is not within ±1e5.
-double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int joint, double by);
-
 //> A digger and a stone
 /// A digger on level ground, the line y = 0, and a stone.
 struct Site {
@@ -98,6 +77,27 @@ struct Handles {
 /// @param dt  [s], 0 to 1
 /// @throws std::invalid_argument if a handle is beyond ±1, if dt isn't from 0 to 1, or a number is not within ±1e5.
 Site next_frame(Site now, const Handles &handles, double dt);
+
+//> Jacobian
+/// One vector for each link [m/rad]: the velocity of the hand [m/s] while that link's angle grows by 1 rad/s, and no other
+/// angle changes. These are the columns of the arm's Jacobian matrix.
+/// @throws std::invalid_argument if a length is negative, or a number is not within ±1e5.
+std::vector<Vec2> jacobian(const std::vector<Link> &links);
+
+//> To local
+/// A point of the world, as seen from a frame [m]. It undoes what `compose` does to an origin.
+/// @throws std::invalid_argument if a number is not within ±1e5.
+Vec2 to_local(const Frame &frame, const Vec2 &point);
+
+//> Turn above ground
+/// How far one joint can turn before the arm touches the ground, the line y = 0 [rad]: `by`, or less of it, with the same
+/// sign. All links from that joint on turn with it, as one stiff piece, and none of it goes through the ground. What lies
+/// on the ground already, or up to 1e-5 m deep, may be lifted, but not pushed in.
+/// @param joint  which angle changes: 0 for the first link's
+/// @param by     how far you'd like it to turn [rad]; negative: clockwise
+/// @throws std::invalid_argument if a joint or the hand starts more than 1e-5 m below the ground, if there is no such link,
+///         if a length is negative, or a number is not within ±1e5.
+double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int joint, double by);
 
 //> A crane on a wall
 /// An arm with two links on top of a post above a wall. The wall is the line x = 0 from the ground, y = 0, up; the post is
@@ -126,10 +126,10 @@ namespace subject {
 COURSE_EXERCISE("9.1", core, forward_kinematics, two_links, "first, second", "")
 COURSE_EXERCISE("9.2", core, forward_kinematics, compose, "outer, inner", "")
 COURSE_EXERCISE("9.3", core, forward_kinematics, joints, "base [m], links", "m")
-COURSE_EXERCISE("9.4", stretch, forward_kinematics, jacobian, "links", "m/rad")
-COURSE_EXERCISE("9.5", stretch, forward_kinematics, to_local, "frame, point [m]", "m")
-COURSE_EXERCISE("9.6", challenge, forward_kinematics, turn_above_ground, "base [m], links, joint, by [rad]", "rad")
-COURSE_EXERCISE("9.7", stretch, forward_kinematics, next_frame, "now, handles, dt [s]", "")
+COURSE_EXERCISE("9.4", core, forward_kinematics, next_frame, "now, handles, dt [s]", "")
+COURSE_EXERCISE("9.5", stretch, forward_kinematics, jacobian, "links", "m/rad")
+COURSE_EXERCISE("9.6", stretch, forward_kinematics, to_local, "frame, point [m]", "m")
+COURSE_EXERCISE("9.7", challenge, forward_kinematics, turn_above_ground, "base [m], links, joint, by [rad]", "rad")
 COURSE_EXERCISE("9.8", challenge, forward_kinematics, over_the_wall, "crane, start, goal", "")
 } // namespace subject
 } // namespace forward_kinematics

@@ -36,14 +36,14 @@ for (const row of rows('an arm that draws (9.1)', { 'second motor': -1 }, second
   assert.ok(away({ place: -1.6, boom: 34 }) < 0.1);
 }
 { // how the hand moves: the area is that of 3 m and 2 m, whatever the first angle is
-  const game = 'how the hand moves (9.4)', area = (...actions) => after(game, {}, ...actions).area;
+  const game = 'how the hand moves (9.5)', area = (...actions) => after(game, {}, ...actions).area;
   near(area(''), 6);
   near(area([0, 3, -2], ''), 6);
   near(area([0, 2, -2.5], [1, 9, -2.5]), 0);
   near(after(game, { joint: 2 }, ...Array(18).fill('d')).area, 0); // from 90° to 0°, by keys
 }
 { // pick up: the two numbers for the hand stay the same while the box is held, and only then
-  const game = 'pick up (9.5)', path = [...Array(40)].map((_, i) => [2, 2.5 - 0.1 * i, 0.5 + 0.05 * i]);
+  const game = 'pick up (9.6)', path = [...Array(40)].map((_, i) => [2, 2.5 - 0.1 * i, 0.5 + 0.05 * i]);
   const local = (row) => [row["along the hand's x axis"], row['along its y axis']];
   const taken = after(game, {}, 't'), carried = after(game, {}, 't', ...path), left = after(game, {}, ...path);
   local(taken).forEach((number, i) => near(local(carried)[i], number, 1e-5));
@@ -56,7 +56,7 @@ for (const row of rows('an arm that draws (9.1)', { 'second motor': -1 }, second
 }
 { // in the cab: the stone is grabbed, carried, and let go
   const idle = (frames) => Array(frames).fill('');
-  const path = rows('in the cab (9.7)', { drive: 0.865, 'lift the boom': -0.5 }, [...idle(69), 'c', ...idle(50), 'c', ...idle(119)]);
+  const path = rows('in the cab (9.4)', { drive: 0.865, 'lift the boom': -0.5 }, [...idle(69), 'c', ...idle(50), 'c', ...idle(119)]);
   near(path[0]['stone, to the right'], 1.5);
   near(path[1]['to the stone'], 0, 1e-5);
   assert.ok(path[1]['stone, to the right'] > 2);
@@ -70,7 +70,7 @@ for (const row of rows('an arm that draws (9.1)', { 'second motor': -1 }, second
   }
 }
 { // above the ground: pushed as hard as one likes, it never gets below, and never trembles
-  const game = 'above the ground (9.6)';
+  const game = 'above the ground (9.7)';
   for (const handle of [0, 1, 2]) {
     const pushed = rows(game, {}, Array(240).fill([handle, 3, -9]));
     assert.ok(pushed.every((row) => row.lowest > -1e-6), JSON.stringify(pushed));

@@ -41,13 +41,26 @@ std::vector<Vec2> joints(const Vec2 &base, const std::vector<Link> &links) {
     throw course::NotYet{"which way does a link point, and where does it begin?"};
 }
 
-// 9.4 stretch
+static void require_handles(const Handles &handles) {
+    for (const double handle : {handles.drive, handles.boom, handles.stick, handles.bucket})
+        course::require(std::abs(handle) <= 1, "a handle goes from -1 to 1", handle);
+}
+
+// 9.4 core
+Site next_frame(Site now, const Handles &handles, double dt) {
+    course::require_range(now.place, now.boom, now.stick, now.bucket, now.stone);
+    require_handles(handles);
+    course::require(dt >= 0 && dt <= 1, "dt [s] must be from 0 to 1", dt);
+    throw course::NotYet{"where do the handles move everything, and where are the teeth then?"};
+}
+
+// 9.5 stretch
 std::vector<Vec2> jacobian(const std::vector<Link> &links) {
     require_links(links);
     throw course::NotYet{"where is the hand, as seen from each joint?"};
 }
 
-// 9.5 stretch
+// 9.6 stretch
 Vec2 to_local(const Frame &frame, const Vec2 &point) {
     require_frame(frame);
     course::require_range(point);
@@ -59,7 +72,7 @@ static void require_above_ground(const std::vector<Vec2> &points) {
         course::require(point.y() >= -1e-5, "each joint and the hand must be above the ground, y [m]", point.y());
 }
 
-// 9.6 challenge
+// 9.7 challenge
 double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int joint, double by) {
     course::require_range(base, by);
     require_links(links);
@@ -67,19 +80,6 @@ double turn_above_ground(const Vec2 &base, const std::vector<Link> &links, int j
     const std::vector<Vec2> all = joints(base, links); // yours, of 9.3
     require_above_ground(all);
     throw course::NotYet{"at which angle, as seen from the joint, does each of the others meet the ground?"};
-}
-
-static void require_handles(const Handles &handles) {
-    for (const double handle : {handles.drive, handles.boom, handles.stick, handles.bucket})
-        course::require(std::abs(handle) <= 1, "a handle goes from -1 to 1", handle);
-}
-
-// 9.7 stretch
-Site next_frame(Site now, const Handles &handles, double dt) {
-    course::require_range(now.place, now.boom, now.stick, now.bucket, now.stone);
-    require_handles(handles);
-    course::require(dt >= 0 && dt <= 1, "dt [s] must be from 0 to 1", dt);
-    throw course::NotYet{"where do the handles move everything, and where are the teeth then?"};
 }
 
 static void require_pose(const Crane &crane, const Pose &pose, double side) {

@@ -1,4 +1,4 @@
-// 9.6: small steps, and then halving the step in which something gets below the ground
+// 9.7: small steps, and then halving the step in which something gets below the ground
 #include "forward_kinematics.hpp"
 
 #include <algorithm>
