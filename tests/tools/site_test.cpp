@@ -48,7 +48,7 @@ struct SmallBook : SmallCourse {
         write("plots/07_wall_meeting_room.gp", "#> Figure\nplot 'x'\n");
         write("plots/07_wall_meeting_room.svg",
               R"(<svg width="640" height="400" xmlns="http://www.w3.org/2000/svg"></svg>)");
-        write("README.md", "# A small course\n\n## I want to learn\n\n## I want to teach\n");
+        write("README.md", "# A small course\n\n## I want to learn\n\n## I teach with it\n");
         write("CONTRIBUTING.md", "# Contributing\n");
         write("LICENSE", "do as you like\n");
         write("book.md", book);
