@@ -48,7 +48,7 @@ struct SmallBook : SmallCourse {
         write("plots/07_wall_meeting_room.gp", "#> Figure\nplot 'x'\n");
         write("plots/07_wall_meeting_room.svg",
               R"(<svg width="640" height="400" xmlns="http://www.w3.org/2000/svg"></svg>)");
-        write("README.md", "# A small course\n\n## I want to learn\n\n## I want to teach\n");
+        write("README.md", "# A small course\n\n## I want to learn\n\n## I teach with it\n");
         write("CONTRIBUTING.md", "# Contributing\n");
         write("LICENSE", "do as you like\n");
         write("book.md", book);
@@ -365,6 +365,10 @@ TEST_CASE("a small course becomes a site") {
     REQUIRE(made.code == 0);
     const std::string chapter = book.made("chapter_07_wall_meeting.html"), index = book.made("index.html");
     CHECK_THAT(chapter, ContainsSubstring("<title>7 Walls · Frame by Frame</title>"));
+    CHECK_THAT(chapter, ContainsSubstring("<meta name=\"description\" content=\"Walls: walls. Part of a course"));
+    CHECK_THAT(chapter, ContainsSubstring("<meta property=\"og:title\" content=\"7 Walls · Frame by Frame\">"));
+    CHECK_THAT(book.made("404.html"), ContainsSubstring("<base href=\"404.html\">"));
+    CHECK(chapter.find("<base") == chapter.npos);
     CHECK_THAT(chapter, ContainsSubstring("<p class=\"above\">30 minutes, and 5 for the other exercises</p>"));
     CHECK_THAT(chapter, ContainsSubstring("rel=\"prev\" href=\"chapter_06_reflection.html\""));
     CHECK_THAT(chapter, ContainsSubstring("rel=\"next\" href=\"notation_and_units.html\""));
@@ -626,6 +630,8 @@ TEST_CASE("pages with a demo have its scripts, and one page has all demos") {
     const SmallBook book;
     const std::string plain_page = (book.make(), book.made("chapter_07_wall_meeting.html"));
     CHECK(plain_page.find("play.js") == std::string::npos);
+    CHECK(plain_page.find("og:image") == std::string::npos);
+    CHECK(book.made("index.html").find("play.html") == std::string::npos);
     CHECK_FALSE(fs::exists(book.tree.build / "site" / "play.html"));
 
     book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
@@ -640,6 +646,9 @@ TEST_CASE("pages with a demo have its scripts, and one page has all demos") {
                ContainsSubstring(scripts) && ContainsSubstring("Throw the ball.")
                    && ContainsSubstring("<a href=\"chapter_07_wall_meeting.html\">section 7</a>: walls."));
     CHECK_THAT(book.made("play.html"), ContainsSubstring("<li class=\"card\"><div><a href=\"#7-walls\">"));
+    CHECK_THAT(book.made("index.html"), ContainsSubstring("<a href=\"play.html\">Play all</a>"));
+    CHECK_THAT(book.made("chapter_07_wall_meeting.html"),
+               ContainsSubstring("<meta property=\"og:image\" content=\"demos/07_wall_meeting.png\">"));
 
     book.write("demos/07_wall_meeting.svg",
                "<svg width=\"640\" height=\"400\"><title>A ball &amp; walls</title></svg>\n");

@@ -1,5 +1,7 @@
-// The still pictures of a demo, for forges, paper and browsers without JavaScript: what its own program plays, drawn by the
-// page's code, as SVGs of 640 px in the colours of figures, for light and dark pages.
+// The pictures of a demo, for forges, paper and browsers without JavaScript: what its own program plays, drawn by the
+// page's code, as SVGs of 640 px in the colours of figures, for light and dark pages. Each of them plays about four
+// seconds, again and again, by CSS alone: forges run no scripts. What doesn't change is in it once; what does is there
+// from one frame to another. Where nothing moves, or nothing may, it shows the moment that its demo names.
 //
 //   stills.cjs '' PROGRAM NAME START...       keeps one for each start as NAME.svg, NAME_2.svg, ...; prints what changed
 //   stills.cjs --check PROGRAM NAME START...  only says what would
@@ -7,7 +9,13 @@
 const { execFileSync } = require('node:child_process'), fs = require('node:fs'), path = require('node:path');
 require('../../docs/draw.js');
 const { reader, aboutOf, frameOf, viewOf, draw } = globalThis.demoPicture;
+const hands = require('./hands.cjs');
 const root = path.join(__dirname, '../..'), width = 640; // [px]
+const most = 60 * 1024; // what a picture may weigh [bytes]
+
+// How many frames, how many steps of 1/64 s each of them lasts, and the unit of a disc's place for one frame [0.1 px]: the
+// first of these that isn't too heavy. Their percentages and times are exact, so that no moment has two frames, or none.
+const films = [[50, 5, 1], [50, 5, 10], [40, 6, 10], [32, 8, 10], [25, 8, 10], [20, 8, 10], [10, 8, 10], [8, 8, 10], [5, 8, 10]];
 
 // Each colour as it is on a light page, and on a dark one; `line` is a faint `dim`.
 const colours = {};
@@ -15,47 +23,146 @@ for (const [, first, light, dark, last] of fs.readFileSync(path.join(root, 'plot
   colours[first === 'set' ? last : first.toLowerCase()] = { light, dark };
 colours.line = { ...colours.dim, strength: 0.35 };
 
-// One digit behind the point; never "-0.0".
-const digits = (x) => (Math.round(10 * x) / 10 + 0).toFixed(1);
+// Upwards where it's half of one: a sine's last bit, which differs between machines, changes nothing then.
+const rounded = (x) => Math.round(10 * x + 1e-4); // [0.1 px]
+const digits = (tenths) => String(tenths / 10);
 const escaped = (text) => text.replace(/[&<>]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[sign]);
 
-// As much of a canvas's pen as docs/draw.js uses; what it draws becomes elements of an SVG.
+// As much of a canvas's pen as docs/draw.js uses. What it draws becomes parts, each with its look: a dot, a line, a text;
+// one part for each dot, and for each piece of a long line, which may stay where it is while the line gets longer.
 class Pen {
-  drawn = '';
-  used = new Set();
+  parts = [];
   setLineDash(dash) { this.dash = dash; }
-  beginPath() { this.path = '', this.radius = 0; }
-  moveTo(x, y) { this.to('M', x, y); }
-  lineTo(x, y) { this.to(this.path ? 'L' : 'M', x, y); }
-  to(how, x, y) { this.path += `${how}${digits(x)} ${digits(y)}`; }
-  arc(x, y, radius) { this.path += 'h0', this.radius = radius; } // a whole disc: a line without a length, whose round ends it is
-  stroke(width = this.lineWidth) {
-    const dashes = this.dash.length > 0 ? ` stroke-dasharray="${this.dash.join(' ')}"` : '';
-    if (this.path) this.element('path', 'stroke', `fill="none" `, ` stroke-width="${digits(width)}"${dashes} d="${this.path}"/>`);
+  beginPath() { this.lines = [], this.radius = 0; }
+  moveTo(x, y) { this.lines.push([[x, y]]); }
+  lineTo(x, y) { this.lines.length > 0 ? this.lines.at(-1).push([x, y]) : this.moveTo(x, y); }
+  arc(x, y, radius) { this.radius = radius; }
+  stroke(lineWidth = this.lineWidth) {
+    const dashes = this.dash.length > 0 ? `;stroke-dasharray:${this.dash.join(' ')}` : '', look = this.look('stroke', `;fill:none;stroke-width:${digits(rounded(lineWidth))}${dashes}`);
+    const pale = look.includes('opacity'), dots = this.radius > 0 && this.lines.flat(); // what is pale and overlaps is one part
+    if (pale && dots && dots.some(([x, y], i) => i > 0 && Math.hypot(x - dots[i - 1][0], y - dots[i - 1][1]) < lineWidth)) return this.part(look, dots, { dots });
+    for (const line of this.lines)
+      if (line.length < 9 || dashes || pale) this.part(look, line);
+      else line.slice(1).forEach((point, i) => this.part(look, [line[i], point]));
   }
   fill() {
-    if (this.radius > 0) this.stroke(2 * this.radius);
-    else if (this.path) this.element('path', 'fill', '', ` d="${this.path}Z"/>`);
+    if (this.radius > 0) this.stroke(2 * this.radius); // a whole disc: a line without a length, whose round ends it is
+    else for (const line of this.lines) this.part(this.look('fill'), line, { closed: 'z' });
   }
-  fillText(text, x, y) { this.element('text', 'fill', '', ` x="${digits(x)}" y="${digits(y)}">${escaped(text)}</text>`); }
-  element(name, paint, before, after) {
+  fillText(text, x, y) { this.part(this.look('fill'), [[x, y]], { text: escaped(text) }); }
+  look(paint, more = '') {
     const { light, dark, strength = 1 } = this.fillStyle, opacity = strength * this.globalAlpha;
-    this.used.add(`[${paint}="${light}"] { ${paint}: ${dark} }\n`);
-    this.drawn += `<${name} ${before}${paint}="${light}"${opacity < 1 ? ` ${paint}-opacity="${opacity.toFixed(2)}"` : ''}${after}\n`;
+    return JSON.stringify([`${paint}:${light}${more}${opacity < 1 ? `;${paint}-opacity:${Number(opacity.toFixed(2))}` : ''}`, `${paint}:${dark}`]);
+  }
+  part(look, line, { text = '', closed = '', dots = false } = {}) {
+    const at = line.map((point) => point.map((x) => rounded(x)));
+    this.parts.push({ look, at, text, closed, dots, key: `${look}${at}${text}` });
   }
 }
 
-function svgOf(about, shapes) {
-  const view = viewOf(about, width), height = view.height.toFixed(0), pen = new Pen();
-  draw(pen, shapes, view, colours);
+// All parts of all frames, what is behind first. A part that is in one frame and in the next is the same one: `from` the
+// first of its frames, so many `frames` long.
+function partsOf(about, pictures, unit) {
+  const view = viewOf(about, width), first = {};
+  let before = [];
+  pictures.forEach((shapes, frame) => {
+    const pen = new Pen, places = new Map(), now = [];
+    draw(pen, shapes, view, colours);
+    before.forEach(({ key }, place) => places.has(key) ? places.get(key).push(place) : places.set(key, [place]));
+    let place = -1, last = first;
+    for (const part of pen.parts) {
+      const next = places.get(part.key)?.find((each) => each > place);
+      if (next === undefined) last = last.next = Object.assign(part, { from: frame, frames: 1, next: last.next });
+      else last = before[place = next], last.frames++;
+      now.push(last);
+    }
+    before = now;
+  });
+  const parts = [];
+  for (let each = first.next; each; each = each.next) {
+    if (each.at.length === 1 && !each.text && each.frames === 1) each.at = [each.at[0].map((tenths) => Math.round(tenths / unit) * unit)];
+    parts.push(each);
+  }
+  return parts;
+}
+
+// What begins where the one before ends goes on from there. A point is left out on the straight way to the next one.
+function pathOf(together) {
+  const parts = together.flatMap((part) => (part.dots ? part.at.map((point) => ({ at: [point], closed: '' })) : [part]));
+  const away = ({ at: [[x, y]] }, { at: [[u, v]] }) => Math.abs(x - u) + Math.abs(y - v);
+  for (let i = 1; i < parts.length && parts[0].at.length === 1; i++) { // dots: the nearest one comes next, for short numbers
+    let next = i;
+    for (let k = i; k < parts.length; k++) if (away(parts[k], parts[i - 1]) < away(parts[next], parts[i - 1])) next = k;
+    [parts[i], parts[next]] = [parts[next], parts[i]];
+  }
+  const lines = [];
+  for (const { at: [start, ...rest], closed } of parts) {
+    if (`${start}` !== `${lines.at(-1)?.points.at(-1)}`) lines.push({ points: [start], closed });
+    const { points } = lines.at(-1);
+    for (const point of rest) {
+      const [x, y] = points.at(-1), [a, b] = points.at(-2) ?? [], [u, v] = point;
+      if (points.length > 1 && (x - a) * (v - y) === (y - b) * (u - x) && (x - a) * (u - x) + (y - b) * (v - y) >= 0) points.pop();
+      points.push(point);
+    }
+  }
+  let text = '', at = [0, 0];
+  const to = (how, [x, y], [a, b] = at) => {
+    at = [x, y];
+    return how === 'l' && y === b ? `h${digits(x - a)}` : how === 'l' && x === a ? `v${digits(y - b)}` : `${how}${digits(x - a)}${y < b ? '' : ' '}${digits(y - b)}`;
+  };
+  for (const { points: [start, ...rest], closed } of lines) {
+    text += to(text ? 'm' : 'M', start) + (rest.map((point) => to('l', point)).join('') || 'h0') + closed;
+    if (closed) at = start;
+  }
+  return text;
+}
+
+// Parts that lie side by side and have one look and one time are one element.
+function elementsOf(parts) {
+  const elements = [];
+  let block = new Map(), look;
+  for (const part of parts) {
+    if (part.look !== look || part.text) block = new Map();
+    look = part.look;
+    const time = `${part.from} ${part.frames}`, known = block.get(time);
+    if (known) known.parts.push(part);
+    else block.set(time, elements[elements.push({ look, from: part.from, frames: part.frames, parts: [part] }) - 1]);
+  }
+  return elements;
+}
+
+// `still` is the number of the picture which the film begins with. A frame lasts so many steps of 1/64 s.
+function filmOf(about, pictures, still = 0, [, steps, unit] = [1, 1, 1]) {
+  const height = viewOf(about, width).height.toFixed(0), count = pictures.length, seconds = (frames) => `${(frames * steps) / 64}s`;
+  const looks = new Map(), lasts = new Set(), begins = new Set();
+  const named = (look) => looks.get(look) ?? looks.set(look, `c${looks.size}`).get(look);
+  let drawn = '', group = '';
+  const timed = ({ from, frames }) => {
+    if (frames === count) return '';
+    const begin = (from - still + count) % count;
+    lasts.add(frames), begins.add(begin);
+    return `f${frames} b${begin}${begin === 0 || begin + frames > count ? '' : ' h'}`;
+  };
+  for (const element of elementsOf(partsOf(about, pictures, unit))) {
+    const { text, at: [[x, y]] } = element.parts[0], time = timed(element);
+    if (time !== group) drawn += (group && '</g>\n') + (time && `<g class="${time}">`), group = time;
+    drawn += text ? `<text class="${named(element.look)}" x="${digits(x)}" y="${digits(y)}">${text}</text>` : `<path class="${named(element.look)}" d="${pathOf(element.parts)}"/>`;
+    if (!group) drawn += '\n';
+  }
+  const sorted = (numbers) => [...numbers].sort((one, other) => one - other), style = [...looks].map(([look, name]) => [name, ...JSON.parse(look)]);
+  const film = lasts.size === 0 ? '' : `.h { visibility: hidden }
+${sorted(lasts).map((frames) => `@keyframes f${frames} { 0% { visibility: visible } ${(100 * frames) / count}% { visibility: hidden } }
+.f${frames}{animation:f${frames} ${seconds(count)} step-end infinite}
+`).join('')}${sorted(begins).map((begin) => `.b${begin}{animation-delay:${seconds(begin && begin - count)}}\n`).join('')}@media (prefers-reduced-motion: reduce) { g { animation: none !important } }
+`;
   return `<?xml version="1.0" encoding="utf-8"?>
 <svg width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" xmlns="http://www.w3.org/2000/svg" stroke-linecap="round" stroke-linejoin="round" font-family="Inter,Segoe UI,Helvetica,Arial,sans-serif" font-size="16" role="img">
 <title>${escaped(about.title)}</title><style>
 svg { color-scheme: light dark }
-@media (prefers-color-scheme: dark) {
-${[...pen.used].sort().join('')}}
-</style>
-${pen.drawn}</svg>
+${style.map(([name, light]) => `.${name}{${light}}\n`).join('')}@media (prefers-color-scheme: dark) {
+${style.map(([name, , dark]) => `.${name}{${dark}}\n`).join('')}}
+${film}</style>
+${drawn}${group && '</g>\n'}</svg>
 `;
 }
 
@@ -65,11 +172,24 @@ function showTheSame(one, other) {
   return one.replace(number, '') === other.replace(number, '') && these.every((x, i) => Math.abs(x - those[i]) < 0.11);
 }
 
-// What a demo's own program plays from this start until its picture is taken
+// What a demo's own program plays from this start: up to its picture, and on. Where a hand has to help, it does from the
+// picture on, and the film begins there; elsewhere it has the time before, too.
 function play(program, start) {
-  const rows = execFileSync(program, ['--picture', start], { timeout: 60000, encoding: 'utf8', stdio: 'pipe' }).trim().split('\n');
-  const [about, frame] = rows.map((row) => reader(row.split(' ').map(Number)));
-  return svgOf(aboutOf(about), frameOf(frame).shapes);
+  const run = (words, input) => execFileSync(program, words, { input, timeout: 60000, encoding: 'utf8', stdio: 'pipe', maxBuffer: 1 << 30 }).trim().split('\n').map((row) => row.split(' ').map(Number));
+  const [described, [time, key, ...values]] = run(['--picture', start], ''), about = aboutOf(reader(described));
+  const hand = hands[path.basename(program)]?.[start], taken = Math.ceil(64 * time), finger = 10 / viewOf(about, width).scale;
+  const doings = Array.from({ length: taken + 256 }, (_, i) => (hand && i >= taken ? hand((i - taken) / 64) : {}));
+  const lines = doings.map(({ at, handle = -1, press, ...chosen }, i) => [1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle,
+    i === 0 ? key : about.keys.findIndex((each) => each.key === press), ...about.controls.map(({ name }, k) => chosen[name] ?? values[k])].join(' '));
+  const shown = run([], `${lines.join('\n')}\n`).map((row, i) => [...frameOf(reader(row)).shapes, ...(doings[i].at ? [{ kind: 'discs', colour: 'ink', size: finger, strength: 0.3, points: [doings[i].at] }] : [])]);
+  let picture;
+  for (const film of films) {
+    const [count, each] = film, before = hand ? 0 : Math.min(Math.floor((taken - 1) / each), count - 1);
+    const pictures = Array.from({ length: count }, (_, i) => shown[taken - 1 + each * (i - before)]);
+    picture = filmOf(about, pictures, before, film);
+    if (picture.length <= most) break;
+  }
+  return picture;
 }
 
 function stills(check, program, name, ...starts) {
@@ -87,7 +207,7 @@ function stills(check, program, name, ...starts) {
   }
 }
 
-module.exports = { showTheSame, svgOf };
+module.exports = { showTheSame, filmOf };
 if (require.main === module)
   try {
     stills(...process.argv.slice(2));

@@ -34,6 +34,11 @@ std::vector<SitePage> our_pages(const Addresses &addresses) {
     return pages;
 }
 
+/// What a server shows in the place of a page that it doesn't have.
+constexpr const char *not_here = "<h1>This page isn't here</h1>\n<p>The link that led you here is an old one, or a "
+                                 "letter of it got lost. Start at the "
+                                 "<a href=\"index.html\">front page</a>, or search the book.</p>";
+
 class Builder {
   public:
     Builder(const Tree &tree_, const SiteTools &tools_) : tree{tree_}, tools{tools_} {}
@@ -46,6 +51,7 @@ class Builder {
         SiteFiles files;
         files["search-index.js"] = finish(pages);
         files["progress.js"] = progress_script(tree);
+        pages.push_back({"404", "This page isn't here", "chapter", not_here, {}});
         add_pages(files, addresses, pages);
         add_assets(files);
         keep_reachable(files);

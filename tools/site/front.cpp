@@ -28,7 +28,7 @@ std::string begin_link(const Tree &tree, const std::vector<Entry> &entries) {
     const std::string minutes = core_minutes(*first);
     return "<a class=\"begin\" href=\"" + page_for(tree, *first) + "\">Begin with " + std::to_string(first->number)
            + ' ' + escaped(first->title) + (minutes.empty() ? "" : " <small>" + escaped(minutes) + "&nbsp;min</small>")
-           + "</a>";
+           + "</a>" + (demos(tree).empty() ? "" : "\n<a href=\"play.html\">Play all</a>");
 }
 
 /// The picture of the section's demo; "" if there is none.

@@ -49,6 +49,7 @@ struct Destination {
     std::string title;
     std::string number;  ///< of a section: "7"
     std::string minutes; ///< "90 + 150"
+    std::string about{}; ///< of a section: "free fall, and orbits"
 };
 
 std::string item(const SitePage &page, const Destination &place) {
@@ -74,7 +75,7 @@ class Surroundings {
             (part.before_contents ? before : after).push_back({part.name, part.title, "", ""});
         for (const Entry &row : contents(read_file(tree.root / "book.md")))
             rows.push_back({row.chapter.empty() ? "" : page_name(tree, tree.root / row.chapter), row.title,
-                            std::to_string(row.number), row.minutes});
+                            std::to_string(row.number), row.minutes, row.about});
         const auto add_interface = [&](const std::string &space, const std::string &title, const std::string &number) {
             for (const SitePage &page : pages)
                 if (page.title == space && page.name.starts_with("namespace"))
@@ -93,8 +94,10 @@ class Surroundings {
 
     std::string around(const SitePage &page) const {
         const bool first = page.name == "index";
+        const std::string title = escaped(page.title) + (first ? "" : " · Frame by Frame");
         return filled(page_template,
-                      {{"title", escaped(page.title) + (first ? "" : " · Frame by Frame")},
+                      {{"title", title},
+                       {"about", about(page, title)},
                        {"kind", first ? "front" : page.kind},
                        {"contents", sidebar(page)},
                        {"above", above(page)},
@@ -105,6 +108,28 @@ class Surroundings {
     }
 
   private:
+    /// For a search engine, and for whoever is sent a link: what the page is about, and a picture of its first demo. Its
+    /// address is a relative one, and so is the base of 404.html, until tools/site/publish_at knows where the site goes.
+    std::string about(const SitePage &page, const std::string &title) const {
+        static const std::regex first_demo{R"re(data-demo="(\w+)")re"};
+        std::string words = page.name == "index"
+                                ? "You guess, you work it out, you write the C++ function, and you watch it "
+                                  "move: a course in game physics that runs."
+                                : page.title + ", in a course in game physics that runs.";
+        for (const Destination &row : rows)
+            if (row.page == page.name)
+                words = row.title + ": " + row.about + ". Part of a course in game physics that runs.";
+        const auto meta = [](const std::string &name, const std::string &html) {
+            return "<meta " + name + " content=\"" + html + "\">\n";
+        };
+        std::smatch demo;
+        return (page.name == "404" ? "<base href=\"404.html\">\n" : "") + meta("name=\"description\"", escaped(words))
+               + meta("property=\"og:title\"", title) + meta("property=\"og:description\"", escaped(words))
+               + (std::regex_search(page.html, demo, first_demo)
+                      ? meta("property=\"og:image\"", "demos/" + demo[1].str() + ".png")
+                      : "");
+    }
+
     /// What the demos of a page need, if it has some.
     std::string demo_scripts(const std::string &body) const {
         std::string scripts;

@@ -7,8 +7,8 @@
 
 namespace course {
 
-/// Adds the pages to the site's files, each in docs/page.html with its gaps filled in: {{title}}, {{kind}}, {{contents}},
-/// {{above}}, {{body}}, {{turning}}, {{demos}}.
+/// Adds the pages to the site's files, each in docs/page.html with its gaps filled in: {{title}}, {{about}}, {{kind}},
+/// {{contents}}, {{above}}, {{body}}, {{turning}}, {{demos}}.
 void add_pages(SiteFiles &files, const Addresses &addresses, const std::vector<SitePage> &pages);
 
 } // namespace course

@@ -66,6 +66,7 @@ Seen read(const std::string &name, const std::string &text) {
 void keep_reachable(SiteFiles &files) {
     std::map<std::string, Seen> met;
     std::vector<std::string> waiting{"index.html"};
+    if (files.contains("404.html")) waiting.push_back("404.html"); // a server leads there
     std::set<std::string> troubles;
     const auto target = [](const std::string &url) { return unescaped(url.substr(0, url.find('#'))); };
     while (!waiting.empty()) {

@@ -1,6 +1,6 @@
 // A demo without a page. It reads one line of input for each frame, and writes the frame's numbers, to the last bit; or,
-// as `NN_slug --picture "wind: 2"`, plays until its still picture is taken with this control, and writes what it is about
-// and what is seen then.
+// as `NN_slug --picture "wind: 2"`, writes what it is about, and what the lines of a player begin with who has this
+// control so and wants to get to the moment of its still picture.
 #include "frame.hpp"
 
 #include <algorithm>
@@ -35,14 +35,13 @@ void begin_with(std::string_view settings) {
     }
 }
 
-void play_alone() {
+/// What there is, then the moment of its picture, the key that is pressed at the start, and the controls as they are.
+void tell() {
     print_row();
-    constexpr double dt = 1.0 / 64;
-    host::in.dt = dt;
-    host::in.key = play::still.key;
-    for (double time = 0; time < play::still.time; time += dt) {
-        host::frame();
-    }
+    const auto &keys = play::about.keys;
+    const auto key = std::find_if(keys.begin(), keys.end(), [](const auto &k) { return k.key == play::still.key; });
+    host::row = {play::still.time, key == keys.end() ? -1 : double(key - keys.begin())};
+    for (const demo::Control &control : host::in.controls) host::row.push_back(control.value);
     print_row();
 }
 
@@ -66,7 +65,7 @@ void play_lines() {
 int main(int count, char **words) {
     try {
         host::begin();
-        if (count == 3 && std::string_view{words[1]} == "--picture") begin_with(words[2]), play_alone();
+        if (count == 3 && std::string_view{words[1]} == "--picture") begin_with(words[2]), tell();
         else play_lines();
     } catch (const std::exception &error) {
         std::cerr << error.what() << '\n';

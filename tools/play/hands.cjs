@@ -1,0 +1,44 @@
+// What a player does where nothing moves without one, so that the pictures of these places move, too. For each time since the
+// moment of the still picture [s]: `handle`, which is held, and `at`, the point where [m]; `press`, a key; controls by name.
+'use strict';
+
+// From one time to another along straight lines, through these points
+const drag = (handle, from, to, ...way) => (t) => {
+  if (t < from || t >= to) return {};
+  const x = (way.length - 1) * (1 - Math.cos(Math.PI * (t - from) / (to - from))) / 2, leg = Math.floor(x);
+  return { handle, at: [0, 1].map((k) => way[leg][k] + (x - leg) * (way[leg + 1][k] - way[leg][k])) };
+};
+// Once, or so many times a second, a power of two, up to another time
+const press = (key, from, to = from + 1 / 64, each = 1) => (t) => (t >= from && t < to && (each * (t - from)) % 1 === 0 ? { press: key } : {});
+const all = (...hands) => (t) => Object.assign({}, ...hands.map((hand) => hand(t)));
+const swing = (t) => Math.sin(2 * Math.PI * t / 3.90625); // once in a film
+const circle = Array.from({ length: 65 }, (_, i) => [2 * Math.cos(0.6435 + i * Math.PI / 32), 2 * Math.sin(0.6435 + i * Math.PI / 32)]);
+
+module.exports = {
+  '01_motion': {
+    'In the sky: a plate (1.6)': drag(1, 0, 3.9, [570, 25], [600, 110], [500, 40], [570, 25]),
+    'In the sky: three sightings (1.7)': drag(1, 0, 3.9, [220, 91], [250, 150], [220, 40], [220, 91]),
+  },
+  '05_inclined_planes': {
+    '': all(press('u', 0, 2, 16), press('d', 2.25, 3.25, 32), press('b', 3.5)),
+    'The game: normal force (5.3)': all(press('u', 0, 1.75, 32), press('d', 2, 3.75, 32)),
+    'The game: it slides (5.4)': all(press('u', 0, 2, 16), press('d', 2.25, 3.25, 32)),
+    'The game: critical angle (5.5)': all(press('u', 0, 2, 16), press('d', 2.25, 3.25, 32), press('b', 3.5)),
+  },
+  '07_segment_intersection': {
+    'The game: two segments (7.3)': drag(1, 0, 3.9, [7, 4], [9, 5], [6, 1], [7, 4]),
+    'The game: left or right (7.6)': drag(3, 0, 3.9, [8.2, 5.3], [5, 6.5], [7.5, 2.5], [8.2, 5.3]),
+  },
+  '08_nt_collisions': {
+    'The game: contact that turns (8.1)': drag(0, 0, 3.9, ...circle),
+    'The game: pushed apart (8.5)': drag(0, 0, 3.9, [-6, 0], [1, 1.5], [5, -1.5]),
+  },
+  '09_forward_kinematics': {
+    '': all(drag(0, 0, 1.8, [4, 2], [2.4, 3.8]), press('f', 2.25)),
+    'The game: a digger (9.2)': (t) => ({ place: -3 + swing(t), boom: 50 - 15 * swing(t), stick: -70 - 30 * swing(t), bucket: -30 + 50 * swing(t) }),
+    'The game: how the hand moves (9.4)': drag(1, 0, 3.9, [-0.29, 1.04], [3, 1.6], [3.5, -1], [3, 1.6], [-0.29, 1.04]),
+    'The game: pick up (9.5)': all(drag(0, 0, 0.5, [-1.38, -0.33], [0, 1]), drag(1, 0.5, 1, [1.3, 0.8], [2.5, 0.5]), drag(2, 1, 1.5, [2.5, 1.3], [2.5, 0.5]),
+      press('t', 1.75), drag(0, 2, 3.75, [-0.4, -0.4], [-3, -0.5], [0, 1])),
+    'The game: above the ground (9.6)': drag(1, 0, 3.9, [1, 1.82], [2.4, -3.5], [0.5, -5], [2.4, -3.5], [1, 1.82]),
+  },
+};
