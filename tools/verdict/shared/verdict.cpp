@@ -5,15 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 namespace course {
-
 namespace {
-constexpr std::array<std::string_view, 18> names = {
+constexpr std::string_view names[] = { // in the order of Kind
     "passed",
     "wrong",
     "not started",
@@ -31,50 +30,35 @@ constexpr std::array<std::string_view, 18> names = {
     "answered out of turn",
     "left a process",
     "printed too much",
-    "no verdict",
-};
-static_assert(names.size() == static_cast<std::size_t>(Kind::no_verdict) + 1);
+    "no verdict"};
+static_assert(std::size(names) == static_cast<std::size_t>(Kind::no_verdict) + 1);
 } // namespace
 
-std::string_view name_of(Kind kind) { return names.at(static_cast<std::size_t>(kind)); }
+std::string_view name_of(Kind kind) { return names[static_cast<std::size_t>(kind)]; }
+
+void to_json(nlohmann::json &json, Kind kind) { json = name_of(kind); }
+void from_json(const nlohmann::json &json, Kind &kind) {
+    const auto found = std::ranges::find(names, json.get<std::string>());
+    kind = found == std::end(names) ? Kind::no_verdict : static_cast<Kind>(found - names);
+}
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Call, function, arguments, before, answer)
 
-namespace {
+} // namespace course
 
-/// Visits what a verdict holds beside its kind and its call, with its name in JSON.
-template <class V, class Visit> void for_each_field(V &verdict, const Visit &visit) {
-    visit("exercise", verdict.exercise);
-    visit("test", verdict.test);
-    visit("sentence", verdict.sentence);
-    visit("accepted", verdict.accepted);
-    visit("label", verdict.label);
-    visit("got", verdict.got);
-    visit("want", verdict.want);
-    visit("tolerance", verdict.tolerance);
-    visit("whole", verdict.whole);
-    visit("file", verdict.file);
-    visit("line", verdict.line);
-    visit("printed", verdict.printed);
-    visit("printed_more", verdict.printed_more);
-    visit("needs", verdict.needs);
-}
+template <> struct nlohmann::adl_serializer<std::optional<course::Call>> {
+    static void to_json(json &json, const std::optional<course::Call> &call) {
+        if (call) json = *call; // else null
+    }
+    static void from_json(const json &json, std::optional<course::Call> &call) {
+        if (!json.is_null()) call = json.get<course::Call>();
+    }
+};
 
-} // namespace
+namespace course {
 
-void to_json(nlohmann::json &json, const Verdict &v) {
-    json = {{"kind", name_of(v.kind)}};
-    for_each_field(v, [&](const char *name, const auto &field) { json[name] = field; });
-    if (v.call) json["call"] = *v.call;
-}
-
-void from_json(const nlohmann::json &json, Verdict &v) {
-    const std::string kind = json.at("kind");
-    const auto found = std::find(names.begin(), names.end(), kind);
-    v.kind = found == names.end() ? Kind::no_verdict : static_cast<Kind>(found - names.begin());
-    for_each_field(v, [&](const char *name, auto &field) { json.at(name).get_to(field); });
-    if (const auto call = json.find("call"); call != json.end()) v.call = call->get<Call>();
-}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Verdict, exercise, test, kind, sentence, call, accepted, label, got, want, tolerance,
+                                   whole, file, line, printed, printed_more, needs)
 
 namespace {
 

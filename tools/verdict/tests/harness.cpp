@@ -10,7 +10,6 @@
 #include "ground/complaint.hpp"
 #include "ground/hidden.hpp"
 #include "ground/lines.hpp"
-#include "verdict/tests/nameless_file.hpp"
 #include "verdict/tests/session.hpp"
 
 #include <catch2/catch_session.hpp>
@@ -25,7 +24,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <csignal>
 #include <fstream>
 #include <functional>
@@ -34,7 +32,6 @@
 #include <numeric>
 #include <optional>
 #include <set>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -150,29 +147,6 @@ const std::vector<Catch::TestCaseInfo *> &all_tests() {
     return Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
 }
 
-/// Tests, by their places in the file, handed out one by one to several processes.
-class Queue {
-  public:
-    explicit Queue(std::vector<unsigned> tests_) : tests{std::move(tests_)} {
-        void *room = ::mmap(nullptr, sizeof *taken, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (room == MAP_FAILED) throw MachineTrouble{"no memory for the tests"};
-        taken = new (room) std::atomic<unsigned>{0};
-    }
-    ~Queue() { ::munmap(taken, sizeof *taken); }
-    Queue(const Queue &) = delete;
-    Queue &operator=(const Queue &) = delete;
-
-    /// @return which is next; nothing when all are taken
-    std::optional<unsigned> next() {
-        const unsigned at = (*taken)++;
-        return at < tests.size() ? std::optional{tests[at]} : std::nullopt;
-    }
-
-  private:
-    std::vector<unsigned> tests;
-    std::atomic<unsigned> *taken; ///< in memory that these processes share
-};
-
 /// A verdict as a line of JSON.
 std::string line_of(const Verdict &verdict) {
     return nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
@@ -182,10 +156,10 @@ std::string line_of(const Verdict &verdict) {
 using Job = std::function<void(unsigned item, NamelessFile &lines)>;
 
 /// Such a process. It has children of its own, and so finds what a student's code has left behind.
-[[noreturn]] void work(const Job &job, Queue &items, int core, NamelessFile &lines) {
+[[noreturn]] void work(const Job &job, int items, int core, NamelessFile &lines) {
     try {
         prepare_for_subjects(core);
-        while (const auto item = items.next()) job(*item, lines);
+        for (unsigned item = 0; ::read(items, &item, sizeof item) == sizeof item;) job(item, lines);
         ::_exit(all_well);
     } catch (const MachineTrouble &trouble) {
         std::cerr << trouble.what() << std::endl;
@@ -199,10 +173,12 @@ int share(std::size_t most, const std::vector<unsigned> &items, const Job &job, 
     const std::vector<int> all = cores();
     std::vector<NamelessFile> lines(std::min(all.size(), most));
     std::vector<pid_t> processes;
-    Queue queue{items};
+    NamelessFile queue; // of all items; where it is read is common to the processes, so each gets another one
+    queue.append({reinterpret_cast<const char *>(items.data()), items.size() * sizeof items[0]});
+    ::lseek(queue.descriptor(), 0, SEEK_SET);
     for (std::size_t worker = 0; worker < lines.size(); ++worker) {
         processes.push_back(::fork());
-        if (processes.back() == 0) work(job, queue, all[worker], lines[worker]);
+        if (processes.back() == 0) work(job, queue.descriptor(), all[worker], lines[worker]);
     }
     int code = all_well;
     for (std::size_t worker = 0; worker < lines.size(); ++worker) {

@@ -139,100 +139,34 @@ constexpr std::uint32_t architecture = 0; // not tried there
 /// Calls that no exercise needs. Those that change a file's mode, owner or date are here since Landlock has no rule for
 /// them, ioctl since it types on terminals, and what root may do to the machine in case the course is run by root.
 constexpr long refused[] = {
-#ifdef SYS_fork // newer architectures have only clone, and only the calls that end in "at"
-    SYS_fork,
-    SYS_vfork,
-    SYS_chmod,
-    SYS_chown,
-    SYS_lchown,
-    SYS_utime,
-    SYS_utimes,
-    SYS_futimesat,
+    // files; newer architectures have only the calls that end in "at"
+    SYS_fchmod, SYS_fchmodat, 452 /* fchmodat2 */, SYS_fchown, SYS_fchownat, SYS_utimensat, SYS_setxattr, SYS_lsetxattr,
+    SYS_fsetxattr, SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr, SYS_ioctl,
+#ifdef SYS_fork
+    SYS_chmod, SYS_chown, SYS_lchown, SYS_utime, SYS_utimes, SYS_futimesat,
+    // processes; the newer architectures have only clone
+    SYS_fork, SYS_vfork,
 #endif
-    SYS_fchmod,
-    SYS_fchmodat,
-    452 /* fchmodat2 */,
-    SYS_fchown,
-    SYS_fchownat,
-    SYS_utimensat,
-    SYS_setxattr,
-    SYS_lsetxattr,
-    SYS_fsetxattr,
-    SYS_removexattr,
-    SYS_lremovexattr,
-    SYS_fremovexattr,
-    SYS_ioctl, // files
-    SYS_setsid,
-    SYS_setpgid,
-    SYS_ptrace,
-    SYS_process_vm_readv,
-    SYS_process_vm_writev,
-    SYS_kcmp,
-    SYS_tkill,
-    SYS_rt_sigqueueinfo,
-    SYS_rt_tgsigqueueinfo,
-    424 /* pidfd_send_signal */,
-    434 /* pidfd_open */,
-    SYS_setpriority,
-    SYS_sched_setscheduler,
-    SYS_sched_setparam,
-    SYS_sched_setattr,
-    SYS_sched_setaffinity,
-    SYS_ioprio_set, // processes
-    SYS_shmget,
-    SYS_msgget,
-    SYS_semget,
-    SYS_mq_open,
-    SYS_memfd_create,
-    SYS_add_key,
-    SYS_request_key,
-    SYS_keyctl, // stays
-    SYS_socket,
-    SYS_socketpair,
-    425 /* io_uring_setup */,
-    SYS_bpf,
-    SYS_perf_event_open,
-    SYS_userfaultfd,
-    SYS_unshare,
-    SYS_setns,
-    SYS_mount,
-    SYS_umount2,
-    SYS_chroot,
-    SYS_pivot_root,
-    428 /* open_tree */,
-    429 /* move_mount */,
-    430 /* fsopen */,
-    431 /* fsconfig */,
-    432 /* fsmount */,
-    433 /* fspick */,
-    442 /* mount_setattr */,
-    SYS_open_by_handle_at,
-    SYS_fanotify_init, // the rest of the world
-    SYS_reboot,
-    SYS_sethostname,
-    SYS_setdomainname,
-    SYS_settimeofday,
-    SYS_clock_settime,
-    SYS_clock_adjtime,
-    SYS_adjtimex,
-    SYS_swapon,
-    SYS_swapoff,
-    SYS_init_module,
-    SYS_finit_module,
-    SYS_delete_module,
-    SYS_kexec_load,
+    SYS_setsid, SYS_setpgid, SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_kcmp, SYS_tkill,
+    SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo, 424 /* pidfd_send_signal */, 434 /* pidfd_open */, SYS_setpriority,
+    SYS_sched_setscheduler, SYS_sched_setparam, SYS_sched_setattr, SYS_sched_setaffinity, SYS_ioprio_set,
+    // what stays
+    SYS_shmget, SYS_msgget, SYS_semget, SYS_mq_open, SYS_memfd_create, SYS_add_key, SYS_request_key, SYS_keyctl,
+    // the rest of the world
+    SYS_socket, SYS_socketpair, 425 /* io_uring_setup */, SYS_bpf, SYS_perf_event_open, SYS_userfaultfd, SYS_unshare,
+    SYS_setns, SYS_mount, SYS_umount2, SYS_chroot, SYS_pivot_root, 428 /* open_tree */, 429 /* move_mount */,
+    430 /* fsopen */, 431 /* fsconfig */, 432 /* fsmount */, 433 /* fspick */, 442 /* mount_setattr */,
+    SYS_open_by_handle_at, SYS_fanotify_init,
+// the machine
 #ifdef SYS_kexec_file_load
     SYS_kexec_file_load,
 #endif
 #ifdef SYS_iopl
-    SYS_iopl,
-    SYS_ioperm,
+    SYS_iopl, SYS_ioperm,
 #endif
-    SYS_quotactl,
-    SYS_vhangup,
-    SYS_acct,
-    SYS_syslog, // the machine
-};
+    SYS_reboot, SYS_sethostname, SYS_setdomainname, SYS_settimeofday, SYS_clock_settime, SYS_clock_adjtime,
+    SYS_adjtimex, SYS_swapon, SYS_swapoff, SYS_init_module, SYS_finit_module, SYS_delete_module, SYS_kexec_load,
+    SYS_quotactl, SYS_vhangup, SYS_acct, SYS_syslog};
 
 class Filter {
   public:

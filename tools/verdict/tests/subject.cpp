@@ -10,17 +10,17 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
-#include <string>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
 
 #ifdef __linux__
 #include <sched.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #endif
 
@@ -29,6 +29,17 @@ namespace {
 
 [[noreturn]] void give_up(const char *what) {
     throw MachineTrouble{std::string{what} + " (" + std::strerror(errno) + ")"};
+}
+
+int make_nameless() {
+#ifdef __linux__
+    return ::memfd_create("printed", MFD_CLOEXEC);
+#else
+    std::FILE *temporary = std::tmpfile();
+    const int file = temporary == nullptr ? -1 : ::fcntl(::fileno(temporary), F_DUPFD_CLOEXEC, 10);
+    if (temporary != nullptr) std::fclose(temporary);
+    return file;
+#endif
 }
 
 std::array<int, 2> make_pipe() {
@@ -116,6 +127,35 @@ void reap() {
 }
 
 } // namespace
+
+NamelessFile::NamelessFile() : file{make_nameless()} {
+    if (file < 0) give_up("what is printed cannot be kept");
+}
+
+NamelessFile::~NamelessFile() { ::close(file); }
+
+void NamelessFile::append(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = ::write(file, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) give_up("what is printed cannot be kept");
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+std::string NamelessFile::text(std::size_t most) const {
+    struct stat about {};
+    if (::fstat(file, &about) != 0) give_up("what is printed cannot be kept");
+    std::string text(std::min(most, static_cast<std::size_t>(about.st_size)), '\0'); // no more: each byte is a write
+    std::size_t size = 0;
+    while (size < text.size()) {
+        const ssize_t got = ::pread(file, text.data() + size, text.size() - size, static_cast<off_t>(size));
+        if (got <= 0) break;
+        size += static_cast<std::size_t>(got);
+    }
+    text.resize(size);
+    return text;
+}
 
 std::vector<int> cores() {
     std::vector<int> all;

@@ -2,7 +2,6 @@
 // A student's process: started for one test case, talked to over two descriptors of its own, and never believed.
 
 #include "verdict/shared/wire.hpp"
-#include "verdict/tests/nameless_file.hpp"
 #include "verdict/tests/shut_in.hpp"
 
 #include <chrono>
@@ -25,6 +24,24 @@ constexpr std::size_t print_limit = 4u << 20; ///< [bytes] that it may write
 struct Allowance {
     double spent;      ///< [s] see Subject::spent
     double clock = 20; ///< [s] for one answer, by the clock: after that the process slept, or was never given a core
+};
+
+/// A file that no other process can find, as it has no name, and that goes with this object. A program that is started
+/// does not inherit it.
+class NamelessFile {
+  public:
+    /// @throws MachineTrouble if the machine has no room for one
+    NamelessFile();
+    ~NamelessFile();
+    NamelessFile(const NamelessFile &) = delete;
+    NamelessFile &operator=(const NamelessFile &) = delete;
+
+    int descriptor() const { return file; }
+    void append(std::string_view text);       ///< @throws MachineTrouble if there is no room
+    std::string text(std::size_t most) const; ///< its first `most` bytes
+
+  private:
+    int file;
 };
 
 class Subject {
