@@ -1,5 +1,5 @@
 #pragma once
-// The rules behind `advice`, and the sentences that more than one of them says.
+// What is said beside a compiler's words: the rules, and the sentences that more than one of them says.
 
 #include "loop/said.hpp"
 
@@ -7,6 +7,10 @@
 #include <string>
 
 namespace course {
+
+/// What a beginner needs to know beside the words of GCC or Clang, for the slips that are made most, as a sentence of
+/// its own; empty if there is nothing to add, or if the slip can only be guessed.
+std::string advice(const Said &said);
 
 /// Knows some slips; of others it says nothing.
 using Rule = std::string (*)(const Said &);

@@ -4,7 +4,7 @@
 #include "ground/nearest.hpp"
 #include "ground/plain.hpp"
 #include "ground/text.hpp"
-#include "loop/advice.hpp"
+#include "loop/advice_rules.hpp"
 
 #include <algorithm>
 #include <fstream>

@@ -36,12 +36,11 @@ static_assert(std::size(names) == static_cast<std::size_t>(Kind::no_verdict) + 1
 
 std::string_view name_of(Kind kind) { return names[static_cast<std::size_t>(kind)]; }
 
-void to_json(nlohmann::json &json, Kind kind) { json = name_of(kind); }
-void from_json(const nlohmann::json &json, Kind &kind) {
+static void to_json(nlohmann::json &json, Kind kind) { json = name_of(kind); }
+static void from_json(const nlohmann::json &json, Kind &kind) {
     const auto found = std::ranges::find(names, json.get<std::string>());
     kind = found == std::end(names) ? Kind::no_verdict : static_cast<Kind>(found - names);
 }
-
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Call, function, arguments, before, answer)
 
 } // namespace course
@@ -59,6 +58,16 @@ namespace course {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Verdict, exercise, test, kind, sentence, call, accepted, label, got, want, tolerance,
                                    whole, file, line, printed, printed_more, needs)
+
+std::string to_line(const Verdict &verdict) {
+    return nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+std::optional<Verdict> from_line(std::string_view line) try {
+    return nlohmann::json::parse(line).get<Verdict>();
+} catch (const nlohmann::json::exception &) {
+    return {};
+}
 
 namespace {
 

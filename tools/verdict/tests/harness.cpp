@@ -147,11 +147,6 @@ const std::vector<Catch::TestCaseInfo *> &all_tests() {
     return Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
 }
 
-/// A verdict as a line of JSON.
-std::string line_of(const Verdict &verdict) {
-    return nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-}
-
 /// What one of several processes does with an item of a list; it tells of it in lines, where no subject can reach them.
 using Job = std::function<void(unsigned item, NamelessFile &lines)>;
 
@@ -200,7 +195,7 @@ int run_in(std::size_t workers, const std::vector<unsigned> &which, const std::s
            std::vector<Verdict> &said) {
     std::optional<Session> here; // a process has one for all of its tests
     const Job run_one = [&](unsigned test, NamelessFile &lines) {
-        tell = [&](const Verdict &verdict) { lines.append(line_of(verdict)); };
+        tell = [&](const Verdict &verdict) { lines.append(to_line(verdict)); };
         if (!here) here.emplace(subject, Patience{});
         run_tests(*here, seed, {test, static_cast<unsigned>(all_tests().size())});
         if (!here->trouble().empty()) throw MachineTrouble{here->trouble()};
@@ -208,8 +203,7 @@ int run_in(std::size_t workers, const std::vector<unsigned> &which, const std::s
     std::vector<std::string> lines;
     const int code = share(workers, which, run_one, lines);
     for (const std::string &line : lines)
-        if (const auto json = nlohmann::json::parse(line, nullptr, false); json.is_object())
-            said.push_back(json.get<Verdict>());
+        if (auto verdict = from_line(line)) said.push_back(std::move(*verdict));
     return code;
 }
 
@@ -240,7 +234,7 @@ int run_side_by_side(const std::string &subject, unsigned seed, const std::strin
         if (again.size() == 1) verdict = std::move(again.front());
         if (verdict.kind == Kind::too_long) proved.insert(of);
     }
-    for (const Verdict &verdict : said) std::cout << line_of(verdict);
+    for (const Verdict &verdict : said) std::cout << to_line(verdict);
     return code;
 }
 
