@@ -10,7 +10,6 @@
 #include "site/progress_script.hpp"
 
 #include <iostream>
-#include <memory>
 
 namespace course {
 namespace fs = std::filesystem;
