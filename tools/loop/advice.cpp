@@ -83,6 +83,11 @@ std::string with_article(const std::string &name) {
     return (contains("AEIOU", name.substr(0, 1)) ? "an " : "a ") + name;
 }
 
+std::string wanted(const std::string &name, const std::string &instead) {
+    return with_capital(with_article(name)) + " is wanted here" + instead
+           + ": put its fields in braces, in the order of the header.";
+}
+
 bool calls_no_function(const Said &said) {
     return said.words.starts_with("no match for call to '(")
            || contains(said.words, "does not provide a call operator");

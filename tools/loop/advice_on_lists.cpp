@@ -20,7 +20,7 @@ constexpr const char *close_angle = "Each < of a type needs its >: is one missin
 
 /// for (const int i in list), for i of list:
 std::string about_loop(const Said &said) {
-    const std::string_view code = without_blanks(std::string_view{said.code}.substr(0, said.code.find("//")));
+    const std::string_view code = code_alone(said.code);
     if (!code.starts_with("for (") && !code.starts_with("for ")) return {};
     for (const char *word : {" in ", " of "}) {
         const std::size_t at = code.find(word);
@@ -33,24 +33,17 @@ std::string about_loop(const Said &said) {
 
 /// pairs.add(2), centres.length, centres.x()
 std::string about_list_member(const Said &said) {
-    const auto names = in_quotes(said.words);
-    const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
-    if (names.size() < 2 || (!gcc && !clang)) return {};
-    const std::string &asked = names[gcc ? 0 : 1], &member = names[gcc ? 1 : 0];
+    const auto [asked, member] = missing_member(said);
     const auto element = between(asked, "std::vector<", ">");
     if (!element) return {};
     if (member == "last") return last_one;
     if (contains(said.words, "did you mean")) return {};
     const bool may_be_field = !struct_name(*element).empty() && !contains(said.code, '.' + member + '(');
     if (member == "length" && may_be_field) return element_or_size;
-    for (const char *adds : {"add", "append", "push", "Add"})
-        if (member == adds) return to_add;
-    for (const char *counts : {"length", "count", "len"})
-        if (member == counts) return count_them;
-    if (is_vector(*element))
-        for (const char *of_a_vector : {"x", "y", "norm", "dot", "normalized", "squaredNorm"})
-            if (member == of_a_vector) return one_element;
-    return may_be_field ? one_element : "";
+    if (is_any_of(member, {"add", "append", "push", "Add"})) return to_add;
+    if (is_any_of(member, {"length", "count", "len"})) return count_them;
+    const bool of_a_vector = is_any_of(member, {"x", "y", "norm", "dot", "normalized", "squaredNorm"});
+    return may_be_field || (is_vector(*element) && of_a_vector) ? one_element : "";
 }
 
 /// list(2)

@@ -38,8 +38,8 @@ std::string about_numbers(const Said &said) {
 
 /// grid[1][2], grid[v], grid[1, 2]
 std::string about_key(const Said &said) {
-    const bool no_operator = contains(said.words, "for 'operator[]'") || contains(said.words, "overloaded operator[]")
-                             || contains(said.words, "operator[] for type");
+    const bool no_operator =
+        contains_any(said.words, {"for 'operator[]'", "overloaded operator[]", "operator[] for type"});
     const bool of_map = no_operator && contains(said.words, "std::map<std::pair<");
     return of_map || contains(said.words, "comma expression in array subscript") ? key_in_braces : "";
 }

@@ -27,9 +27,7 @@ std::string struct_around(const Said &said) {
 
 /// Disc{a, b}, with fields that a Disc does not have there.
 std::string about_struct_braces(const Said &said) {
-    if (contains(said.words, "std::optional<") || contains(said.words, "::)(")
-        || contains(said.words, "product of Vec2s")) // of which other rules know more
-        return {};
+    if (contains_any(said.words, {"std::optional<", "::)(", "product of Vec2s"})) return {}; // other rules know more
     std::string name;
     for (const char *words : {"could not convert", "cannot convert", "no viable conversion", "cannot initialize"})
         if (said.words.starts_with(words)) name = struct_around(said);
@@ -48,8 +46,7 @@ std::string about_other_struct(const Said &said) {
     if (names.size() < 2) return {};
     const std::string from = struct_name(names[names.size() - 2]), to = struct_name(names.back());
     if (from.empty() || to.empty() || from == to) return {};
-    return with_capital(with_article(to)) + " is wanted here, not " + with_article(from)
-           + ": put its fields in braces, in the order of the header.";
+    return wanted(to, ", not " + with_article(from));
 }
 
 /// return Pair;
@@ -74,9 +71,7 @@ std::string about_two_vectors(const Said &said) {
 
 /// {n.y(), n.x}: of braces, GCC says no more than that they do not fit.
 std::string about_uncalled(const Said &said) {
-    for (const char *component : {", 1>::x", ", 1>::y"})
-        for (const char *behind : {"}", ","})
-            if (contains(said.words, std::string{component} + behind)) return call_it;
+    if (contains_any(said.words, {", 1>::x}", ", 1>::x,", ", 1>::y}", ", 1>::y,"})) return call_it;
     if (!contains(said.words, "'Vec2::Matrix(<brace") || !contains(said.notes, "deduce template parameter 'T"))
         return {};
     for (const std::string component : {".x", ".y"})

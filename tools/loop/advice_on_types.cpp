@@ -38,16 +38,14 @@ std::string about_member(const Said &said) {
     const bool no_struct =
         contains(said.words, "which is of non-class type '") || contains(said.words, "is not a structure or union");
     if (no_struct && !names.empty() && is_number(names.back())) return number_already;
-    const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
-    if (names.size() < 2 || (!gcc && !clang)) return {};
-    const std::string &asked = gcc ? names[0] : names[1];
-    if ((gcc ? names[1] : names[0]) == "push_back" && !contains(asked, "std::")) return only_lists_grow;
+    const auto [asked, member] = missing_member(said);
+    if (member == "push_back" && !contains(asked, "std::")) return only_lists_grow;
     if (const std::string name = struct_name(asked); !name.empty() && !contains(said.words, "did you mean"))
         return "Look up the fields of " + name + " in the header.";
-    if (is_vector(asked) && (gcc ? names[1] : names[0]) == "length") return length_of_vector;
+    if (is_vector(asked) && member == "length") return length_of_vector;
     if (is_vector(asked) && !contains(said.words, "did you mean")) return vector_already;
     if (!is_optional(asked)) return {};
-    return "It may be nothing: ask first, if (found), and then write found->" + (gcc ? names[1] : names[0]) + '.';
+    return "It may be nothing: ask first, if (found), and then write found->" + member + '.';
 }
 
 /// A struct where a list of numbers or vectors is to grow, or a number where a function wants the whole struct.
@@ -66,8 +64,7 @@ std::string about_argument(const Said &said) {
         return two_in_braces;
     const std::string element = struct_name(list);
     if (contains(said.words, "push_back") && !element.empty() && (is_vector(pushed) || is_number(pushed)))
-        return with_capital(with_article(element))
-               + " is wanted here: put its fields in braces, in the order of the header.";
+        return wanted(element);
     const std::string all = said.words + said.notes;
     const auto own = between(all, "std::vector<", ">");
     const bool fields_pushed =
@@ -86,10 +83,7 @@ std::string about_argument(const Said &said) {
         return "A whole " + whole
                + " is wanted here, not a number: pass one that you have, a and not a.mass, or make one of its fields "
                  "in braces, in the order of the header.";
-    return is_vector(given) || !struct_name(given).empty()
-               ? with_capital(with_article(whole))
-                     + " is wanted here: put its fields in braces, in the order of the header."
-               : "";
+    return is_vector(given) || !struct_name(given).empty() ? wanted(whole) : "";
 }
 
 /// velocity.dot(2)
@@ -122,9 +116,8 @@ std::string about_sine(const Said &said) {
 
 /// Box.high: GCC points at the dot, Clang at the dot or at the type.
 std::string about_type_with_dot(const Said &said) {
-    bool is_it = false;
-    for (const char *words : {"before '.' token", "does not refer to a value", "dot operator on a type", "type name '"})
-        if (contains(said.words, words)) is_it = true;
+    const bool is_it = contains_any(
+        said.words, {"before '.' token", "does not refer to a value", "dot operator on a type", "type name '"});
     std::size_t from = std::min(said.caret.find('^'), said.code.size());
     while (from > 0 && is_in_a_name(said.code[from - 1])) --from;
     const std::string_view code = std::string_view{said.code}.substr(from), type = first_word(code);
@@ -139,9 +132,8 @@ std::string about_type_with_dot(const Said &said) {
 
 /// 2 * time_of_flight: the name of a function, which is not called.
 std::string about_function(const Said &said) {
-    bool takes_a_value = false;
-    for (const char *words : {"invalid operands", "cannot convert", "cannot initialize", "incompatible"})
-        if (contains(said.words, words)) takes_a_value = true;
+    const bool takes_a_value =
+        contains_any(said.words, {"invalid operands", "cannot convert", "cannot initialize", "incompatible"});
     for (const std::string &type : in_quotes(said.words))
         if (takes_a_value && type.ends_with(')') && contains(type, "(") && !contains(type, "::)")) return call_function;
     return {};
@@ -161,12 +153,7 @@ bool has_pair_in_parentheses(std::string_view code) {
     for (std::size_t at = 0; (at = code.find('(', at)) != code.npos; ++at) {
         const std::size_t before = at == 0 ? code.npos : code.find_last_not_of(' ', at - 1);
         if (before == code.npos || !contains("=+-", code.substr(before, 1))) continue;
-        int open = 0;
-        for (std::size_t i = at; i < code.size(); ++i) {
-            if (contains("([{", code.substr(i, 1))) ++open;
-            if (contains(")]}", code.substr(i, 1)) && --open == 0) break;
-            if (code[i] == ',' && open == 1) return true;
-        }
+        if (has_comma(code.substr(at, where_it_closes(code, at) + 1 - at))) return true;
     }
     return false;
 }
@@ -241,10 +228,7 @@ std::string about_conversion(const Said &said) {
     if (said.words.starts_with("no matching constructor for initialization of 'std::optional<")
         && contains(said.code, "return {"))
         return about_optional_list(names[0]);
-    if (names.size() < 2
-        || !(contains(said.words, "convert") || contains(said.words, "conversion")
-             || contains(said.words, "incompatible type")))
-        return {};
+    if (names.size() < 2 || !contains_any(said.words, {"convert", "conversion", "incompatible type"})) return {};
     const bool clang_assigns = said.words.starts_with("assigning to '"); // 'double' from incompatible type 'Vec2'
     const std::string &from = names[names.size() - (clang_assigns ? 1 : 2)],
                       &to = names[names.size() - (clang_assigns ? 2 : 1)];
@@ -267,18 +251,15 @@ std::string about_conversion(const Said &said) {
         if (has_pair_in_parentheses(said.code)) return pair_in_braces;
         return has_dot_product(said) ? dot_is_number : two_components;
     }
-    if ((is_number(from) || is_vector(from)) && !struct_name(to).empty())
-        return with_capital(with_article(struct_name(to)))
-               + " is wanted here: put its fields in braces, in the order of the header.";
+    if ((is_number(from) || is_vector(from)) && !struct_name(to).empty()) return wanted(struct_name(to));
     if (!struct_name(from).empty() && (is_vector(to) || is_number(to))) return about_fields(struct_name(from));
     return {};
 }
 
 /// b ? {1, 0} : v
 std::string about_choice(const Said &said) {
-    const bool is_it = contains(said.words, "before '{' token")
-                       || contains(said.words, "initializer list cannot be used")
-                       || contains(said.words, "expected expression");
+    const bool is_it =
+        contains_any(said.words, {"before '{' token", "initializer list cannot be used", "expected expression"});
     return is_it && (contains(said.code, " ? {") || (contains(said.code, " ? ") && contains(said.code, " : {")))
                ? type_before_braces
                : "";
@@ -286,8 +267,7 @@ std::string about_choice(const Said &said) {
 
 /// std::min(t, 1) and its like.
 std::string about_two_types(const Said &said) {
-    const bool is_it = contains(said.words, "call to 'min") || contains(said.words, "call to 'max")
-                       || contains(said.words, "call to 'clamp");
+    const bool is_it = contains_any(said.words, {"call to 'min", "call to 'max", "call to 'clamp"});
     const auto types = between(said.notes, "deduced conflicting types", "\n");
     if (!is_it || !types) return {};
     if (contains(*types, "unsigned"))

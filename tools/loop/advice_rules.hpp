@@ -21,6 +21,9 @@ std::string first_of(std::initializer_list<Rule> rules, const Said &said);
 /// "a Disc", "an Impact"
 std::string with_article(const std::string &name);
 
+/// "A Disc is wanted here: put its fields in braces, …"
+std::string wanted(const std::string &name, const std::string &instead = "");
+
 /// Whether something that is not a function is called as if it were one.
 bool calls_no_function(const Said &said);
 

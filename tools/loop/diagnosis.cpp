@@ -204,10 +204,10 @@ namespace {
 /// The name that the compiler does not know, if that is what its words say.
 std::string unknown_name(const std::string &words) {
     if (const auto member = between(words, "no member named '", "'")) return std::string{*member};
-    for (const char *unknown : {"was not declared", "has not been declared", "does not name a type",
-                                "is not a member of", "undeclared identifier", "unknown type name", "no type named"})
-        if (contains(words, unknown)) return std::string{between(words, "'", "'").value_or("")};
-    return "";
+    const bool unknown =
+        contains_any(words, {"was not declared", "has not been declared", "does not name a type", "is not a member of",
+                             "undeclared identifier", "unknown type name", "no type named"});
+    return std::string{unknown ? between(words, "'", "'").value_or("") : ""};
 }
 
 /// A line that a compiler speaks of and does not show: GCC shows none again that it has just shown with a warning, and
@@ -300,11 +300,6 @@ std::vector<std::string> warnings_about(const std::vector<std::string> &warnings
 }
 
 namespace {
-
-/// A line of code without its blanks and what is behind its `//`.
-std::string_view code_alone(std::string_view line) {
-    return without_blanks_behind(without_blanks(line.substr(0, line.find("//"))));
-}
 
 /// Whether this line is a `return` that the line before it does not make conditional.
 bool always_returns(std::string_view code, std::string_view before) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <utility>
 
 namespace course {
 namespace {
@@ -105,6 +104,36 @@ std::string struct_name(std::string_view type) {
     const bool is_name = std::all_of(type.begin(), type.end(), is_in_a_name);
     if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2") return {};
     return std::string{type};
+}
+
+std::size_t where_it_closes(std::string_view code, std::size_t from) {
+    int open = 0;
+    for (std::size_t i = from; i < code.size(); ++i) {
+        if (contains("([{", {&code[i], 1})) ++open;
+        if (contains(")]}", {&code[i], 1}) && --open == 0) return i;
+    }
+    return code.npos;
+}
+
+bool has_comma(std::string_view code) {
+    if (code.starts_with('(') && code.ends_with(')')) code = code.substr(1, code.size() - 2);
+    int open = 0;
+    for (const char c : code) {
+        if (contains("([{<", {&c, 1})) ++open;
+        if (contains(")]}>", {&c, 1})) --open;
+        if (c == ',' && open == 0) return true;
+    }
+    return false;
+}
+
+std::string_view code_alone(std::string_view line) { return without_blanks(line.substr(0, line.find("//"))); }
+
+std::pair<std::string, std::string> missing_member(const Said &said) {
+    const auto names = in_quotes(said.words);
+    if (names.size() < 2) return {};
+    if (contains(said.words, "has no member named '")) return {names[0], names[1]}; // GCC
+    if (said.words.starts_with("no member named '")) return {names[1], names[0]};   // Clang
+    return {};
 }
 
 bool is_in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }

@@ -11,10 +11,6 @@
 namespace course {
 namespace {
 
-template <class List> bool contains_any(std::string_view text, const List &list) {
-    return std::any_of(list.begin(), list.end(), [&](const char *words) { return contains(text, words); });
-}
-
 /// Whether something is wrong with the code, whatever else happened: then a file cannot blame the machine by choosing
 /// the words of its errors.
 bool blames_the_code(std::string_view line) {
@@ -38,9 +34,9 @@ bool found_the_disk_full(std::string_view line) {
 }
 
 // The words of the C library for a signal, as the drivers of GCC and Clang print them.
-constexpr std::array ran_out_of_memory{"out of memory", "memory exhausted", "Cannot allocate memory", "std::bad_alloc"};
-constexpr std::array wrote_too_much{"File size limit exceeded", "File too large"};
-constexpr std::array killed{"Killed", "Terminated", "Hangup"};
+constexpr Words ran_out_of_memory{"out of memory", "memory exhausted", "Cannot allocate memory", "std::bad_alloc"};
+constexpr Words wrote_too_much{"File size limit exceeded", "File too large"};
+constexpr Words killed{"Killed", "Terminated", "Hangup"};
 
 } // namespace
 
