@@ -129,6 +129,24 @@ void find_open_folds(cmark_node *root, const std::filesystem::path &file, Chapte
 
 std::string_view without_byte_order_mark(std::string_view text) { return text.substr(byte_order_mark(text).size()); }
 
+/// The functions, types and constants that a chunk defines: what a line which is not indented names first before a
+/// bracket, after `struct`, or before a value.
+std::vector<std::string> defined_in(const Chunk &chunk) {
+    static const std::regex definition{R"(^[A-Za-z](?:[^(={]*[ &*])?(\w+)(?:\(| = |\{| \{).*)"};
+    std::vector<std::string> names;
+    for (const std::string &line : chunk.lines)
+        if (std::smatch found; std::regex_match(line, found, definition)) names.push_back(found[1]);
+    return names;
+}
+
+bool mentions(const std::vector<Chunk> &chunks, const std::string &name) {
+    const std::regex word{"\\b" + name + "\\b"};
+    for (const Chunk &chunk : chunks)
+        for (const std::string &line : chunk.lines)
+            if (std::regex_search(line, word)) return true;
+    return false;
+}
+
 } // namespace
 
 Chapter read_chapter(std::string_view text, const std::filesystem::path &file) {
@@ -206,28 +224,6 @@ std::vector<Finding> misshapen_demos(std::string_view text, const std::filesyste
     });
     return findings;
 }
-
-namespace {
-
-/// The functions, types and constants that a chunk defines: what a line which is not indented names first before a
-/// bracket, after `struct`, or before a value.
-std::vector<std::string> defined_in(const Chunk &chunk) {
-    static const std::regex definition{R"(^[A-Za-z](?:[^(={]*[ &*])?(\w+)(?:\(| = |\{| \{).*)"};
-    std::vector<std::string> names;
-    for (const std::string &line : chunk.lines)
-        if (std::smatch found; std::regex_match(line, found, definition)) names.push_back(found[1]);
-    return names;
-}
-
-bool mentions(const std::vector<Chunk> &chunks, const std::string &name) {
-    const std::regex word{"\\b" + name + "\\b"};
-    for (const Chunk &chunk : chunks)
-        for (const std::string &line : chunk.lines)
-            if (std::regex_search(line, word)) return true;
-    return false;
-}
-
-} // namespace
 
 std::vector<Chunk> solution(const Tree &tree, const Section &section, std::string_view number) {
     const std::string own = "Solution " + std::string{number};

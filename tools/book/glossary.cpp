@@ -59,47 +59,6 @@ std::vector<std::string> also_called(cmark_node *bold, const std::vector<Formula
     return names;
 }
 
-} // namespace
-
-std::vector<Term> terms_of(std::string_view chapter, int section, const std::string &link,
-                           const std::filesystem::path &file) {
-    const WithoutFormulas taken = take_out_formulas(chapter.substr(byte_order_mark(chapter).size()));
-    const Document document = parse_markdown(taken.text);
-    cmark_consolidate_text_nodes(document.get());
-    std::vector<Term> terms;
-    Anchors anchors;
-    std::string place = link;
-    std::size_t formula = 0;
-    each_node(document.get(), [&](cmark_node *node) {
-        if (cmark_node_get_type(node) == CMARK_NODE_HEADING) {
-            const std::string anchor = anchors.next(words_of(node));
-            const bool in_a_box = cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_DOCUMENT;
-            if (!in_a_box && cmark_node_get_heading_level(node) > 1) place = link + '#' + anchor;
-        } else if (cmark_node_get_type(node) == CMARK_NODE_STRONG && !is_in_heading_or_box(node)) {
-            std::size_t next = formula;
-            const std::string name = markdown_of(node, taken.formulas, next);
-            if (is_term(name))
-                terms.push_back({name, also_called(node, taken.formulas, next), section, place, file,
-                                 cmark_node_get_start_line(node)});
-        } else if (cmark_node_get_type(node) == CMARK_NODE_TEXT) {
-            static_cast<void>(markdown_of(node, taken.formulas, formula));
-        }
-    });
-    return terms;
-}
-
-std::vector<Term> terms_of(const Tree &tree) {
-    std::vector<Term> terms;
-    for (const Section &section : tree.sections()) {
-        const std::filesystem::path file = tree.chapter(section);
-        for (Term &term : terms_of(read_file(file), section.number(), tree.shown(file), file))
-            terms.push_back(std::move(term));
-    }
-    return terms;
-}
-
-namespace {
-
 /// One row for each name, from all chapters that have it.
 std::vector<std::string> rows_of(const std::vector<Term> &terms) {
     struct Entry {
@@ -153,6 +112,43 @@ Place place_in(std::string_view book) {
 }
 
 } // namespace
+
+std::vector<Term> terms_of(std::string_view chapter, int section, const std::string &link,
+                           const std::filesystem::path &file) {
+    const WithoutFormulas taken = take_out_formulas(chapter.substr(byte_order_mark(chapter).size()));
+    const Document document = parse_markdown(taken.text);
+    cmark_consolidate_text_nodes(document.get());
+    std::vector<Term> terms;
+    Anchors anchors;
+    std::string place = link;
+    std::size_t formula = 0;
+    each_node(document.get(), [&](cmark_node *node) {
+        if (cmark_node_get_type(node) == CMARK_NODE_HEADING) {
+            const std::string anchor = anchors.next(words_of(node));
+            const bool in_a_box = cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_DOCUMENT;
+            if (!in_a_box && cmark_node_get_heading_level(node) > 1) place = link + '#' + anchor;
+        } else if (cmark_node_get_type(node) == CMARK_NODE_STRONG && !is_in_heading_or_box(node)) {
+            std::size_t next = formula;
+            const std::string name = markdown_of(node, taken.formulas, next);
+            if (is_term(name))
+                terms.push_back({name, also_called(node, taken.formulas, next), section, place, file,
+                                 cmark_node_get_start_line(node)});
+        } else if (cmark_node_get_type(node) == CMARK_NODE_TEXT) {
+            static_cast<void>(markdown_of(node, taken.formulas, formula));
+        }
+    });
+    return terms;
+}
+
+std::vector<Term> terms_of(const Tree &tree) {
+    std::vector<Term> terms;
+    for (const Section &section : tree.sections()) {
+        const std::filesystem::path file = tree.chapter(section);
+        for (Term &term : terms_of(read_file(file), section.number(), tree.shown(file), file))
+            terms.push_back(std::move(term));
+    }
+    return terms;
+}
 
 Glossary weave_glossary(const std::string &book, const std::filesystem::path &file, const std::vector<Term> &terms) {
     Glossary result{book, {}};

@@ -21,25 +21,6 @@ std::vector<fs::path> figures(const Tree &tree, const Section &section) {
     return files_in(tree.root / "plots", ".gp", section.name + "_");
 }
 
-} // namespace
-
-Page page_of(const Tree &tree, const Section &section) {
-    Page page{tree.chapter(section), {tree.header(section), tree.program(section), tree.solution(section)}, {}};
-    for (const fs::path &file : files_in(page.file.parent_path(), "pp")) // a benchmark, and what it measures
-        if (std::find(page.code.begin(), page.code.end(), file) == page.code.end()) page.code.push_back(file);
-    for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
-    page.whole = page.code;
-    page.code.push_back(tree.tests(section));
-    for (const fs::path &peer :
-         files_in(tree.root / "tests" / "peers", "", section.name + ".")) // how far apart they are
-        page.code.push_back(peer);
-    return page;
-}
-
-Page page_of_book(const Tree &tree) { return {tree.root / "book.md", files_in(tree.root / "chapters", ".hpp"), {}}; }
-
-namespace {
-
 /// What a fence is to hold, and where that comes from.
 struct Wanted {
     std::vector<std::string> lines;
@@ -229,14 +210,6 @@ class Weaver {
     Woven result;
 };
 
-} // namespace
-
-Woven weave(const Tree &tree, const Page &page, std::string_view text, const Output &output) {
-    return Weaver{tree, page, text, output}.weave();
-}
-
-namespace {
-
 /// Whether a header's code names this function, type or constant.
 bool names(const std::string &header, const std::string &name) {
     const std::regex word{"\\b" + name + "\\b"};
@@ -248,6 +221,25 @@ bool names(const std::string &header, const std::string &name) {
 }
 
 } // namespace
+
+Page page_of(const Tree &tree, const Section &section) {
+    Page page{tree.chapter(section), {tree.header(section), tree.program(section), tree.solution(section)}, {}};
+    for (const fs::path &file : files_in(page.file.parent_path(), "pp")) // a benchmark, and what it measures
+        if (std::find(page.code.begin(), page.code.end(), file) == page.code.end()) page.code.push_back(file);
+    for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
+    page.whole = page.code;
+    page.code.push_back(tree.tests(section));
+    for (const fs::path &peer :
+         files_in(tree.root / "tests" / "peers", "", section.name + ".")) // how far apart they are
+        page.code.push_back(peer);
+    return page;
+}
+
+Page page_of_book(const Tree &tree) { return {tree.root / "book.md", files_in(tree.root / "chapters", ".hpp"), {}}; }
+
+Woven weave(const Tree &tree, const Page &page, std::string_view text, const Output &output) {
+    return Weaver{tree, page, text, output}.weave();
+}
 
 std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std::string_view text) {
     const fs::path chapter = tree.chapter(section), header = tree.header(section);

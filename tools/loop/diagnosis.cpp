@@ -171,36 +171,6 @@ bool asks_for_files(std::string_view text) {
     return contains(joined, "__has_include") || contains(joined, "__has_embed");
 }
 
-} // namespace
-
-std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
-    const std::string back =
-        " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
-    if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
-        return Verdict{.kind = Kind::empty, .sentence = name + " is empty." + back};
-    const auto because = [&](const std::string &what) {
-        return Verdict{.kind = Kind::unreadable, .sentence = name + what};
-    };
-    if (text.starts_with("PK\3\4")) return because(" is a zip archive: unpack it, and check the file inside.");
-    if (const std::string encoding = wide_encoding(text); !encoding.empty())
-        return because(" is saved as " + encoding + ": save it as UTF-8 in your editor.");
-    if (text.find('\0') != text.npos)
-        return because(" is not a text file: has a compiled file been saved over it?" + back);
-    if (asks_for_files(text))
-        return Verdict{.kind = Kind::does_not_compile,
-                       .sentence =
-                           "Your file asks with `__has_include` which files there are, and a check doesn't tell: "
-                           "include what you need."};
-    return {};
-}
-
-std::string explain_unopened() {
-    return "A check can't open this file: it has only headers of the system, Eigen and chapters/. Check the name, or "
-           "write what you need yourself.";
-}
-
-namespace {
-
 /// The name that the compiler does not know, if that is what its words say.
 std::string unknown_name(const std::string &words) {
     if (const auto member = between(words, "no member named '", "'")) return std::string{*member};
@@ -231,7 +201,86 @@ void drop_imagined_templates(std::vector<Remark> &remarks) {
     });
 }
 
+/// Whether this line is a `return` that the line before it does not make conditional.
+bool always_returns(std::string_view code, std::string_view before) {
+    return code.starts_with("return ") && code.ends_with(';')
+           && std::count(code.begin(), code.end(), '{') == std::count(code.begin(), code.end(), '}')
+           && !before.ends_with(')') && !before.ends_with("else");
+}
+
+bool may_follow_return(std::string_view code) {
+    return contains("}#/", code.substr(0, 1)) || code.starts_with("case ") || code.ends_with(':');
+}
+
+/// The name that stands after these words in quotes, `x' or 'x': a linker's. A long one may have been cut.
+std::optional<std::string> quoted_after(std::string_view line, std::string_view words) {
+    const std::size_t at = line.find(words);
+    if (at == line.npos || at + words.size() == line.size()) return {};
+    const std::string_view name = line.substr(at + words.size() + 1);
+    return plain_line(name.substr(0, name.find('\'')), longest_name);
+}
+
+/// A function of an object: "ns::meet(double)", and "meet".
+struct Defined {
+    std::string whole, name;
+};
+
+/// What `nm -C --defined-only` lists, without the functions of templates.
+std::vector<Defined> functions_in(std::string_view symbols) {
+    std::vector<Defined> functions;
+    for (const auto &line : lines_of(symbols)) {
+        if (line.text.size() < 20 || std::string_view{"TtW"}.find(line.text[17]) == std::string_view::npos) continue;
+        const std::string whole = with_short_names(std::string{line.text.substr(19)});
+        const std::size_t end = whole.find('(');
+        if (end == whole.npos || whole.find('<') < end) continue;
+        const std::size_t space = whole.rfind("::", end), begin = space == whole.npos ? 0 : space + 2;
+        functions.push_back({whole, whole.substr(begin, end - begin)});
+    }
+    return functions;
+}
+
+/// `Vec2 f(const Vec2 &x);` as the header has it, on one line.
+std::string declaration(const std::string &header, const std::string &function) {
+    for (std::size_t name = 0; (name = header.find(' ' + function + '(', name)) != header.npos; ++name) {
+        const std::size_t begin = header.rfind('\n', name) + 1, end = header.find(';', name);
+        if (header[begin] == '/' || end == header.npos) continue; // a comment speaks of it
+        std::string text;
+        for (const char c : header.substr(begin, end + 1 - begin)) {
+            const bool blank = c == ' ' || c == '\n';
+            if (!blank || text.back() != ' ') text += blank ? ' ' : c;
+        }
+        return text;
+    }
+    return {};
+}
+
 } // namespace
+
+std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
+    const std::string back =
+        " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
+    if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
+        return Verdict{.kind = Kind::empty, .sentence = name + " is empty." + back};
+    const auto because = [&](const std::string &what) {
+        return Verdict{.kind = Kind::unreadable, .sentence = name + what};
+    };
+    if (text.starts_with("PK\3\4")) return because(" is a zip archive: unpack it, and check the file inside.");
+    if (const std::string encoding = wide_encoding(text); !encoding.empty())
+        return because(" is saved as " + encoding + ": save it as UTF-8 in your editor.");
+    if (text.find('\0') != text.npos)
+        return because(" is not a text file: has a compiled file been saved over it?" + back);
+    if (asks_for_files(text))
+        return Verdict{.kind = Kind::does_not_compile,
+                       .sentence =
+                           "Your file asks with `__has_include` which files there are, and a check doesn't tell: "
+                           "include what you need."};
+    return {};
+}
+
+std::string explain_unopened() {
+    return "A check can't open this file: it has only headers of the system, Eigen and chapters/. Check the name, or "
+           "write what you need yourself.";
+}
 
 Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name,
                           const std::vector<Renamed> &renamed) {
@@ -299,21 +348,6 @@ std::vector<std::string> warnings_about(const std::vector<std::string> &warnings
     return about;
 }
 
-namespace {
-
-/// Whether this line is a `return` that the line before it does not make conditional.
-bool always_returns(std::string_view code, std::string_view before) {
-    return code.starts_with("return ") && code.ends_with(';')
-           && std::count(code.begin(), code.end(), '{') == std::count(code.begin(), code.end(), '}')
-           && !before.ends_with(')') && !before.ends_with("else");
-}
-
-bool may_follow_return(std::string_view code) {
-    return contains("}#/", code.substr(0, 1)) || code.starts_with("case ") || code.ends_with(':');
-}
-
-} // namespace
-
 std::vector<std::string> find_unreached(std::string_view text, const std::string &name) {
     std::vector<std::string> found;
     const auto tell = [&](int line, const char *what) { found.push_back(name + ':' + std::to_string(line) + what); };
@@ -337,18 +371,6 @@ std::vector<std::string> find_unreached(std::string_view text, const std::string
     }
     return found;
 }
-
-namespace {
-
-/// The name that stands after these words in quotes, `x' or 'x': a linker's. A long one may have been cut.
-std::optional<std::string> quoted_after(std::string_view line, std::string_view words) {
-    const std::size_t at = line.find(words);
-    if (at == line.npos || at + words.size() == line.size()) return {};
-    const std::string_view name = line.substr(at + words.size() + 1);
-    return plain_line(name.substr(0, name.find('\'')), longest_name);
-}
-
-} // namespace
 
 Verdict diagnose_linker(std::string_view printed, const std::string &name, const std::string &number) {
     std::set<std::string> missing;
@@ -375,44 +397,6 @@ Verdict diagnose_linker(std::string_view printed, const std::string &name, const
     return because(names + (missing.size() == 1 ? " is" : " are") + " declared in " + name
                    + ", and used, but never defined: write the body, or correct name and parameters.");
 }
-
-namespace {
-
-/// A function of an object: "ns::meet(double)", and "meet".
-struct Defined {
-    std::string whole, name;
-};
-
-/// What `nm -C --defined-only` lists, without the functions of templates.
-std::vector<Defined> functions_in(std::string_view symbols) {
-    std::vector<Defined> functions;
-    for (const auto &line : lines_of(symbols)) {
-        if (line.text.size() < 20 || std::string_view{"TtW"}.find(line.text[17]) == std::string_view::npos) continue;
-        const std::string whole = with_short_names(std::string{line.text.substr(19)});
-        const std::size_t end = whole.find('(');
-        if (end == whole.npos || whole.find('<') < end) continue;
-        const std::size_t space = whole.rfind("::", end), begin = space == whole.npos ? 0 : space + 2;
-        functions.push_back({whole, whole.substr(begin, end - begin)});
-    }
-    return functions;
-}
-
-/// `Vec2 f(const Vec2 &x);` as the header has it, on one line.
-std::string declaration(const std::string &header, const std::string &function) {
-    for (std::size_t name = 0; (name = header.find(' ' + function + '(', name)) != header.npos; ++name) {
-        const std::size_t begin = header.rfind('\n', name) + 1, end = header.find(';', name);
-        if (header[begin] == '/' || end == header.npos) continue; // a comment speaks of it
-        std::string text;
-        for (const char c : header.substr(begin, end + 1 - begin)) {
-            const bool blank = c == ' ' || c == '\n';
-            if (!blank || text.back() != ' ') text += blank ? ' ' : c;
-        }
-        return text;
-    }
-    return {};
-}
-
-} // namespace
 
 std::string first_error(const std::string &printed) {
     const auto lines = lines_of(printed);

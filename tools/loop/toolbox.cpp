@@ -65,27 +65,6 @@ std::vector<fs::path> made_for(const Toolbox &tools) {
     return files;
 }
 
-} // namespace
-
-Places places_of(const Toolbox &tools, const fs::path &work) {
-    Places places{places_of_system(), {work, "/dev/null"}};
-    auto &readable = places.readable;
-    readable.insert(readable.end(), tools.includes.begin(), tools.includes.end());
-    std::vector<std::string> programs{tools.compiler.program, tools.nm};
-    if (tools.quick) programs.push_back(tools.quick->program);
-    for (const std::string &program : programs) {
-        std::error_code missing; // run says so
-        const fs::path home = fs::canonical(program, missing).parent_path().parent_path();
-        if (missing) continue;
-        readable.emplace_back(program);
-        for (const char *part : {"bin", "include", "lib", "lib64", "libexec"}) readable.push_back(home / part);
-    }
-    for (const fs::path &file : made_for(tools)) readable.push_back(file);
-    return places;
-}
-
-namespace {
-
 /// The newest date of the course's own files that a verdict on this section rests on. A file dated in the future, by a
 /// clock that was wrong, would be newer than all that is ever built from it: it is dated now.
 fs::file_time_type newest(const Tree &tree, const Section &section) {
@@ -112,6 +91,23 @@ fs::file_time_type newest(const Tree &tree, const Section &section) {
 }
 
 } // namespace
+
+Places places_of(const Toolbox &tools, const fs::path &work) {
+    Places places{places_of_system(), {work, "/dev/null"}};
+    auto &readable = places.readable;
+    readable.insert(readable.end(), tools.includes.begin(), tools.includes.end());
+    std::vector<std::string> programs{tools.compiler.program, tools.nm};
+    if (tools.quick) programs.push_back(tools.quick->program);
+    for (const std::string &program : programs) {
+        std::error_code missing; // run says so
+        const fs::path home = fs::canonical(program, missing).parent_path().parent_path();
+        if (missing) continue;
+        readable.emplace_back(program);
+        for (const char *part : {"bin", "include", "lib", "lib64", "libexec"}) readable.push_back(home / part);
+    }
+    for (const fs::path &file : made_for(tools)) readable.push_back(file);
+    return places;
+}
 
 void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &tools) {
     const fs::path stamp = tree.build / "loop" / (section.name + ".checked");

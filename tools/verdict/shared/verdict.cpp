@@ -32,6 +32,35 @@ constexpr std::string_view names[] = { // in the order of Kind
     "printed too much",
     "no verdict"};
 static_assert(std::size(names) == static_cast<std::size_t>(Kind::no_verdict) + 1);
+
+/// A struct of structs that would be wider than a screen: each of its parts on a line of its own, below the first.
+std::string in_lines(const std::string &line, std::size_t before) {
+    constexpr std::size_t widest = 100; // bytes, which are nearly columns
+    const std::size_t opens = line.find('{');
+    if (before + line.size() <= widest || opens == line.npos || !line.ends_with('}')) return line;
+    if (opens != 0 && !line.substr(0, opens).ends_with(" = ")) return line; // a list of structs, for example
+    std::string text;
+    int depth = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '{') ++depth;
+        if (line[i] == '}') --depth;
+        const bool ends_part = line[i] == ',' && depth == 1 && line[i - 1] == '}';
+        text += line[i];
+        if (!ends_part) continue;
+        text += '\n' + std::string(before + opens + 1, ' ');
+        ++i; // the blank behind the comma
+    }
+    return text;
+}
+
+/// What a library says of a check that failed, without the name of the function, which fills the screen.
+std::string short_assertion(std::string_view line) {
+    const std::size_t at = line.find(" Assertion "), place = line.find(": ", line.find('/')),
+                      name = line.rfind('/', place);
+    if (at == line.npos || name == line.npos) return std::string{line};
+    return std::string{line.substr(name + 1, place - name)} + std::string{line.substr(at)};
+}
+
 } // namespace
 
 std::string_view name_of(Kind kind) { return names[static_cast<std::size_t>(kind)]; }
@@ -69,30 +98,6 @@ std::optional<Verdict> from_line(std::string_view line) try {
     return {};
 }
 
-namespace {
-
-/// A struct of structs that would be wider than a screen: each of its parts on a line of its own, below the first.
-std::string in_lines(const std::string &line, std::size_t before) {
-    constexpr std::size_t widest = 100; // bytes, which are nearly columns
-    const std::size_t opens = line.find('{');
-    if (before + line.size() <= widest || opens == line.npos || !line.ends_with('}')) return line;
-    if (opens != 0 && !line.substr(0, opens).ends_with(" = ")) return line; // a list of structs, for example
-    std::string text;
-    int depth = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '{') ++depth;
-        if (line[i] == '}') --depth;
-        const bool ends_part = line[i] == ',' && depth == 1 && line[i - 1] == '}';
-        text += line[i];
-        if (!ends_part) continue;
-        text += '\n' + std::string(before + opens + 1, ' ');
-        ++i; // the blank behind the comma
-    }
-    return text;
-}
-
-} // namespace
-
 std::string explain(const Verdict &v, int indent) {
     const std::string margin(static_cast<std::size_t>(indent), ' ');
     std::string text;
@@ -121,18 +126,6 @@ std::string explain(const Verdict &v, int indent) {
     }
     return text;
 }
-
-namespace {
-
-/// What a library says of a check that failed, without the name of the function, which fills the screen.
-std::string short_assertion(std::string_view line) {
-    const std::size_t at = line.find(" Assertion "), place = line.find(": ", line.find('/')),
-                      name = line.rfind('/', place);
-    if (at == line.npos || name == line.npos) return std::string{line};
-    return std::string{line.substr(name + 1, place - name)} + std::string{line.substr(at)};
-}
-
-} // namespace
 
 std::string meaning_of_signal(int signal) {
     switch (signal) {
