@@ -3,10 +3,9 @@
 #include "ground/complaint.hpp"
 #include "ground/hidden.hpp"
 #include "ground/process.hpp"
+#include "loop/compiling.hpp"
 #include "loop/diagnosis.hpp"
-#include "loop/includes.hpp"
 #include "loop/judge.hpp"
-#include "loop/stopped.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

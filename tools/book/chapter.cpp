@@ -1,7 +1,6 @@
 #include "book/chapter.hpp"
 
 #include "book/markdown.hpp"
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 
@@ -10,12 +9,6 @@
 
 namespace course {
 namespace {
-
-/// How many of the fence's signs a line begins with, after blanks.
-std::size_t run_of(char sign, std::string_view line) {
-    const std::string_view text = without_blanks(line);
-    return std::min(text.find_first_not_of(sign), text.size());
-}
 
 class FenceReader {
   public:
@@ -148,6 +141,11 @@ bool mentions(const std::vector<Chunk> &chunks, const std::string &name) {
 }
 
 } // namespace
+
+std::size_t run_of(char sign, std::string_view line) {
+    const std::string_view text = without_blanks(line);
+    return std::min(text.find_first_not_of(sign), text.size());
+}
 
 Chapter read_chapter(std::string_view text, const std::filesystem::path &file) {
     text = without_byte_order_mark(text);

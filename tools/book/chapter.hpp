@@ -25,6 +25,9 @@ struct Fence {
     std::vector<std::string> content; ///< without what a quote or a list puts before each line
 };
 
+/// How many of a fence's signs a line begins with, after blanks.
+std::size_t run_of(char sign, std::string_view line);
+
 struct Chapter {
     std::vector<Fence> fences;
     std::vector<Finding> broken; ///< fences and folds without an end; the text below them would be read wrongly

@@ -163,8 +163,7 @@ Glossary weave_glossary(const std::string &book, const std::filesystem::path &fi
                                            + " already; make it bold only once, where it is explained."});
     }
 
-    const std::size_t mark = byte_order_mark(book).size();
-    const Place place = place_in(std::string_view{book}.substr(mark));
+    const Place place = place_in(std::string_view{book}.substr(byte_order_mark(book).size()));
     if (place.heading == 0) {
         if (!terms.empty())
             result.findings.push_back({file, 1,
@@ -177,25 +176,18 @@ Glossary weave_glossary(const std::string &book, const std::filesystem::path &fi
     if (!rows.empty()) table = {"| term | also called | where |", "|:--|:--|:--|"};
     table.insert(table.end(), rows.begin(), rows.end());
 
-    // The text, with its table in the place of the one that is there, or below what stands under the heading.
-    const std::vector<Line> lines = lines_of(std::string_view{book}.substr(mark));
-    const std::string end{lines[static_cast<std::size_t>(place.heading) - 1].end};
-    const auto blank = [&](int line) { return without_blanks(lines[static_cast<std::size_t>(line) - 1].text).empty(); };
-    int first = place.table, last = place.end;
-    if (first == 0) {
-        first = place.behind;
-        while (blank(first - 1)) --first;
-        last = first - 1;
+    // The table comes in the place of the one that is there, or below what stands under the heading.
+    std::vector<std::string> lines = with_line_ends(book);
+    const std::string end{lines_of(lines[static_cast<std::size_t>(place.heading) - 1]).front().end};
+    auto at = lines.begin() + (place.table == 0 ? place.behind : place.table) - 1;
+    if (place.table != 0) at = lines.erase(at, lines.begin() + place.end);
+    else {
+        while (at[-1].find_first_not_of(" \t\r\n") == std::string::npos) --at;
         if (!table.empty()) table.insert(table.begin(), "");
     }
-    result.book = book.substr(0, mark);
-    for (int line = 1; line <= static_cast<int>(lines.size()) + 1; ++line) {
-        if (line == first)
-            for (const std::string &row : table) result.book += row + end;
-        if (line > static_cast<int>(lines.size())) break;
-        const Line &each = lines[static_cast<std::size_t>(line) - 1];
-        if (line < first || line > last) (result.book += each.text) += each.end;
-    }
+    for (std::string &row : table) row += end;
+    lines.insert(at, table.begin(), table.end());
+    result.book = joined(lines);
     return result;
 }
 

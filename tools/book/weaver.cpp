@@ -2,7 +2,6 @@
 
 #include "book/chapter.hpp"
 #include "book/chunks.hpp"
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 #include "ground/nearest.hpp"
@@ -37,8 +36,12 @@ class Weaver {
     Woven weave() {
         const Chapter chapter = read_chapter(text, page.file);
         find_chunks();
-        if (chapter.broken.empty()) weave_into(chapter);
-        else leave_alone(chapter);
+        result.broken = !chapter.broken.empty();
+        if (!result.broken) weave_into(chapter);
+        else {
+            result.text = text;
+            result.findings.insert(result.findings.end(), chapter.broken.begin(), chapter.broken.end());
+        }
         std::sort(result.findings.begin(), result.findings.end());
         return std::move(result);
     }
@@ -47,12 +50,6 @@ class Weaver {
     std::string place(const fs::path &file, int line) const { return fmt::format("{}:{}", tree.shown(file), line); }
     void find(const fs::path &file, int line, std::string message) {
         result.findings.push_back({file, line, std::move(message)});
-    }
-
-    void leave_alone(const Chapter &chapter) {
-        result.broken = true;
-        result.text = text;
-        result.findings.insert(result.findings.end(), chapter.broken.begin(), chapter.broken.end());
     }
 
     void weave_into(const Chapter &chapter) {
@@ -153,10 +150,7 @@ class Weaver {
     /// Long enough for its code: a line that looks like a fence must not end it.
     static std::size_t length_for(const Fence &fence, const std::vector<std::string> &code) {
         std::size_t length = fence.length;
-        for (const std::string &line : code) {
-            const std::string_view seen = without_blanks(line);
-            length = std::max(length, std::min(seen.find_first_not_of(fence.sign), seen.size()) + 1);
-        }
+        for (const std::string &line : code) length = std::max(length, run_of(fence.sign, line) + 1);
         return length;
     }
 

@@ -138,7 +138,7 @@ void write_all(const Tree &tree, const Section &section, const std::map<fs::path
 }
 
 void make(const Tree &tree, const std::string &name, std::string title) {
-    const ShortLock alone{tree.memory() / "lock"};
+    const Descriptor alone = short_lock(tree.memory() / "lock");
     require_well_formed(name);
     const Section section{name};
     require_new(tree, section);

@@ -2,6 +2,7 @@
 
 #include "ground/asleep.hpp"
 #include "ground/complaint.hpp"
+#include "ground/descriptor.hpp"
 #include "ground/limits.hpp"
 #include "verdict/tests/shut_in.hpp"
 
@@ -10,7 +11,6 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -49,19 +49,6 @@ sigset_t our_signals() {
     return set;
 }
 
-/// A descriptor, closed in the end.
-struct Descriptor {
-    int number = -1;
-    Descriptor() = default;
-    Descriptor(const Descriptor &) = delete;
-    Descriptor &operator=(const Descriptor &) = delete;
-    ~Descriptor() { close(); }
-    void close() {
-        if (number >= 0) ::close(number);
-        number = -1;
-    }
-};
-
 /// One stream of the program: where it writes, where we read, what came.
 struct Captured {
     Descriptor read, write;
@@ -72,16 +59,16 @@ struct Captured {
         if (::pipe(ends) != 0)
             throw MachineTrouble{"no pipe can be made (" + std::string{std::strerror(errno)}
                                  + "); close some programs"};
-        read.number = ends[0], write.number = ends[1];
+        read = ends[0], write = ends[1];
         for (int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
-        ::fcntl(read.number, F_SETFL, O_NONBLOCK);
+        ::fcntl(read, F_SETFL, O_NONBLOCK);
     }
 
     /// All that is there now; closes at the end of the stream.
     void take() {
         std::array<char, 65536> part;
-        while (read.number >= 0) {
-            const ssize_t count = ::read(read.number, part.data(), part.size());
+        while (read >= 0) {
+            const ssize_t count = ::read(read, part.data(), part.size());
             if (count < 0 && errno == EINTR) continue;
             if (count < 0 && errno == EAGAIN) return;
             if (count <= 0) return read.close();
@@ -128,7 +115,7 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
     const auto arguments = pointers_to(command), variables = pointers_to(environment);
     Captured trouble; // closed by the program's start; else the number of the error comes
     trouble.open();
-    ::fcntl(trouble.read.number, F_SETFL, 0);
+    ::fcntl(trouble.read, F_SETFL, 0);
 
     const pid_t child = ::fork();
     if (child == 0) { // only what is safe between fork and exec
@@ -138,8 +125,8 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
             ::dup2(nothing, STDIN_FILENO);
         }
         if (options.quiet) {
-            ::dup2(out.write.number, STDOUT_FILENO);
-            ::dup2(err.write.number, STDERR_FILENO);
+            ::dup2(out.write, STDOUT_FILENO);
+            ::dup2(err.write, STDERR_FILENO);
         }
         if (options.quiet) limit(RLIMIT_CORE, 0); // nobody would look at it
         impose(options.limits);
@@ -153,7 +140,7 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
             && (options.shut_in == nullptr || options.shut_in->shut(STDERR_FILENO)))
             ::execvp(arguments[0], arguments.data());
         const int error = errno;
-        if (::write(trouble.write.number, &error, sizeof error) != sizeof error) ::_exit(126);
+        if (::write(trouble.write, &error, sizeof error) != sizeof error) ::_exit(126);
         ::_exit(127);
     }
     int error = errno;
@@ -161,7 +148,7 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
     if (child > 0) {
         if (apart) ::setpgid(child, child); // both processes do it, since either may come first
         ssize_t count = 0;
-        while ((count = ::read(trouble.read.number, &error, sizeof error)) < 0 && errno == EINTR) {}
+        while ((count = ::read(trouble.read, &error, sizeof error)) < 0 && errno == EINTR) {}
         if (count <= 0) return child;
         ::waitpid(child, nullptr, 0);
     }
@@ -179,8 +166,8 @@ bool all_asleep(pid_t program) {
 
 /// Waits a little, or until the program has printed or closed something.
 void listen(Captured &out, Captured &err) {
-    std::array<pollfd, 2> ends{{{out.read.number, POLLIN, 0}, {err.read.number, POLLIN, 0}}}; // poll skips a -1
-    const bool silent = out.read.number < 0 && err.read.number < 0;
+    std::array<pollfd, 2> ends{{{out.read, POLLIN, 0}, {err.read, POLLIN, 0}}}; // poll skips a -1
+    const bool silent = out.read < 0 && err.read < 0;
     ::poll(ends.data(), ends.size(), silent ? 2 : 20); // [ms] between two looks at whether it has ended
     out.take();
     err.take();

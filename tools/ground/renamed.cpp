@@ -2,6 +2,7 @@
 
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
+#include "ground/text.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -9,10 +10,7 @@
 namespace course {
 namespace {
 
-bool is_name(std::string_view word) {
-    return std::all_of(word.begin(), word.end(),
-                       [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
-}
+bool is_name(std::string_view word) { return std::ranges::all_of(word, is_in_a_name); }
 
 } // namespace
 

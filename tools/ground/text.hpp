@@ -26,6 +26,8 @@ inline bool is_all_digits(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
 }
 
+inline bool is_in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
 /// With small letters, in ASCII.
 inline std::string lower(std::string_view text) {
     std::string small{text};

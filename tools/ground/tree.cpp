@@ -3,9 +3,9 @@
 #include "ground/files.hpp"
 #include "ground/nearest.hpp"
 #include "ground/plain.hpp"
+#include "ground/text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <regex>
 #include <sstream>
 
@@ -15,11 +15,9 @@ namespace {
 
 /// "Segment intersection" and "segment-intersection" mean segment_intersection.
 std::string plain(std::string_view words) {
-    std::string result{words};
-    for (char &c : result) {
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        if (c == ' ' || c == '-') c = '_';
-    }
+    std::string result = lower(words);
+    std::ranges::replace_if(
+        result, [](char c) { return c == ' ' || c == '-'; }, '_');
     return result;
 }
 
@@ -42,7 +40,7 @@ std::string listed(const std::vector<Section> &sections) {
 /// typed; for a number, the nearest number.
 std::string did_you_mean_section(const std::string &typed, const std::vector<Section> &sections) {
     Section best = sections.front();
-    if (!typed.empty() && std::isdigit(static_cast<unsigned char>(typed[0])) != 0 && typed.size() < 5) {
+    if (!typed.empty() && is_digit(typed[0]) && typed.size() < 5) {
         const auto away = [wanted = std::stoi(typed)](const Section &s) { return std::abs(s.number() - wanted); };
         for (const Section &s : sections)
             if (away(s) < away(best)) best = s;

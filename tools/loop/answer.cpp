@@ -1,6 +1,5 @@
 #include "loop/answer.hpp"
 
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 

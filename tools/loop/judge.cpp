@@ -1,15 +1,13 @@
 #include "loop/judge.hpp"
 
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/limits.hpp"
 #include "ground/lines.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
 #include "loop/answer.hpp"
+#include "loop/compiling.hpp"
 #include "loop/diagnosis.hpp"
-#include "loop/includes.hpp"
-#include "loop/stopped.hpp"
 #include "loop/toolbox.hpp"
 #include "verdict/tests/shut_in.hpp"
 

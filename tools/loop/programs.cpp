@@ -1,7 +1,6 @@
 #include "loop/programs.hpp"
 
 #include "ground/build.hpp"
-#include "ground/complaint.hpp"
 #include "ground/hidden.hpp"
 #include "ground/text.hpp"
 #include "loop/diagnosis.hpp"

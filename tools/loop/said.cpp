@@ -4,7 +4,6 @@
 #include "ground/text.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace course {
 namespace {
@@ -135,8 +134,6 @@ std::pair<std::string, std::string> missing_member(const Said &said) {
     if (said.words.starts_with("no member named '")) return {names[1], names[0]};   // Clang
     return {};
 }
-
-bool is_in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 std::string_view first_word(std::string_view code) {
     const auto end = std::find_if_not(code.begin(), code.end(), is_in_a_name);

@@ -32,8 +32,6 @@ bool is_vector(std::string_view type);
 /// A struct of the course or the student's own: State, as the compiler writes it; or else nothing.
 std::string struct_name(std::string_view type);
 
-bool is_in_a_name(char c);
-
 /// Where the bracket closes that stands at `from`, of any kind but < and >; or npos.
 std::size_t where_it_closes(std::string_view code, std::size_t from);
 

@@ -1,7 +1,6 @@
 #include "loop/toolbox.hpp"
 
 #include "ground/build.hpp"
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
 

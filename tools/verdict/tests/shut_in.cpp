@@ -42,7 +42,6 @@ std::vector<std::filesystem::path> places_of_system() {
 #include <string>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
-#include <vector>
 
 namespace course {
 namespace {
@@ -80,30 +79,26 @@ const std::vector<std::filesystem::path> &libraries() {
 }
 
 /// A rule for a file must not speak of what can be done in folders.
-void allow(long rules, const std::filesystem::path &place, std::uint64_t what, std::uint64_t known) {
+void allow(int rules, const std::filesystem::path &place, std::uint64_t what, std::uint64_t known) {
     constexpr std::uint64_t of_files = execute | write_a_file | read_file | truncate;
-    PathRule rule{what & known, ::open(place.c_str(), O_PATH | O_CLOEXEC)};
-    if (rule.file < 0) return;
-    if (::syscall(add_rule, rules, 1, &rule, 0) != 0) {
-        rule.allowed &= of_files;
-        ::syscall(add_rule, rules, 1, &rule, 0);
-    }
-    ::close(rule.file);
+    const Descriptor file = ::open(place.c_str(), O_PATH | O_CLOEXEC);
+    PathRule rule{what & known, file};
+    if (file < 0 || ::syscall(add_rule, rules, 1, &rule, 0) == 0) return;
+    rule.allowed &= of_files;
+    ::syscall(add_rule, rules, 1, &rule, 0);
 }
 
-int make_rules(const Places &places) {
+Descriptor make_rules(const Places &places) {
     const long version = landlock();
     if (version <= 0) return -1;
     const std::uint64_t all = (1u << (version >= 5 ? 16 : version >= 3 ? 15 : version == 2 ? 14 : 13)) - 1;
     const Ruleset set{all, version >= 4 ? 3u : 0u, version >= 6 ? 3u : 0u};
-    const long rules = ::syscall(create_ruleset, &set, sizeof set, 0);
+    const Descriptor rules = static_cast<int>(::syscall(create_ruleset, &set, sizeof set, 0));
     if (rules < 0)
         throw MachineTrouble{"cannot shut the student's process in (" + std::string{std::strerror(errno)} + ")"};
     for (const auto &place : places.readable) allow(rules, place, execute | read_file | read_folder, all);
     for (const auto &place : places.writable) allow(rules, place, ~execute, all);
-    const int high = ::fcntl(static_cast<int>(rules), F_DUPFD_CLOEXEC, 10); // the subject's own take the low numbers
-    ::close(static_cast<int>(rules));
-    return high;
+    return ::fcntl(rules, F_DUPFD_CLOEXEC, 10); // the subject's own take the low numbers
 }
 
 // ---- capabilities, which root has: by the kernel's own calls, since the C library has none for them
@@ -265,20 +260,16 @@ Places places_of(const std::filesystem::path &program) {
 }
 
 ShutIn::ShutIn(const Places &places, Protection wanted)
-    : rules{wanted.files && !sanitized ? make_rules(places) : -1},
+    : rules{wanted.files && !sanitized ? make_rules(places) : Descriptor{}},
       calls{wanted.calls && !sanitized && knows_filters()},
       privileges{wanted.privileges && !sanitized},
       descriptors{wanted.descriptors} {}
 
-ShutIn::~ShutIn() {
-    if (rules >= 0) ::close(rules);
-}
-
 bool ShutIn::shut(int last) const {
     if (descriptors) close_at_start(last + 1);
     if (privileges) drop_privileges();
-    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && (rules < 0 || ::syscall(restrict_self, rules, 0) == 0)
-           && (!calls || refuse_calls());
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0
+           && (rules < 0 || ::syscall(restrict_self, static_cast<int>(rules), 0) == 0) && (!calls || refuse_calls());
 }
 
 } // namespace course
@@ -290,7 +281,6 @@ namespace course {
 Protection protection_of_this_kernel() { return {false, false}; }
 Places places_of(const std::filesystem::path &) { return {}; }
 ShutIn::ShutIn(const Places &, Protection wanted) : descriptors{wanted.descriptors} {}
-ShutIn::~ShutIn() = default;
 bool ShutIn::shut(int last) const {
     if (descriptors) close_at_start(last + 1);
     return true;

@@ -42,16 +42,16 @@ int make_nameless() {
 #endif
 }
 
-std::array<int, 2> make_pipe() {
+std::array<Descriptor, 2> make_pipe() {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) give_up("cannot make a pipe");
-    for (int &end : ends) { // above the numbers that the subject's own are moved to; and nothing else may inherit them
-        const int high = ::fcntl(end, F_DUPFD_CLOEXEC, 10);
-        if (high < 0) give_up("cannot make a pipe");
-        ::close(end);
-        end = high;
+    std::array<Descriptor, 2> low{ends[0], ends[1]}, high;
+    for (std::size_t i :
+         {0u, 1u}) { // above those that the subject's own are moved to; and nothing else may inherit them
+        high[i] = ::fcntl(low[i], F_DUPFD_CLOEXEC, 10);
+        if (high[i] < 0) give_up("cannot make a pipe");
     }
-    return ends;
+    return high;
 }
 
 void set_limits() {
@@ -132,8 +132,6 @@ NamelessFile::NamelessFile() : file{make_nameless()} {
     if (file < 0) give_up("what is printed cannot be kept");
 }
 
-NamelessFile::~NamelessFile() { ::close(file); }
-
 void NamelessFile::append(std::string_view text) {
     while (!text.empty()) {
         const ssize_t written = ::write(file, text.data(), text.size());
@@ -186,7 +184,7 @@ void prepare_for_subjects([[maybe_unused]] int core) {
 
 Subject::Subject(const std::filesystem::path &program, const std::string &answer, Protection protection) {
     const ShutIn shut_in{places_of(program), protection};
-    const auto requests = make_pipe(), replies = make_pipe(), trouble = make_pipe();
+    auto requests = make_pipe(), replies = make_pipe(), trouble = make_pipe();
     std::string chosen = "COURSE_ANSWER=" + answer;
     process = ::vfork(); // no copy of our memory is made; it is the child's, too, until it has become the subject
     if (process < 0) give_up("cannot start the student's process");
@@ -194,14 +192,13 @@ Subject::Subject(const std::filesystem::path &program, const std::string &answer
         become({program.c_str(), answer.empty() ? nullptr : chosen.data(), shut_in, protection.limits, requests[0],
                 replies[1], output.descriptor(), trouble[1]});
     group = process;
-    for (const int theirs : {requests[0], replies[1], trouble[1]}) ::close(theirs);
-    to = requests[1];
+    for (Descriptor *theirs : {&requests[0], &replies[1], &trouble[1]}) theirs->close();
+    to = std::move(requests[1]);
     ::fcntl(to, F_SETFL, O_NONBLOCK); // a subject that does not read shall not stop us
-    from = replies[0];
+    from = std::move(replies[0]);
     Trouble told{};
     ssize_t got = 0; // the end, when the program has started
     while ((got = ::read(trouble[0], &told, sizeof told)) < 0 && errno == EINTR) {}
-    ::close(trouble[0]);
     if (got <= 0) return;
     errno = told.error;
     give_up(told.what);
@@ -210,8 +207,6 @@ Subject::Subject(const std::filesystem::path &program, const std::string &answer
 Subject::~Subject() {
     if (process > 0) ::kill(process, SIGKILL);
     left_processes();
-    for (const int file : {to, from})
-        if (file >= 0) ::close(file);
 }
 
 bool Subject::send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments,
@@ -299,7 +294,7 @@ std::optional<Subject::Received> Subject::receive(const Allowance &allowance) {
 }
 
 std::optional<int> Subject::finish(const Allowance &allowance) {
-    if (to >= 0) ::close(std::exchange(to, -1)); // the server reads the end, and leaves
+    to.close(); // the server reads the end, and leaves
     int status = 0;
     bool gone = false; // its end of the pipe is closed: a moment later the process is, too
     const auto ended = [&](Clock::time_point until) {

@@ -1,6 +1,7 @@
 #pragma once
 // A student's process: started for one test case, talked to over two descriptors of its own, and never believed.
 
+#include "ground/descriptor.hpp"
 #include "verdict/shared/wire.hpp"
 #include "verdict/tests/shut_in.hpp"
 
@@ -32,16 +33,13 @@ class NamelessFile {
   public:
     /// @throws MachineTrouble if the machine has no room for one
     NamelessFile();
-    ~NamelessFile();
-    NamelessFile(const NamelessFile &) = delete;
-    NamelessFile &operator=(const NamelessFile &) = delete;
 
     int descriptor() const { return file; }
     void append(std::string_view text);       ///< @throws MachineTrouble if there is no room
     std::string text(std::size_t most) const; ///< its first `most` bytes
 
   private:
-    int file;
+    Descriptor file;
 };
 
 class Subject {
@@ -51,8 +49,6 @@ class Subject {
     /// @throws MachineTrouble if this machine cannot
     explicit Subject(const std::filesystem::path &program, const std::string &answer = {}, Protection protection = {});
     ~Subject(); ///< kills it and everything it started
-    Subject(const Subject &) = delete;
-    Subject &operator=(const Subject &) = delete;
 
     struct Received {
         wire::Header header;
@@ -89,7 +85,7 @@ class Subject {
 
     pid_t process = -1;
     pid_t group = -1;
-    int to = -1, from = -1;
+    Descriptor to, from;
     Clock::time_point started = Clock::now();
     Clock::time_point next_look = started; ///< at what the process does, while we wait
     double asleep = 0;                     ///< [s]
