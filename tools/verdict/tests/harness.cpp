@@ -168,12 +168,14 @@ int share(std::size_t most, const std::vector<unsigned> &items, const Job &job, 
     const std::vector<int> all = cores();
     std::vector<NamelessFile> lines(std::min(all.size(), most));
     std::vector<pid_t> processes;
-    NamelessFile queue; // of all items; where it is read is common to the processes, so each gets another one
-    queue.append({reinterpret_cast<const char *>(items.data()), items.size() * sizeof items[0]});
-    ::lseek(queue.descriptor(), 0, SEEK_SET);
+    auto [queue, filling] = make_pipe(); // of all items: what one process reads from it, no other one gets
+    const auto size = static_cast<ssize_t>(items.size() * sizeof items[0]);
+    if (::write(filling, items.data(), static_cast<std::size_t>(size)) != size)
+        throw MachineTrouble{"there is no room for a list of the tests"};
+    filling.close();
     for (std::size_t worker = 0; worker < lines.size(); ++worker) {
         processes.push_back(::fork());
-        if (processes.back() == 0) work(job, queue.descriptor(), all[worker], lines[worker]);
+        if (processes.back() == 0) work(job, queue, all[worker], lines[worker]);
     }
     int code = all_well;
     for (std::size_t worker = 0; worker < lines.size(); ++worker) {

@@ -42,18 +42,6 @@ int make_nameless() {
 #endif
 }
 
-std::array<Descriptor, 2> make_pipe() {
-    std::array<int, 2> ends{};
-    if (::pipe(ends.data()) != 0) give_up("cannot make a pipe");
-    std::array<Descriptor, 2> low{ends[0], ends[1]}, high;
-    for (std::size_t i :
-         {0u, 1u}) { // above those that the subject's own are moved to; and nothing else may inherit them
-        high[i] = ::fcntl(low[i], F_DUPFD_CLOEXEC, 10);
-        if (high[i] < 0) give_up("cannot make a pipe");
-    }
-    return high;
-}
-
 void set_limits() {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, 120, 122); // [s] for whatever escapes everything else; SIGXCPU says why, SIGKILL would not
@@ -153,6 +141,17 @@ std::string NamelessFile::text(std::size_t most) const {
     }
     text.resize(size);
     return text;
+}
+
+std::array<Descriptor, 2> make_pipe() {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) give_up("cannot make a pipe");
+    std::array<Descriptor, 2> low{ends[0], ends[1]}, high;
+    for (const std::size_t i : {0u, 1u}) {
+        high[i] = ::fcntl(low[i], F_DUPFD_CLOEXEC, 10);
+        if (high[i] < 0) give_up("cannot make a pipe");
+    }
+    return high;
 }
 
 std::vector<int> cores() {

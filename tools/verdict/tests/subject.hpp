@@ -42,6 +42,10 @@ class NamelessFile {
     Descriptor file;
 };
 
+/// Above the numbers that a subject's own descriptors are moved to, and inherited by nothing that is started.
+/// @throws MachineTrouble if the machine has no room for one
+std::array<Descriptor, 2> make_pipe();
+
 class Subject {
   public:
     /// Starts it, shut in and with everything it may use limited.
