@@ -167,7 +167,8 @@ class Filter {
   public:
     Filter() {
         add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch));
-        unless_equal(architecture, EPERM);
+        add(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0);
+        refuse(EPERM);
         load_call();
         constexpr std::uint32_t x32 = 0x40000000; // the same calls under other numbers
         add(BPF_JMP | BPF_JGE | BPF_K, x32, 0, 1);
@@ -184,19 +185,12 @@ class Filter {
         ((add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(values), 0, 1), refuse(EPERM)), ...);
         load_call();
     }
-    /// Allows a call only if this argument is one of two.
-    void allow_if(long call, unsigned argument, std::uint32_t one, std::uint32_t other) {
-        if_call(call, 5);
+    /// Allows a call only if this argument is one of these (test: BPF_JEQ), or has one of these bits (BPF_JSET).
+    template <class... Values> void allow_if(long call, unsigned argument, unsigned test, Values... values) {
+        unsigned left = sizeof...(values);
+        if_call(call, left + 3);
         load_argument(argument);
-        add(BPF_JMP | BPF_JEQ | BPF_K, one, 2, 0);
-        add(BPF_JMP | BPF_JEQ | BPF_K, other, 1, 0);
-        refuse(EPERM);
-        load_call();
-    }
-    void allow_if_set(long call, unsigned argument, std::uint32_t bit) {
-        if_call(call, 4);
-        load_argument(argument);
-        add(BPF_JMP | BPF_JSET | BPF_K, bit, 1, 0);
+        (add(BPF_JMP | test | BPF_K, static_cast<std::uint32_t>(values), left--, 0), ...);
         refuse(EPERM);
         load_call();
     }
@@ -218,10 +212,6 @@ class Filter {
     void if_call(long call, unsigned skip_otherwise) {
         add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, skip_otherwise);
     }
-    void unless_equal(std::uint32_t value, int error) {
-        add(BPF_JMP | BPF_JEQ | BPF_K, value, 1, 0);
-        refuse(error);
-    }
     void refuse(int error) { add(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error)); }
 
     std::array<sock_filter, 2 * std::size(refused) + 64> code{}; // no memory is asked for between fork and exec
@@ -233,10 +223,10 @@ bool refuse_calls() {
     Filter filter;
     for (const long call : refused) filter.refuse(call, EPERM);
     filter.refuse(435 /* clone3, whose flags no filter can see */, ENOSYS); // the C library then takes clone
-    filter.allow_if_set(SYS_clone, 0, CLONE_THREAD);
-    filter.allow_if(SYS_kill, 0, me, me);
-    filter.allow_if(SYS_tgkill, 0, me, me);
-    filter.allow_if(SYS_prlimit64, 0, 0, me);
+    filter.allow_if(SYS_clone, 0, BPF_JSET, CLONE_THREAD);
+    filter.allow_if(SYS_kill, 0, BPF_JEQ, me);
+    filter.allow_if(SYS_tgkill, 0, BPF_JEQ, me);
+    filter.allow_if(SYS_prlimit64, 0, BPF_JEQ, 0, me);
     filter.refuse_if(SYS_prctl, 0, PR_SET_PDEATHSIG);                // we die, and it lives
     filter.refuse_if(SYS_fcntl, 1, F_SETOWN, F_SETOWN_EX, F_SETSIG); // a pipe that sends signals
     return filter.install();
