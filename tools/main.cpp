@@ -3,7 +3,7 @@
 #include "book/contents.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "ground/nearest.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"

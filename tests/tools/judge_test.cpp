@@ -1,7 +1,6 @@
 // Judging: one verdict for each test, what stopped a compiler, and whose fault it was.
 
-#include "ground/complaint.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "ground/process.hpp"
 #include "loop/compiling.hpp"
 #include "loop/diagnosis.hpp"

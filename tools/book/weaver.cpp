@@ -243,13 +243,8 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std
     const std::vector<Chunk> solutions = cut(tree.solution(section));
     std::vector<Finding> missing;
 
-    const auto same = [](const ListedExercise &a) {
-        return [&a](const ListedExercise &b) {
-            return a.number == b.number && a.function == b.function && a.tier == b.tier;
-        };
-    };
     for (const ListedExercise &one : declared) {
-        if (std::none_of(rows.begin(), rows.end(), same(one)))
+        if (std::ranges::find(rows, one) == rows.end())
             missing.push_back(
                 {header, one.line,
                  fmt::format("the chapter's table has no row for this exercise; write `| {} | `{}`: ... | {} |` there.",
@@ -270,7 +265,7 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std
                  fmt::format("no chunk is the solution of {}; write `//> {}: ...` above it.", one.number, title)});
     }
     for (const ListedExercise &row : rows)
-        if (std::none_of(declared.begin(), declared.end(), same(row)))
+        if (std::ranges::find(declared, row) == declared.end())
             missing.push_back(
                 {chapter, row.line,
                  "the header declares no exercise like this row; give both the same number, function and tier."});

@@ -1,5 +1,5 @@
 #pragma once
-#include "ground/limits.hpp"
+#include "ground/kernel.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
 #include "ground/tree.hpp"

@@ -1,9 +1,7 @@
 #include "ground/process.hpp"
 
-#include "ground/asleep.hpp"
-#include "ground/complaint.hpp"
 #include "ground/descriptor.hpp"
-#include "ground/limits.hpp"
+#include "ground/kernel.hpp"
 #include "verdict/tests/shut_in.hpp"
 
 #include <algorithm>

@@ -94,9 +94,7 @@ bool calls_no_function(const Said &said) {
 }
 
 std::string advice(const Said &said) {
-    if (std::string means = first_of(
-            {advice_on_maps, advice_on_lists, advice_on_code, advice_on_structs, advice_on_types, advice_on_names},
-            said);
+    if (std::string means = first_of({advice_on_lists, advice_on_code, advice_on_types, advice_on_names}, said);
         !means.empty())
         return means;
     const auto gives_away = [&](std::string_view slip) {

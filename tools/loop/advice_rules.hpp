@@ -30,17 +30,11 @@ bool calls_no_function(const Said &said);
 /// Slips that the student's line shows: a missing star, type or parenthesis.
 std::string advice_on_code(const Said &said);
 
-/// A type where another one is wanted.
+/// A type where another one is wanted; a struct that is wanted, or made in the wrong place.
 std::string advice_on_types(const Said &said);
 
-/// A struct that is wanted, or made in the wrong place.
-std::string advice_on_structs(const Said &said);
-
-/// Lists: their elements, their functions, and loops over them.
+/// Lists: their elements, their functions, and loops over them; maps, and lists in them.
 std::string advice_on_lists(const Said &said);
-
-/// Maps, and lists in them.
-std::string advice_on_maps(const Said &said);
 
 /// Names that are not known, and headers that have them.
 std::string advice_on_names(const Said &said);

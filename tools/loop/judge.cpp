@@ -1,7 +1,7 @@
 #include "loop/judge.hpp"
 
 #include "ground/files.hpp"
-#include "ground/limits.hpp"
+#include "ground/kernel.hpp"
 #include "ground/lines.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
@@ -84,9 +84,16 @@ std::string run_tests(const Tree &tree, const Section &section, const std::strin
 /// A student's file becomes a subject, the program against which tests run. Compilers see a copy of it, with nothing
 /// beside it and a name that none of them stumbles over.
 struct SubjectBuild {
-    SubjectBuild(const Tree &tree_, const Section &section_, const Toolbox &tools_, const std::string &name_,
-                 const std::string &text_)
-        : tree{tree_}, section{section_}, tools{tools_}, name{name_}, text{text_} {
+    const Tree &tree;
+    const Section &section;
+    const Toolbox &tools;
+    const std::string &name, &text;
+    const Scratch scratch{tree.build / "loop" / "judge"};
+    const fs::path file = scratch.folder / "student.cpp";
+    const ShutIn shut_in{places_of(tools, scratch.folder), {.calls = false, .privileges = false}};
+    bool is_linked = false;
+
+    void make_copy() const {
         if (scratch.folder.empty())
             throw MachineTrouble{"cannot write in " + tree.build.string() + " (" + std::strerror(scratch.error)
                                  + "): make it writable, or its disk less full"};
@@ -182,15 +189,6 @@ struct SubjectBuild {
         command.insert(command.end(), tools.link.begin(), tools.link.end());
         return run_tool(command, compiler_limits);
     }
-
-    const Tree &tree;
-    const Section &section;
-    const Toolbox &tools;
-    const std::string &name, &text;
-    const Scratch scratch{tree.build / "loop" / "judge"};
-    const fs::path file = scratch.folder / "student.cpp";
-    const ShutIn shut_in{places_of(tools, scratch.folder), {.calls = false, .privileges = false}};
-    bool is_linked = false;
 };
 
 /// For a function that is missing: how the header declares it, and what is there instead.
@@ -242,6 +240,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     bring_up_to_date(tree, section, tools);
     sweep(tree.build / "loop");
     SubjectBuild build{tree, section, tools, name, text};
+    build.make_copy();
     std::vector<std::string> warnings;
     if (auto trouble = build.compile(warnings)) return not_built(*trouble);
     for (const auto &find : {find_unreached, find_whole_divisions})

@@ -1,7 +1,7 @@
 #include "loop/programs.hpp"
 
 #include "ground/build.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "ground/text.hpp"
 #include "loop/diagnosis.hpp"
 #include "verdict/tests/shut_in.hpp"

@@ -7,8 +7,7 @@
 //
 // Catch2 finds the tests and runs them. What it would print is never looked at: the session owns the verdict.
 
-#include "ground/complaint.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "ground/lines.hpp"
 #include "verdict/tests/session.hpp"
 

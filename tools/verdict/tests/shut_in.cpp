@@ -1,7 +1,6 @@
 #include "verdict/tests/shut_in.hpp"
 
-#include "ground/complaint.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,9 +1,6 @@
 #include "verdict/tests/subject.hpp"
 
-#include "ground/asleep.hpp"
-#include "ground/complaint.hpp"
-#include "ground/hidden.hpp"
-#include "ground/limits.hpp"
+#include "ground/kernel.hpp"
 
 #include <algorithm>
 #include <array>
