@@ -117,10 +117,9 @@ std::string misunderstood(const CLI::App &app, const CLI::ParseError &error) {
 
 /// `./course -v check 7` means `./course check 7 -v`. Reversed, as CLI11 wants them.
 std::vector<std::string> options_behind_the_command(std::vector<std::string> words) {
-    const auto command =
-        std::find_if(words.begin(), words.end(), [](const std::string &word) { return !word.starts_with('-'); });
+    const auto command = std::ranges::find_if(words, [](const std::string &word) { return !word.starts_with('-'); });
     if (command != words.end()) std::rotate(words.begin(), command, words.end());
-    std::reverse(words.begin(), words.end());
+    std::ranges::reverse(words);
     return words;
 }
 

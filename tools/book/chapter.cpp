@@ -227,7 +227,7 @@ std::vector<Chunk> solution(const Tree &tree, const Section &section, std::strin
     const std::string own = "Solution " + std::string{number};
     const auto is_own = [&](const Chunk &chunk) { return chunk.title == own || chunk.title.starts_with(own + ":"); };
     std::vector<Chunk> chunks = cut(tree.solution(section));
-    if (std::none_of(chunks.begin(), chunks.end(), is_own))
+    if (std::ranges::none_of(chunks, is_own))
         throw Complaint{"solutions/" + section.name + ".cpp has no solution of " + std::string{number}
                         + "; a line `//> " + own + ": ...` would begin it"};
     // And the helpers above it that it uses, or that they use: what is for others would give away their solution.
@@ -235,7 +235,7 @@ std::vector<Chunk> solution(const Tree &tree, const Section &section, std::strin
     for (auto chunk = chunks.rbegin(); chunk != chunks.rend(); ++chunk) {
         const auto names = chunk->title.starts_with("Solution:") ? defined_in(*chunk) : std::vector<std::string>{};
         const auto used = [&](const std::string &name) { return mentions(shown, name); };
-        if (is_own(*chunk) || std::any_of(names.begin(), names.end(), used)) shown.insert(shown.begin(), *chunk);
+        if (is_own(*chunk) || std::ranges::any_of(names, used)) shown.insert(shown.begin(), *chunk);
     }
     return shown;
 }

@@ -70,7 +70,7 @@ std::vector<std::string> rows_of(const std::vector<Term> &terms) {
     for (const Term &term : terms) {
         Entry &entry = entries.try_emplace(lower(term.name), Entry{term.name, {}, ""}).first->second;
         for (const std::string &name : term.also_called)
-            if (std::find(entry.also_called.begin(), entry.also_called.end(), name) == entry.also_called.end())
+            if (std::ranges::find(entry.also_called, name) == entry.also_called.end())
                 entry.also_called.push_back(name);
         entry.where += (entry.where.empty() ? "[" : ", [") + std::to_string(term.section) + "](" + term.link + ')';
     }

@@ -35,7 +35,7 @@ void take_out(std::string_view paragraph, WithoutFormulas &result) {
                 const std::string_view formula = paragraph.substr(at + fence, length - 2 * fence);
                 result.formulas.push_back({std::string{formula}, fence == 2});
                 result.text += WithoutFormulas::stand_in;
-                result.text.append(static_cast<std::size_t>(std::count(formula.begin(), formula.end(), '\n')), '\n');
+                result.text.append(static_cast<std::size_t>(std::ranges::count(formula, '\n')), '\n');
                 at += length;
                 continue;
             }

@@ -42,7 +42,7 @@ class Weaver {
             result.text = text;
             result.findings.insert(result.findings.end(), chapter.broken.begin(), chapter.broken.end());
         }
-        std::sort(result.findings.begin(), result.findings.end());
+        std::ranges::sort(result.findings);
         return std::move(result);
     }
 
@@ -219,7 +219,7 @@ bool names(const std::string &header, const std::string &name) {
 Page page_of(const Tree &tree, const Section &section) {
     Page page{tree.chapter(section), {tree.header(section), tree.program(section), tree.solution(section)}, {}};
     for (const fs::path &file : files_in(page.file.parent_path(), "pp")) // a benchmark, and what it measures
-        if (std::find(page.code.begin(), page.code.end(), file) == page.code.end()) page.code.push_back(file);
+        if (std::ranges::find(page.code, file) == page.code.end()) page.code.push_back(file);
     for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
     page.whole = page.code;
     page.code.push_back(tree.tests(section));
@@ -258,8 +258,8 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std
                              "begin</summary>`, before its other hints.",
                              one.number)});
         const std::string title = "Solution " + one.number;
-        if (std::none_of(solutions.begin(), solutions.end(),
-                         [&](const Chunk &c) { return c.title == title || c.title.starts_with(title + ":"); }))
+        if (std::ranges::none_of(solutions,
+                                 [&](const Chunk &c) { return c.title == title || c.title.starts_with(title + ":"); }))
             missing.push_back(
                 {tree.solution(section), 1,
                  fmt::format("no chunk is the solution of {}; write `//> {}: ...` above it.", one.number, title)});

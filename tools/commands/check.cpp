@@ -63,8 +63,8 @@ std::vector<Outcome> by_exercise(const Tree &tree, const Section &section, const
     std::vector<Outcome> outcomes;
     for (auto &exercise : catalogue(tree, section)) {
         Outcome outcome{std::move(exercise), {}};
-        std::copy_if(judgement.verdicts.begin(), judgement.verdicts.end(), std::back_inserter(outcome.verdicts),
-                     [&](const Verdict &v) { return v.exercise == outcome.exercise.number; });
+        std::ranges::copy_if(judgement.verdicts, std::back_inserter(outcome.verdicts),
+                             [&](const Verdict &v) { return v.exercise == outcome.exercise.number; });
         outcomes.push_back(std::move(outcome));
     }
     return outcomes;
@@ -113,8 +113,8 @@ void print(const Outcome &outcome, bool verbose) {
 bool never_started(const Judgement &judgement) {
     const auto &first = judgement.verdicts.front();
     return !first.passed() && first.kind != Kind::missing && first.kind != Kind::not_started
-           && std::all_of(judgement.verdicts.begin(), judgement.verdicts.end(),
-                          [&](const Verdict &v) { return !v.call && v.sentence == first.sentence; });
+           && std::ranges::all_of(judgement.verdicts,
+                                  [&](const Verdict &v) { return !v.call && v.sentence == first.sentence; });
 }
 
 /// Where the compiler or the linker stopped.

@@ -98,7 +98,7 @@ std::map<fs::path, std::string> files_of(const Tree &tree, const Section &sectio
 
 std::string default_title(const Section &section) {
     std::string title = section.slug();
-    std::replace(title.begin(), title.end(), '_', ' ');
+    std::ranges::replace(title, '_', ' ');
     return with_capital(title);
 }
 
@@ -123,8 +123,7 @@ void write_all(const Tree &tree, const Section &section, const std::map<fs::path
         std::vector<Term> terms = terms_of(tree);
         for (Term &term : terms_of(files.at(chapter), section.number(), tree.shown(chapter), chapter))
             terms.push_back(std::move(term));
-        std::stable_sort(terms.begin(), terms.end(),
-                         [](const Term &a, const Term &b) { return a.section < b.section; });
+        std::ranges::stable_sort(terms, {}, &Term::section);
         write_file(book, weave_glossary(contents, book, terms).book);
         write_file(list, with_section(old_list, section));
     } catch (...) {

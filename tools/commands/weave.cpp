@@ -106,7 +106,7 @@ class Command {
     }
 
     void finish() {
-        std::sort(findings.begin(), findings.end());
+        std::ranges::sort(findings);
         for (const Finding &finding : findings)
             std::cout << tree.shown(finding.file) << ':' << finding.line << ": " << finding.message << '\n';
         if (differs) tell_both_ways();

@@ -14,7 +14,7 @@ namespace {
 using Used = std::set<std::pair<std::string, std::string>>; // an attribute and its colour
 
 bool is(pugi::xml_node node, std::initializer_list<std::string_view> names) {
-    return std::find(names.begin(), names.end(), node.name()) != names.end();
+    return std::ranges::find(names, node.name()) != names.end();
 }
 
 /// gnuplot opens a group for every change of its pen, and leaves most of them empty.

@@ -33,7 +33,7 @@ std::vector<fs::path> files_in(const fs::path &folder, std::string_view end, std
         if (const std::string name = entry.path().filename().string();
             name.starts_with(start) && name.ends_with(end) && entry.is_regular_file())
             files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     return files;
 }
 

@@ -85,7 +85,7 @@ std::vector<std::string> our_environment() {
     std::vector<std::string> all{"LC_ALL=C.UTF-8"};
     for (char **ours = environ; *ours != nullptr; ++ours) {
         const std::string_view entry = *ours;
-        if (std::find(left_out.begin(), left_out.end(), entry.substr(0, entry.find('=') + 1)) == left_out.end())
+        if (std::ranges::find(left_out, entry.substr(0, entry.find('=') + 1)) == left_out.end())
             all.emplace_back(entry);
     }
     if (std::getenv("PATH") == nullptr) all.emplace_back(usual_path);
@@ -159,7 +159,7 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
 /// Whether a program and all that it has started wait for something that none of them does.
 bool all_asleep(pid_t program) {
     const auto children = children_of(program);
-    return is_asleep(program) && std::all_of(children.begin(), children.end(), all_asleep);
+    return is_asleep(program) && std::ranges::all_of(children, all_asleep);
 }
 
 /// Waits a little, or until the program has printed or closed something.

@@ -36,7 +36,7 @@ std::string explain_renamed(const std::vector<std::string> &names, const std::ve
         for (const Renamed &one : renamed) {
             if (one.before != name || one.now.empty()) continue;
             std::string words = '`' + one.before + "` is called `" + one.now + '`';
-            if (std::find(said.begin(), said.end(), words) == said.end()) said.push_back(std::move(words));
+            if (std::ranges::find(said, words) == said.end()) said.push_back(std::move(words));
         }
     if (said.empty()) return "";
     std::string sentence = said.front() + " now";

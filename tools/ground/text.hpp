@@ -22,9 +22,7 @@ inline bool contains_any(std::string_view text, Words all) {
 inline bool is_any_of(std::string_view text, Words all) { return std::ranges::find(all, text) != all.end(); }
 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
-inline bool is_all_digits(std::string_view text) {
-    return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
-}
+inline bool is_all_digits(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_digit); }
 
 inline bool is_in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 

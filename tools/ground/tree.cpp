@@ -23,7 +23,7 @@ std::string plain(std::string_view words) {
 
 /// Whether a path leads to a file or folder of the section: exercises/07_x.cpp, chapters/07_x/, plots/07_x_y.gp.
 bool leads_to(const fs::path &path, const Section &section) {
-    return std::any_of(path.begin(), path.end(), [&](const fs::path &part) {
+    return std::ranges::any_of(path, [&](const fs::path &part) {
         const std::string stem = part.stem().string();
         return stem == section.name || stem.starts_with(section.name + "_");
     });
@@ -83,7 +83,7 @@ Section Tree::section(std::string_view words) const {
     static const std::regex number{R"(0*(\d{1,2})(\.\d+)?)"};
     std::vector<Section> meant;
     const auto those = [&](const auto &fits) {
-        if (meant.empty()) std::copy_if(all.begin(), all.end(), std::back_inserter(meant), fits);
+        if (meant.empty()) std::ranges::copy_if(all, std::back_inserter(meant), fits);
     };
     const std::string typed{words}, part = plain(words);
     if (std::smatch found; words.size() < 10 && std::regex_match(typed, found, number)) {

@@ -104,7 +104,7 @@ std::string advice(const Said &said) {
                && contains(said.notes, slip.substr(std::min(words + between.size(), slip.size())));
     };
     for (const auto &[means, any] : slips) // the first: Clang says "non-void function 'f' should return a value"
-        if (std::any_of(any.begin(), any.end(), gives_away)) return means;
+        if (std::ranges::any_of(any, gives_away)) return means;
     return {};
 }
 

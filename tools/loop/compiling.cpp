@@ -17,7 +17,7 @@ namespace {
 bool blames_the_code(std::string_view line) {
     constexpr std::array marks{": error: ", ": fatal error: ", ": Error: "};
     if (contains(line, "undefined reference to") || contains(line, "multiple definition of")) return true;
-    return std::any_of(marks.begin(), marks.end(), [&](std::string_view mark) {
+    return std::ranges::any_of(marks, [&](std::string_view mark) {
         const std::size_t at = line.find(mark);
         return at != line.npos && at > 0 && is_digit(line[at - 1]); // file:12: error:
     });
@@ -68,10 +68,8 @@ std::string stopped_by_a_limit(const Finished &finished, const std::string &said
                "that isn't a file?";
     if (finished.code == 0) return {};
     const auto lines = lines_of(said);
-    const bool disk_full =
-        std::any_of(lines.begin(), lines.end(), [](const Line &line) { return found_the_disk_full(line.text); });
-    if (!disk_full
-        && std::any_of(lines.begin(), lines.end(), [](const Line &line) { return blames_the_code(line.text); }))
+    const bool disk_full = std::ranges::any_of(lines, [](const Line &line) { return found_the_disk_full(line.text); });
+    if (!disk_full && std::ranges::any_of(lines, [](const Line &line) { return blames_the_code(line.text); }))
         return {};
 
     const int signal = finished.code - 128;
@@ -86,10 +84,9 @@ std::string stopped_by_a_limit(const Finished &finished, const std::string &said
                + " GB of memory: does an array have gigabytes, or a template no end?";
     if (disk_full || contains(said, "No space left on device") || contains(said, "Disk quota exceeded"))
         throw MachineTrouble{"the compiler found the disk full; make some room and try again. Nothing was judged"};
-    if (signal == SIGKILL || signal == SIGTERM || signal == SIGHUP
-        || std::any_of(lines.begin(), lines.end(), [](const Line &line) {
-               return contains(line.text, " signal terminated program ") && contains_any(line.text, killed);
-           }))
+    if (signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || std::ranges::any_of(lines, [](const Line &line) {
+            return contains(line.text, " signal terminated program ") && contains_any(line.text, killed);
+        }))
         throw MachineTrouble{"the compiler was killed from outside: has the machine run out of memory? Close some "
                              "programs and try again. Nothing was judged"};
     return {};
@@ -104,7 +101,7 @@ std::optional<fs::path> included_from_elsewhere(std::string_view rule, const fs:
     for (const std::string &name : files_of(rule)) {
         const fs::path read = fs::weakly_canonical(from / name, ignored);
         const auto is_home = [&](const fs::path &folder) { return is_below(read, folder); };
-        if (read != own && std::none_of(folders.begin(), folders.end(), is_home)) return read;
+        if (read != own && std::ranges::none_of(folders, is_home)) return read;
     }
     return {};
 }

@@ -157,17 +157,15 @@ std::string wide_encoding(std::string_view text) {
     if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
     const auto is_control = [](char c) { return c > 0 && c < ' ' && !contains("\t\r\n\f\v", {&c, 1}); };
-    if (std::any_of(text.begin(), text.end(), is_control)) return "";
-    const auto zeros = 10 * static_cast<std::size_t>(std::count(text.begin(), text.end(), '\0'));
+    if (std::ranges::any_of(text, is_control)) return "";
+    const auto zeros = 10 * static_cast<std::size_t>(std::ranges::count(text, '\0'));
     return zeros > 6 * text.size() ? "UTF-32" : zeros > 3 * text.size() ? "UTF-16" : "";
 }
 
 /// Whether a file that isn't the student's may be asked for, however the word is put together.
 bool asks_for_files(std::string_view text) {
     std::string joined; // without what may stand within a name, or between its parts
-    std::copy_if(text.begin(), text.end(), std::back_inserter(joined), [](char c) {
-        return !contains("\\\r\n \t#", {&c, 1});
-    });
+    std::ranges::copy_if(text, std::back_inserter(joined), [](char c) { return !contains("\\\r\n \t#", {&c, 1}); });
     return contains(joined, "__has_include") || contains(joined, "__has_embed");
 }
 
@@ -197,15 +195,15 @@ void drop_imagined_templates(std::vector<Remark> &remarks) {
         if (!unknown_name(remark.said.words).empty()) lines.push_back(remark.line);
     std::erase_if(remarks, [&](const Remark &remark) {
         return remark.said.words.starts_with("call to non-'constexpr' function")
-               && std::find(lines.begin(), lines.end(), remark.line) != lines.end();
+               && std::ranges::find(lines, remark.line) != lines.end();
     });
 }
 
 /// Whether this line is a `return` that the line before it does not make conditional.
 bool always_returns(std::string_view code, std::string_view before) {
     return code.starts_with("return ") && code.ends_with(';')
-           && std::count(code.begin(), code.end(), '{') == std::count(code.begin(), code.end(), '}')
-           && !before.ends_with(')') && !before.ends_with("else");
+           && std::ranges::count(code, '{') == std::ranges::count(code, '}') && !before.ends_with(')')
+           && !before.ends_with("else");
 }
 
 bool may_follow_return(std::string_view code) {
@@ -335,7 +333,7 @@ std::vector<std::string> warnings_about(const std::vector<std::string> &warnings
         const std::string_view code = without_blanks_behind(line.text);
         const auto begins = [&](const std::string &function) { return contains(code, ' ' + function + '('); };
         const bool at_the_left = !code.empty() && code[0] != ' ' && code[0] != '\t' && code[0] != '/';
-        if (at_the_left && !code.ends_with(';')) inside = inside || std::any_of(others.begin(), others.end(), begins);
+        if (at_the_left && !code.ends_with(';')) inside = inside || std::ranges::any_of(others, begins);
         if (inside) lines.insert(number);
         if (at_the_left && code.ends_with('}')) inside = false;
     }

@@ -22,11 +22,10 @@ namespace course {
 namespace fs = std::filesystem;
 
 bool Judgement::all_passed() const {
-    return !unbuilt && !verdicts.empty()
-           && std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); });
+    return !unbuilt && !verdicts.empty() && std::ranges::all_of(verdicts, &Verdict::passed);
 }
 bool Judgement::our_fault() const {
-    return std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.kind == Kind::no_verdict; });
+    return std::ranges::any_of(verdicts, [](const Verdict &v) { return v.kind == Kind::no_verdict; });
 }
 
 namespace {

@@ -19,7 +19,7 @@ std::string plain(std::string_view text) {
 
 void set(pugi::xml_node node, const char *name, const std::string &value) {
     std::string line = plain(value);
-    std::replace(line.begin(), line.end(), '\n', ' ');
+    std::ranges::replace(line, '\n', ' ');
     node.append_attribute(name) = line.c_str();
 }
 

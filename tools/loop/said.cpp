@@ -100,7 +100,7 @@ std::string struct_name(std::string_view type) {
         if (type.starts_with(word)) type.remove_prefix(std::string_view{word}.size());
     if (type.ends_with('&')) type.remove_suffix(1);
     if (const std::size_t colon = type.rfind(':'); colon != type.npos) type.remove_prefix(colon + 1);
-    const bool is_name = std::all_of(type.begin(), type.end(), is_in_a_name);
+    const bool is_name = std::ranges::all_of(type, is_in_a_name);
     if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2") return {};
     return std::string{type};
 }
@@ -136,7 +136,7 @@ std::pair<std::string, std::string> missing_member(const Said &said) {
 }
 
 std::string_view first_word(std::string_view code) {
-    const auto end = std::find_if_not(code.begin(), code.end(), is_in_a_name);
+    const auto end = std::ranges::find_if_not(code, is_in_a_name);
     return code.substr(0, static_cast<std::size_t>(end - code.begin()));
 }
 

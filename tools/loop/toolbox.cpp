@@ -59,8 +59,8 @@ std::vector<fs::path> made_for(const Toolbox &tools) {
     files.insert(files.end(), tools.earlier.begin(), tools.earlier.end());
     auto quick = tools.quick_link;
     if (tools.quick) quick.insert(quick.end(), tools.quick->precompiled.begin(), tools.quick->precompiled.end());
-    std::copy_if(quick.begin(), quick.end(), std::back_inserter(files),
-                 [](const std::string &word) { return word.starts_with('/'); });
+    std::ranges::copy_if(quick, std::back_inserter(files),
+                         [](const std::string &word) { return word.starts_with('/'); });
     return files;
 }
 
@@ -116,7 +116,7 @@ void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &t
     files.insert(files.end(), {tree.test_program(section), tree.catalogue(section)});
     const auto is_cut = [](const fs::path &file) { return fs::exists(file) && fs::is_empty(file); };
     const auto is_whole = [&](const fs::path &file) { return fs::exists(file) && !is_cut(file); };
-    if (std::all_of(files.begin(), files.end(), is_whole) && !never && checked >= newest(tree, section)) return;
+    if (std::ranges::all_of(files, is_whole) && !never && checked >= newest(tree, section)) return;
     const Lock lock{tree};
     for (const fs::path &file : files)
         if (is_cut(file)) fs::remove(file); // or it would be newer than what it is made from

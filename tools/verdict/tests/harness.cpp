@@ -46,6 +46,10 @@ std::string exercise_of(const Catch::TestCaseInfo &test) {
     return test.tags.empty() ? "?" : std::string{test.tags.front().original};
 }
 
+const std::vector<Catch::TestCaseInfo *> &all_tests() {
+    return Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
+}
+
 /// Hears what happens in the tests, and passes it to the session.
 class Listener : public Catch::EventListenerBase {
   public:
@@ -98,7 +102,7 @@ nlohmann::json catalogue() {
     for (const ExerciseLine *exercise : exercise_lines())
         list.push_back({{"number", exercise->number}, {"tier", exercise->tier}, {"function", exercise->function}});
     nlohmann::json tests = nlohmann::json::array();
-    for (const Catch::TestCaseInfo *test : Catch::getRegistryHub().getTestCaseRegistry().getAllInfos())
+    for (const Catch::TestCaseInfo *test : all_tests())
         tests.push_back({{"exercise", exercise_of(*test)}, {"claim", test->name}});
     return {{"exercises", list}, {"tests", tests}};
 }
@@ -112,11 +116,9 @@ struct Part {
 
 /// A test that ran but was not heard of, or the other way round, is our mistake, and no student's.
 void add_missing_verdicts(const Part &part) {
-    const auto &all = Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
-    for (const Catch::TestCaseInfo *test : Catch::createShard(all, part.of, part.index)) {
+    for (const Catch::TestCaseInfo *test : Catch::createShard(all_tests(), part.of, part.index)) {
         if (!part.exercise.empty() && exercise_of(*test) != part.exercise) continue;
-        if (std::any_of(verdicts.begin(), verdicts.end(), [&](const Verdict &v) { return v.test == test->name; }))
-            continue;
+        if (std::ranges::any_of(verdicts, [&](const Verdict &v) { return v.test == test->name; })) continue;
         verdicts.push_back({.exercise = exercise_of(*test),
                             .test = test->name,
                             .kind = Kind::no_verdict,
@@ -140,10 +142,6 @@ void run_tests(Session &here, unsigned seed, const Part &part) {
     catch2.useConfigData(config);
     catch2.run();
     if (!part.until_red) add_missing_verdicts(part);
-}
-
-const std::vector<Catch::TestCaseInfo *> &all_tests() {
-    return Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
 }
 
 /// What one of several processes does with an item of a list; it tells of it in lines, where no subject can reach them.
@@ -248,18 +246,18 @@ bool nothing_started() {
         if (!verdict.passed() && !untouched(verdict)) return false;
         waits[verdict.exercise] |= untouched(verdict);
     }
-    return std::all_of(waits.begin(), waits.end(), [](const auto &exercise) { return exercise.second; });
+    return std::ranges::all_of(waits, [](const auto &exercise) { return exercise.second; });
 }
 
 /// How many have passed: "8 of 13".
 std::string passed_of_all() {
-    const auto passed = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); });
+    const auto passed = std::ranges::count_if(verdicts, &Verdict::passed);
     return std::to_string(passed) + " of " + std::to_string(verdicts.size());
 }
 
 /// Whether the first verdict that is red shows this answer, as `got` or as what the call `gave`, whatever its unit.
 bool first_shows(const std::string &answer) {
-    const auto red = std::ranges::find_if(verdicts, [](const Verdict &v) { return !v.passed(); });
+    const auto red = std::ranges::find_if_not(verdicts, &Verdict::passed);
     if (red == verdicts.end()) return false;
     const auto is_it = [&](const std::string &text) { return (text + ' ').starts_with(answer + ' '); };
     return is_it(red->got) || (red->call && is_it(red->call->answer));
@@ -268,25 +266,23 @@ bool first_shows(const std::string &answer) {
 /// Whether the verdicts are the ones that CI wants of this subject: all passed, none started, one that is red, or just so
 /// many passed, and the first that is red shows some answer: "8 of 13, got t = 0.5".
 bool as_expected(std::string_view expect) {
-    const auto passed = [](const Verdict &v) { return v.passed(); };
     const auto no_verdict = [](const Verdict &v) { return v.kind == Kind::no_verdict; };
-    if (verdicts.empty() || std::any_of(verdicts.begin(), verdicts.end(), no_verdict)) return false;
+    if (verdicts.empty() || std::ranges::any_of(verdicts, no_verdict)) return false;
     if (expect == "none") return nothing_started();
-    if (expect == "all") return std::all_of(verdicts.begin(), verdicts.end(), passed);
-    if (std::any_of(verdicts.begin(), verdicts.end(), untouched)) return false;
+    if (expect == "all") return std::ranges::all_of(verdicts, &Verdict::passed);
+    if (std::ranges::any_of(verdicts, untouched)) return false;
     if (const std::size_t got = expect.find("got "); got != expect.npos)
         return first_shows(std::string{expect.substr(got + 4)})
                && (got == 0 || expect.substr(0, got) == passed_of_all() + ", ");
     if (expect != "red") return passed_of_all() == expect;
-    return !std::all_of(verdicts.begin(), verdicts.end(), passed);
+    return !std::ranges::all_of(verdicts, &Verdict::passed);
 }
 
 /// A verdict, for us.
 std::string in_words(const Verdict &verdict) {
-    std::ostringstream out;
-    out << (verdict.passed() ? "passed  " : "FAILED  ") << verdict.exercise << "  " << verdict.test << '\n';
-    if (!verdict.passed()) out << "        " << name_of(verdict.kind) << '\n' << explain(verdict, 8);
-    return out.str();
+    const std::string test = verdict.exercise + "  " + verdict.test + '\n';
+    if (verdict.passed()) return "passed  " + test;
+    return "FAILED  " + test + "        " + std::string{name_of(verdict.kind)} + '\n' + explain(verdict, 8);
 }
 
 /// Whether it is enough that one verdict is red.

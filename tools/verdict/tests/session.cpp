@@ -80,9 +80,7 @@ void Session::begin(std::string exercise, std::string test) {
     const bool hurry = exercise == hung || spent > 2 * patience.all;
     allowed = hurry ? least : std::clamp((patience.all - lost) / 5, least, patience.a_case);
     large = false;
-    verdict = {};
-    verdict.exercise = std::move(exercise);
-    verdict.test = std::move(test);
+    verdict = {.exercise = std::move(exercise), .test = std::move(test)};
     calls = 0;
     last_result.clear();
     last_exercise = nullptr;
@@ -121,10 +119,10 @@ void Session::accept(const std::string &input, const std::string &value) {
     if (input.empty() && last_exercise != nullptr)
         for (const std::string &argument : last_exercise->describe_arguments(*last_exercise, last_arguments))
             what += (what.empty() ? "" : ", ") + argument;
-    auto entry = std::find_if(accepted.begin(), accepted.end(), [&](const auto &one) { return one.first == what; });
+    auto entry = std::ranges::find_if(accepted, [&](const auto &one) { return one.first == what; });
     if (entry == accepted.end()) entry = accepted.insert(entry, {what, {}});
     std::vector<std::string> &values = entry->second;
-    if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+    if (!value.empty() && std::ranges::find(values, value) == values.end()) values.push_back(value);
 }
 
 bool Session::is_computed(std::string_view refusal) const {
@@ -308,17 +306,11 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
 }
 
 void Session::fail(Kind kind, std::string sentence, const std::string &file, int line) {
-    if (!accepted.empty() && verdict.file.empty()) {
-        verdict.file = file;
-        verdict.line = line;
-    }
+    if (verdict.file.empty()) std::tie(verdict.file, verdict.line) = std::tie(file, line);
     if (!accepted.empty()) return; // the verdict is about these
     if (verdict.passed() && noted) {
-        verdict.label = noted->label;
-        verdict.got = noted->got;
-        verdict.want = noted->want;
-        verdict.whole = noted->whole;
-        verdict.tolerance = noted->tolerance;
+        std::tie(verdict.label, verdict.got, verdict.want, verdict.whole, verdict.tolerance) =
+            std::tie(noted->label, noted->got, noted->want, noted->whole, noted->tolerance);
         if (sentence.empty() && has_strange_number(noted->got))
             sentence =
                 "A strange number. Was a variable never given a value? Write `double sum = 0;`, not `double sum;`.";
@@ -334,10 +326,6 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
         }
     }
     note_verdict(kind, std::move(sentence));
-    if (verdict.file.empty()) {
-        verdict.file = file;
-        verdict.line = line;
-    }
 }
 
 /// What the last call answers in a new process, where no other came before it; nothing if it does not answer, or if

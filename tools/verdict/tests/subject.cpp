@@ -158,7 +158,7 @@ std::vector<int> cores() {
     if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0)
         for (int core = 0; core < CPU_SETSIZE; ++core)
             if (CPU_ISSET(static_cast<std::size_t>(core), &allowed)) all.push_back(core);
-    std::rotate(all.begin(), std::find(all.begin(), all.end(), ::sched_getcpu()), all.end());
+    std::rotate(all.begin(), std::ranges::find(all, ::sched_getcpu()), all.end());
 #endif
     if (all.empty()) all.push_back(-1);
     return all;
