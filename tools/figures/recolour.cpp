@@ -1,4 +1,4 @@
-#include "figures/recolour.hpp"
+#include "figures/figure.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

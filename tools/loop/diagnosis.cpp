@@ -113,10 +113,6 @@ std::vector<Remark> remarks_in(std::string_view printed, const std::filesystem::
     return remarks;
 }
 
-std::string shown(const std::string &file, const std::filesystem::path &students, const std::string &shown_name) {
-    return file == students.string() ? shown_name : std::filesystem::path{file}.filename().string();
-}
-
 /// "could not convert '…' from 'A' to 'B'" without what is between the first quotes, if that is in the library's words,
 /// since the line itself is shown below; and not more than can be read.
 std::string readable(std::string words) {
@@ -301,7 +297,8 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
         for (const Remark &remark : remarks) unknown.push_back(unknown_name(remark.said.words));
         verdict.sentence = explain_renamed(unknown, renamed);
     }
-    if (first.line != 0) verdict.file = shown(first.file, file, name);
+    if (first.line != 0)
+        verdict.file = first.file == file ? name : std::filesystem::path{first.file}.filename().string();
     verdict.line = first.line;
     if (first.said.code.empty() && first.file == file.string()) first.said.code = line_of_file(file, first.line);
     if (const auto &[words, code, caret, notes] = first.said; !code.empty()) {
