@@ -2,6 +2,7 @@
 
 #include "ground/kernel.hpp"
 #include "ground/process.hpp"
+#include "loop/answer.hpp"
 #include "loop/compiling.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/judge.hpp"

@@ -4,6 +4,7 @@
 #include "ground/plain.hpp"
 #include "interface.hpp"
 #include "loop/advice_rules.hpp"
+#include "loop/answer.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/junit.hpp"
 #include "verdict/shared/wire.hpp"

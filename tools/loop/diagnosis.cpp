@@ -147,24 +147,6 @@ std::string explained(const Said &said) {
     return words + (std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? ". " : " ") + more;
 }
 
-/// "UTF-16", if every other byte or so is a zero, or a mark says so; "" for UTF-8, and for what is no text.
-std::string wide_encoding(std::string_view text) {
-    using namespace std::string_view_literals;
-    if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
-    const auto is_control = [](char c) { return c > 0 && c < ' ' && !contains("\t\r\n\f\v", {&c, 1}); };
-    if (std::ranges::any_of(text, is_control)) return "";
-    const auto zeros = 10 * static_cast<std::size_t>(std::ranges::count(text, '\0'));
-    return zeros > 6 * text.size() ? "UTF-32" : zeros > 3 * text.size() ? "UTF-16" : "";
-}
-
-/// Whether a file that isn't the student's may be asked for, however the word is put together.
-bool asks_for_files(std::string_view text) {
-    std::string joined; // without what may stand within a name, or between its parts
-    std::ranges::copy_if(text, std::back_inserter(joined), [](char c) { return !contains("\\\r\n \t#", {&c, 1}); });
-    return contains(joined, "__has_include") || contains(joined, "__has_embed");
-}
-
 /// The name that the compiler does not know, if that is what its words say.
 std::string unknown_name(const std::string &words) {
     if (const auto member = between(words, "no member named '", "'")) return std::string{*member};
@@ -193,17 +175,6 @@ void drop_imagined_templates(std::vector<Remark> &remarks) {
         return remark.said.words.starts_with("call to non-'constexpr' function")
                && std::ranges::find(lines, remark.line) != lines.end();
     });
-}
-
-/// Whether this line is a `return` that the line before it does not make conditional.
-bool always_returns(std::string_view code, std::string_view before) {
-    return code.starts_with("return ") && code.ends_with(';')
-           && std::ranges::count(code, '{') == std::ranges::count(code, '}') && !before.ends_with(')')
-           && !before.ends_with("else");
-}
-
-bool may_follow_return(std::string_view code) {
-    return contains("}#/", code.substr(0, 1)) || code.starts_with("case ") || code.ends_with(':');
 }
 
 /// The name that stands after these words in quotes, `x' or 'x': a linker's. A long one may have been cut.
@@ -249,27 +220,6 @@ std::string declaration(const std::string &header, const std::string &function) 
 }
 
 } // namespace
-
-std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
-    const std::string back =
-        " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
-    if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
-        return Verdict{.kind = Kind::empty, .sentence = name + " is empty." + back};
-    const auto because = [&](const std::string &what) {
-        return Verdict{.kind = Kind::unreadable, .sentence = name + what};
-    };
-    if (text.starts_with("PK\3\4")) return because(" is a zip archive: unpack it, and check the file inside.");
-    if (const std::string encoding = wide_encoding(text); !encoding.empty())
-        return because(" is saved as " + encoding + ": save it as UTF-8 in your editor.");
-    if (text.find('\0') != text.npos)
-        return because(" is not a text file: has a compiled file been saved over it?" + back);
-    if (asks_for_files(text))
-        return Verdict{.kind = Kind::does_not_compile,
-                       .sentence =
-                           "Your file asks with `__has_include` which files there are, and a check doesn't tell: "
-                           "include what you need."};
-    return {};
-}
 
 std::string explain_unopened() {
     return "A check can't open this file: it has only headers of the system, Eigen and chapters/. Check the name, or "
@@ -318,53 +268,6 @@ std::vector<std::string> find_warnings(std::string_view printed, const std::file
         if (!remark.is_error && remark.file == file.string())
             warnings.push_back(name + ':' + std::to_string(remark.line) + ": " + explained(remark.said));
     return warnings;
-}
-
-std::vector<std::string> warnings_about(const std::vector<std::string> &warnings, std::string_view text,
-                                        const std::string &name, const std::vector<std::string> &others) {
-    std::set<int> lines; // of the others' functions, from the one with the name to the brace at the left edge
-    int number = 0;
-    bool inside = false;
-    for (const Line &line : lines_of(text)) {
-        ++number;
-        const std::string_view code = without_blanks_behind(line.text);
-        const auto begins = [&](const std::string &function) { return contains(code, ' ' + function + '('); };
-        const bool at_the_left = !code.empty() && code[0] != ' ' && code[0] != '\t' && code[0] != '/';
-        if (at_the_left && !code.ends_with(';')) inside = inside || std::ranges::any_of(others, begins);
-        if (inside) lines.insert(number);
-        if (at_the_left && code.ends_with('}')) inside = false;
-    }
-    std::vector<std::string> about;
-    for (const std::string &warning : warnings) {
-        const std::size_t place = warning.starts_with(name + ':') ? name.size() + 1 : warning.size();
-        const auto its = leading_number(std::string_view{warning}.substr(place));
-        if (!its || !lines.contains(*its)) about.push_back(warning);
-    }
-    return about;
-}
-
-std::vector<std::string> find_unreached(std::string_view text, const std::string &name) {
-    std::vector<std::string> found;
-    const auto tell = [&](int line, const char *what) { found.push_back(name + ':' + std::to_string(line) + what); };
-    int line = 0, thrown = 0; // where the last NotYet stands, until its braces end
-    std::string_view before;  // the last line with code
-    bool returned = false;
-    for (const Line &each : lines_of(text)) {
-        ++line;
-        const std::string_view code = code_alone(each.text);
-        if (code.empty()) continue;
-        if (returned && !may_follow_return(code))
-            tell(line, ": this line comes after a `return`, and is never reached: move it up");
-        returned = always_returns(code, before);
-        before = code;
-        if (code.starts_with("throw course::NotYet") || code.starts_with("throw NotYet")) thrown = line;
-        else if (code.starts_with('}')) thrown = 0;
-        else if (thrown != 0 && !code.starts_with('"')) {
-            tell(thrown, ": this `throw` is still above your code, which is therefore never reached: delete this line");
-            thrown = 0;
-        }
-    }
-    return found;
 }
 
 Verdict diagnose_linker(std::string_view printed, const std::string &name, const std::string &number) {
@@ -428,20 +331,6 @@ std::string explain_missing(std::string_view symbols, const std::string &header,
     std::string near = nearest(function, others);
     if (edit_distance(near, function) > 1 + function.size() / 3) near.clear(); // a helper with a name of its own
     return says + (says.empty() ? "" : ".") + (near.empty() ? "" : " Yours has `" + near + "`: is that it, misspelt?");
-}
-
-std::string explain_accepted(std::string_view text, std::string_view stub, const std::string &exercise) {
-    const auto count = [](std::string_view of, std::string_view wanted) {
-        const auto lines = lines_of(of);
-        return std::ranges::count_if(lines, [&](const Line &line) { return without_blanks(line.text) == wanted; });
-    };
-    const std::string_view function = between(stub, "// " + exercise + ' ', "throw course::NotYet").value_or("");
-    for (const Line &line : lines_of(function))
-        if (const std::string_view refuses = without_blanks(line.text);
-            contains(refuses, "require") && count(text, refuses) < count(stub, refuses))
-            return " When you got it, the function began with lines that refuse it: put `" + std::string{refuses}
-                   + "` back, and any others. These were accepted:";
-    return {};
 }
 
 } // namespace course
