@@ -113,7 +113,7 @@ Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs:
         Places places{places_of_system(), {traces}};
         places.readable.push_back(program);
         const ShutIn shut_in{places, {}};
-        // The folder is its own, and named by no path: others may be on the way, where root's capabilities would be needed.
+        // The folder is its own, and named by no path: on the way may be others, where root's capabilities are needed.
         finished = run(program_command(program, part, "."), {.deadline = deadline,
                                                              .folder = traces,
                                                              .limits = student_limits,

@@ -41,7 +41,7 @@ bool has_comma(std::string_view code);
 /// A line of code without the blanks around it, and without what is behind its `//`.
 std::string_view code_alone(std::string_view line);
 
-/// The type that is asked for a member which it does not have, and that member's name; empty if it is about something else.
+/// The type that is asked for a member that it lacks, and that member's name; both empty if it is about something else.
 std::pair<std::string, std::string> missing_member(const Said &said);
 
 /// A name or a number with which this begins; or nothing.
