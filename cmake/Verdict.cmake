@@ -3,7 +3,6 @@ include(CheckCXXSourceCompiles)
 
 add_library(course_verdict STATIC
   ${PROJECT_SOURCE_DIR}/tools/verdict/tests/session.cpp
-  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/nameless_file.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/tests/shut_in.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/tests/subject.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/shared/verdict.cpp)

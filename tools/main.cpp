@@ -3,7 +3,7 @@
 #include "book/contents.hpp"
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "ground/nearest.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
@@ -15,28 +15,25 @@
 namespace course {
 namespace {
 
-using Adds = void (*)(CLI::App &, const Tree &);
-
 /// What the `course` script does itself, before this program is there: listed here for help and for slips of the pen.
-template <const char *const &name, const char *const &what> void by_the_script(CLI::App &app, const Tree &) {
-    app.add_subcommand(name, what)->footer(std::string{"Example: ./course "} + name)->callback([] {
-        throw Complaint{std::string{"`"} + name + "` is a command of the script: type ./course " + name};
-    });
+auto by_the_script(const std::string &name, const std::string &what) {
+    return [=](CLI::App &app, const Tree &) {
+        app.add_subcommand(name, what)->footer("Example: ./course " + name)->callback([name] {
+            throw Complaint{"`" + name + "` is a command of the script: type ./course " + name};
+        });
+    };
 }
-
-constexpr const char *setup = "setup", *installs = "Install what the course needs; asks first";
-constexpr const char *test = "test", *runs_all_tests = "Run the whole test suite";
 
 struct Group {
     const char *title;
-    std::vector<Adds> commands;
+    std::vector<std::function<void(CLI::App &, const Tree &)>> commands;
 };
 
 const std::vector<Group> groups{
     {"For students",
      {add_check, add_list, add_hint, add_solution, add_reset, add_run, add_plot, add_play, add_debug, add_site,
-      by_the_script<setup, installs>, add_doctor}},
-    {"For instructors", {by_the_script<test, runs_all_tests>}},
+      add_open, add_make, by_the_script("setup", "Install what the course needs; asks first"), add_doctor}},
+    {"For instructors", {by_the_script("test", "Run the whole test suite")}},
     {"For contributors", {add_new, add_weave, add_draw, add_publish, add_bench}},
 };
 
@@ -58,7 +55,7 @@ Example: ./course check 7 --watch)";
 
 void add_commands(CLI::App &app, const Tree &tree) {
     for (const Group &group : groups)
-        for (Adds add : group.commands) {
+        for (const auto &add : group.commands) {
             const auto before = app.get_subcommands({}).size();
             add(app, tree);
             const auto all = app.get_subcommands({});
@@ -120,10 +117,9 @@ std::string misunderstood(const CLI::App &app, const CLI::ParseError &error) {
 
 /// `./course -v check 7` means `./course check 7 -v`. Reversed, as CLI11 wants them.
 std::vector<std::string> options_behind_the_command(std::vector<std::string> words) {
-    const auto command =
-        std::find_if(words.begin(), words.end(), [](const std::string &word) { return !word.starts_with('-'); });
+    const auto command = std::ranges::find_if(words, [](const std::string &word) { return !word.starts_with('-'); });
     if (command != words.end()) std::rotate(words.begin(), command, words.end());
-    std::reverse(words.begin(), words.end());
+    std::ranges::reverse(words);
     return words;
 }
 

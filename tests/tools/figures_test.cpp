@@ -5,7 +5,7 @@
 #include "figures/section_figures.hpp"
 #include "figures/trace.hpp"
 #include "ground/files.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "loop/programs.hpp"
 #include "own_folder.hpp"
 #include "verdict/tests/shut_in.hpp"

@@ -202,24 +202,30 @@ TEST_CASE("writing that is killed at any moment leaves the old text or the new o
         const std::string now = read_file(file);
         REQUIRE((now == texts[0] || now == texts[1]));
         with_a_draft += folder.files() > 1;
-        write_file(file, texts[now == texts[0] ? 1 : 0]); // and sweeps the draft
+        write_file(file, texts[now == texts[0] ? 1 : 0]); // over the draft
         REQUIRE(folder.files() == 1);
     }
     CHECK(with_a_draft > 0); // or it was never hit while writing
 }
 
-TEST_CASE("sweeping removes neither a draft that is being written nor any other file of the folder") {
+TEST_CASE("a draft that is being written is waited for, a left one is written over, and no other file is touched") {
     const Folder folder;
-    const fs::path file = folder.path / "file";
+    const fs::path file = folder.path / "file", draft = folder.path / ".file.draft";
     write_file(folder.path / "file.draft", "mine");
-    write_file(folder.path / "other.draft-abcdef", "mine");
-    write_file(folder.path / "file.draft-abcdef", "being written");
-    const int writer = ::open((folder.path / "file.draft-abcdef").c_str(), O_RDWR | O_CLOEXEC);
+    write_file(folder.path / ".other.draft", "mine");
+    std::ofstream{draft} << "what a kill has left, which is longer";
+    const int writer = ::open(draft.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     REQUIRE(::flock(writer, LOCK_EX) == 0);
-    write_file(file, "new");
-    CHECK(folder.files() == 4);
+    std::thread other{[&] { write_file(file, "new"); }};
+    std::this_thread::sleep_for(std::chrono::milliseconds{50});
+    CHECK_FALSE(fs::exists(file));
+    fs::rename(draft, file);
     ::close(writer);
+    other.join();
+    CHECK(read_file(file) == "new");
+    std::ofstream{draft} << "left by a kill, and read-only";
+    fs::permissions(draft, fs::perms::owner_read);
     write_file(file, "newer");
+    CHECK(read_file(file) == "newer");
     CHECK(folder.files() == 3);
-    CHECK_FALSE(fs::exists(folder.path / "file.draft-abcdef"));
 }

@@ -1,16 +1,14 @@
 // Judging: one verdict for each test, what stopped a compiler, and whose fault it was.
 
-#include "ground/complaint.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "ground/process.hpp"
+#include "loop/answer.hpp"
+#include "loop/compiling.hpp"
 #include "loop/diagnosis.hpp"
-#include "loop/includes.hpp"
 #include "loop/judge.hpp"
-#include "loop/stopped.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
-#include <nlohmann/json.hpp>
 
 #include <csignal>
 #include <thread>
@@ -20,9 +18,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-std::string passed(const std::string &test) {
-    return nlohmann::json(Verdict{.exercise = "7.1", .test = test}).dump() + '\n';
-}
+std::string passed(const std::string &test) { return to_line({.exercise = "7.1", .test = test}); }
 
 std::vector<Kind> kinds(const std::string &said) {
     std::vector<Kind> all;

@@ -2,9 +2,8 @@
 // test of the protection would show nothing.
 
 #ifdef __linux__ // elsewhere nothing shuts a subject in
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "own_folder.hpp"
 #include "verdict/tests/subject.hpp"
 

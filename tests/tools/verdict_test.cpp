@@ -3,7 +3,8 @@
 #include "ground/lines.hpp"
 #include "ground/plain.hpp"
 #include "interface.hpp"
-#include "loop/advice.hpp"
+#include "loop/advice_rules.hpp"
+#include "loop/answer.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/junit.hpp"
 #include "verdict/shared/wire.hpp"
@@ -14,7 +15,6 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
-#include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
 #include <array>
@@ -259,7 +259,7 @@ TEST_CASE("all input that should have been refused is listed in one verdict, wha
     own.fail(Kind::too_long, "an answer that never came", "a.cpp", 4);
     const Verdict verdict = own.end(true);
     CHECK(verdict.kind == Kind::wrong);
-    CHECK(explain(nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>(), 0)
+    CHECK(explain(from_line(to_line(verdict)).value(), 0)
           == "Your code accepted input that it must refuse with std::invalid_argument:\n  dt is negative\n"
              "  start.x = infinity, not a number, -infinity\nsee   a.cpp:3\n");
 }
@@ -563,7 +563,7 @@ TEST_CASE("a verdict survives its way through JSON") {
                     .printed = {"printed"},
                     .printed_more = 4,
                     .needs = "7.1 crossing"};
-    const auto back = nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>();
+    const auto back = from_line(to_line(verdict)).value();
     CHECK(explain(back, 2) == explain(verdict, 2));
     CHECK(back.kind == verdict.kind);
     CHECK(back.needs == verdict.needs);
@@ -572,7 +572,7 @@ TEST_CASE("a verdict survives its way through JSON") {
     verdict.got = verdict.call->answer; // then it need not be said twice
     CHECK(explain(verdict, 2).find("gave") == std::string::npos);
     verdict.label = "speed"; // of something that only looks like the answer
-    const auto named = nlohmann::json::parse(nlohmann::json(verdict).dump()).get<Verdict>();
+    const auto named = from_line(to_line(verdict)).value();
     CHECK(explain(named, 2).find("gave  {g, h}\n  speed:\n  right {w, x}\n  got   {g, h}\n") != std::string::npos);
 }
 

@@ -1,7 +1,6 @@
 #include "book/chapter.hpp"
 
 #include "book/markdown.hpp"
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 
@@ -10,12 +9,6 @@
 
 namespace course {
 namespace {
-
-/// How many of the fence's signs a line begins with, after blanks.
-std::size_t run_of(char sign, std::string_view line) {
-    const std::string_view text = without_blanks(line);
-    return std::min(text.find_first_not_of(sign), text.size());
-}
 
 class FenceReader {
   public:
@@ -129,7 +122,30 @@ void find_open_folds(cmark_node *root, const std::filesystem::path &file, Chapte
 
 std::string_view without_byte_order_mark(std::string_view text) { return text.substr(byte_order_mark(text).size()); }
 
+/// The functions, types and constants that a chunk defines: what a line which is not indented names first before a
+/// bracket, after `struct`, or before a value.
+std::vector<std::string> defined_in(const Chunk &chunk) {
+    static const std::regex definition{R"(^[A-Za-z](?:[^(={]*[ &*])?(\w+)(?:\(| = |\{| \{).*)"};
+    std::vector<std::string> names;
+    for (const std::string &line : chunk.lines)
+        if (std::smatch found; std::regex_match(line, found, definition)) names.push_back(found[1]);
+    return names;
+}
+
+bool mentions(const std::vector<Chunk> &chunks, const std::string &name) {
+    const std::regex word{"\\b" + name + "\\b"};
+    for (const Chunk &chunk : chunks)
+        for (const std::string &line : chunk.lines)
+            if (std::regex_search(line, word)) return true;
+    return false;
+}
+
 } // namespace
+
+std::size_t run_of(char sign, std::string_view line) {
+    const std::string_view text = without_blanks(line);
+    return std::min(text.find_first_not_of(sign), text.size());
+}
 
 Chapter read_chapter(std::string_view text, const std::filesystem::path &file) {
     text = without_byte_order_mark(text);
@@ -207,33 +223,11 @@ std::vector<Finding> misshapen_demos(std::string_view text, const std::filesyste
     return findings;
 }
 
-namespace {
-
-/// The functions, types and constants that a chunk defines: what a line which is not indented names first before a
-/// bracket, after `struct`, or before a value.
-std::vector<std::string> defined_in(const Chunk &chunk) {
-    static const std::regex definition{R"(^[A-Za-z](?:[^(={]*[ &*])?(\w+)(?:\(| = |\{| \{).*)"};
-    std::vector<std::string> names;
-    for (const std::string &line : chunk.lines)
-        if (std::smatch found; std::regex_match(line, found, definition)) names.push_back(found[1]);
-    return names;
-}
-
-bool mentions(const std::vector<Chunk> &chunks, const std::string &name) {
-    const std::regex word{"\\b" + name + "\\b"};
-    for (const Chunk &chunk : chunks)
-        for (const std::string &line : chunk.lines)
-            if (std::regex_search(line, word)) return true;
-    return false;
-}
-
-} // namespace
-
 std::vector<Chunk> solution(const Tree &tree, const Section &section, std::string_view number) {
     const std::string own = "Solution " + std::string{number};
     const auto is_own = [&](const Chunk &chunk) { return chunk.title == own || chunk.title.starts_with(own + ":"); };
     std::vector<Chunk> chunks = cut(tree.solution(section));
-    if (std::none_of(chunks.begin(), chunks.end(), is_own))
+    if (std::ranges::none_of(chunks, is_own))
         throw Complaint{"solutions/" + section.name + ".cpp has no solution of " + std::string{number}
                         + "; a line `//> " + own + ": ...` would begin it"};
     // And the helpers above it that it uses, or that they use: what is for others would give away their solution.
@@ -241,7 +235,7 @@ std::vector<Chunk> solution(const Tree &tree, const Section &section, std::strin
     for (auto chunk = chunks.rbegin(); chunk != chunks.rend(); ++chunk) {
         const auto names = chunk->title.starts_with("Solution:") ? defined_in(*chunk) : std::vector<std::string>{};
         const auto used = [&](const std::string &name) { return mentions(shown, name); };
-        if (is_own(*chunk) || std::any_of(names.begin(), names.end(), used)) shown.insert(shown.begin(), *chunk);
+        if (is_own(*chunk) || std::ranges::any_of(names, used)) shown.insert(shown.begin(), *chunk);
     }
     return shown;
 }

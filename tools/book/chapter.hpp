@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace course {
@@ -24,6 +25,9 @@ struct Fence {
     std::string language;             ///< "cpp", "console": the rest of the opening line
     std::vector<std::string> content; ///< without what a quote or a list puts before each line
 };
+
+/// How many of a fence's signs a line begins with, after blanks.
+std::size_t run_of(char sign, std::string_view line);
 
 struct Chapter {
     std::vector<Fence> fences;
@@ -72,6 +76,10 @@ std::vector<Chunk> solution(const Tree &tree, const Section &section, std::strin
 struct ListedExercise {
     std::string number, function, tier;
     int line = 0; ///< where it stands
+
+    bool operator==(const ListedExercise &other) const { ///< wherever they stand
+        return std::tie(number, function, tier) == std::tie(other.number, other.function, other.tier);
+    }
 };
 std::vector<ListedExercise> exercise_table(std::string_view chapter);
 std::vector<ListedExercise> declared_exercises(std::string_view header);

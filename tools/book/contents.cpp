@@ -1,7 +1,6 @@
 #include "book/contents.hpp"
 
 #include "book/markdown.hpp"
-#include "ground/complaint.hpp"
 #include "ground/lines.hpp"
 
 #include <algorithm>
@@ -15,19 +14,6 @@ namespace {
 std::optional<int> number_in(const std::string &cell) {
     static const std::regex number{R"(\d{1,2})"};
     return std::regex_match(cell, number) ? std::optional{std::stoi(cell)} : std::nullopt;
-}
-
-/// A text whose lines, each with its end, can be taken apart and put together again.
-std::vector<std::string> with_line_ends(std::string_view text) {
-    std::vector<std::string> lines;
-    for (const Line &line : lines_of(text)) lines.push_back(std::string{line.text} + std::string{line.end});
-    return lines;
-}
-
-std::string joined(const std::vector<std::string> &lines) {
-    std::string text;
-    for (const std::string &line : lines) text += line;
-    return text;
 }
 
 } // namespace

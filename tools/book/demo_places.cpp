@@ -37,7 +37,7 @@ std::string command_that_plays(const Section &section, const DemoMark &mark) {
 std::vector<std::string> demo_starts(const std::vector<DemoMark> &marks) {
     std::vector<std::string> starts;
     for (const DemoMark &mark : marks)
-        if (std::find(starts.begin(), starts.end(), mark.start) == starts.end()) starts.push_back(mark.start);
+        if (std::ranges::find(starts, mark.start) == starts.end()) starts.push_back(mark.start);
     return starts;
 }
 

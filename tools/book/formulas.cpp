@@ -2,6 +2,7 @@
 #include "book/markdown.hpp"
 
 #include <map>
+#include <set>
 
 namespace course {
 namespace {
@@ -23,13 +24,9 @@ const std::map<std::string_view, std::string_view> symbols{
 };
 
 /// Only their argument matters, or nothing at all: fonts, sizes of brackets.
-bool is_dress(std::string_view command) {
-    for (const std::string_view name :
-         {"mathbf"sv, "mathrm"sv, "mathit"sv, "boldsymbol"sv, "text"sv, "operatorname"sv, "vec"sv, "hat"sv, "left"sv,
-          "right"sv, "big"sv, "Big"sv, "bigl"sv, "bigr"sv, "Bigl"sv, "Bigr"sv, "displaystyle"sv, "limits"sv})
-        if (command == name) return true;
-    return false;
-}
+const std::set<std::string_view> dress{"mathbf", "mathrm", "mathit", "boldsymbol", "text",         "operatorname",
+                                       "vec",    "hat",    "left",   "right",      "big",          "Big",
+                                       "bigl",   "bigr",   "Bigl",   "Bigr",       "displaystyle", "limits"};
 
 struct Reader {
     std::string_view rest;
@@ -95,7 +92,7 @@ struct Reader {
         }
         if (name == "sqrt") return "√" + bracketed(argument());
         if (name == "begin" || name == "end") return argument(), "";
-        if (is_dress(name)) return "";
+        if (dress.contains(name)) return "";
         const auto symbol = symbols.find(name);
         if (symbol == symbols.end()) return std::string{name}; // `\sin`
         while (rest.starts_with(' ')) take();                  // `\Delta x` is one name

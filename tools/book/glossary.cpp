@@ -57,46 +57,6 @@ std::vector<std::string> also_called(cmark_node *bold) {
     return names;
 }
 
-} // namespace
-
-std::vector<Term> terms_of(std::string_view chapter, int section, const std::string &link,
-                           const std::filesystem::path &file) {
-    const WithoutFormulas taken = take_out_formulas(chapter.substr(byte_order_mark(chapter).size()));
-    const Document document = parse_markdown(taken.text);
-    cmark_consolidate_text_nodes(document.get());
-    std::vector<Term> terms;
-    Anchors anchors;
-    std::string place = link;
-    std::size_t formula = 0;
-    each_node(document.get(), [&](cmark_node *node) {
-        if (cmark_node_get_type(node) == CMARK_NODE_HEADING) {
-            const std::string anchor = anchors.next(words_of(node));
-            const bool in_a_box = cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_DOCUMENT;
-            if (!in_a_box && cmark_node_get_heading_level(node) > 1) place = link + '#' + anchor;
-        } else if (cmark_node_get_type(node) == CMARK_NODE_STRONG && !is_in_heading_or_box(node)) {
-            std::size_t next = formula;
-            const std::string name = markdown_of(node, taken.formulas, next);
-            if (is_term(name))
-                terms.push_back({name, also_called(node), section, place, file, cmark_node_get_start_line(node)});
-        } else if (cmark_node_get_type(node) == CMARK_NODE_TEXT) {
-            static_cast<void>(markdown_of(node, taken.formulas, formula));
-        }
-    });
-    return terms;
-}
-
-std::vector<Term> terms_of(const Tree &tree) {
-    std::vector<Term> terms;
-    for (const Section &section : tree.sections()) {
-        const std::filesystem::path file = tree.chapter(section);
-        for (Term &term : terms_of(read_file(file), section.number(), tree.shown(file), file))
-            terms.push_back(std::move(term));
-    }
-    return terms;
-}
-
-namespace {
-
 /// One row for each name, from all chapters that have it.
 std::vector<std::string> rows_of(const std::vector<Term> &terms) {
     struct Entry {
@@ -108,7 +68,7 @@ std::vector<std::string> rows_of(const std::vector<Term> &terms) {
     for (const Term &term : terms) {
         Entry &entry = entries.try_emplace(lower(term.name), Entry{term.name, {}, ""}).first->second;
         for (const std::string &name : term.also_called)
-            if (std::find(entry.also_called.begin(), entry.also_called.end(), name) == entry.also_called.end())
+            if (std::ranges::find(entry.also_called, name) == entry.also_called.end())
                 entry.also_called.push_back(name);
         entry.where += (entry.where.empty() ? "[" : ", [") + std::to_string(term.section) + "](" + term.link + ')';
     }
@@ -151,6 +111,42 @@ Place place_in(std::string_view book) {
 
 } // namespace
 
+std::vector<Term> terms_of(std::string_view chapter, int section, const std::string &link,
+                           const std::filesystem::path &file) {
+    const WithoutFormulas taken = take_out_formulas(chapter.substr(byte_order_mark(chapter).size()));
+    const Document document = parse_markdown(taken.text);
+    cmark_consolidate_text_nodes(document.get());
+    std::vector<Term> terms;
+    Anchors anchors;
+    std::string place = link;
+    std::size_t formula = 0;
+    each_node(document.get(), [&](cmark_node *node) {
+        if (cmark_node_get_type(node) == CMARK_NODE_HEADING) {
+            const std::string anchor = anchors.next(words_of(node));
+            const bool in_a_box = cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_DOCUMENT;
+            if (!in_a_box && cmark_node_get_heading_level(node) > 1) place = link + '#' + anchor;
+        } else if (cmark_node_get_type(node) == CMARK_NODE_STRONG && !is_in_heading_or_box(node)) {
+            std::size_t next = formula;
+            const std::string name = markdown_of(node, taken.formulas, next);
+            if (is_term(name))
+                terms.push_back({name, also_called(node), section, place, file, cmark_node_get_start_line(node)});
+        } else if (cmark_node_get_type(node) == CMARK_NODE_TEXT) {
+            static_cast<void>(markdown_of(node, taken.formulas, formula));
+        }
+    });
+    return terms;
+}
+
+std::vector<Term> terms_of(const Tree &tree) {
+    std::vector<Term> terms;
+    for (const Section &section : tree.sections()) {
+        const std::filesystem::path file = tree.chapter(section);
+        for (Term &term : terms_of(read_file(file), section.number(), tree.shown(file), file))
+            terms.push_back(std::move(term));
+    }
+    return terms;
+}
+
 Glossary weave_glossary(const std::string &book, const std::filesystem::path &file, const std::vector<Term> &terms) {
     Glossary result{book, {}};
     std::map<std::pair<std::string, std::string>, int> seen; // by chapter and name
@@ -164,8 +160,7 @@ Glossary weave_glossary(const std::string &book, const std::filesystem::path &fi
                                            + " already; make it bold only once, where it is explained."});
     }
 
-    const std::size_t mark = byte_order_mark(book).size();
-    const Place place = place_in(std::string_view{book}.substr(mark));
+    const Place place = place_in(std::string_view{book}.substr(byte_order_mark(book).size()));
     if (place.heading == 0) {
         if (!terms.empty())
             result.findings.push_back({file, 1,
@@ -178,25 +173,18 @@ Glossary weave_glossary(const std::string &book, const std::filesystem::path &fi
     if (!rows.empty()) table = {"| term | also called | where |", "|:--|:--|:--|"};
     table.insert(table.end(), rows.begin(), rows.end());
 
-    // The text, with its table in the place of the one that is there, or below what stands under the heading.
-    const std::vector<Line> lines = lines_of(std::string_view{book}.substr(mark));
-    const std::string end{lines[static_cast<std::size_t>(place.heading) - 1].end};
-    const auto blank = [&](int line) { return without_blanks(lines[static_cast<std::size_t>(line) - 1].text).empty(); };
-    int first = place.table, last = place.end;
-    if (first == 0) {
-        first = place.behind;
-        while (blank(first - 1)) --first;
-        last = first - 1;
+    // The table comes in the place of the one that is there, or below what stands under the heading.
+    std::vector<std::string> lines = with_line_ends(book);
+    const std::string end{lines_of(lines[static_cast<std::size_t>(place.heading) - 1]).front().end};
+    auto at = lines.begin() + (place.table == 0 ? place.behind : place.table) - 1;
+    if (place.table != 0) at = lines.erase(at, lines.begin() + place.end);
+    else {
+        while (at[-1].find_first_not_of(" \t\r\n") == std::string::npos) --at;
         if (!table.empty()) table.insert(table.begin(), "");
     }
-    result.book = book.substr(0, mark);
-    for (int line = 1; line <= static_cast<int>(lines.size()) + 1; ++line) {
-        if (line == first)
-            for (const std::string &row : table) result.book += row + end;
-        if (line > static_cast<int>(lines.size())) break;
-        const Line &each = lines[static_cast<std::size_t>(line) - 1];
-        if (line < first || line > last) (result.book += each.text) += each.end;
-    }
+    for (std::string &row : table) row += end;
+    lines.insert(at, table.begin(), table.end());
+    result.book = joined(lines);
     return result;
 }
 

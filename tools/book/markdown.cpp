@@ -35,7 +35,7 @@ void take_out(std::string_view paragraph, WithoutFormulas &result) {
                 const std::string_view formula = paragraph.substr(at + fence, length - 2 * fence);
                 result.formulas.push_back({std::string{formula}, fence == 2});
                 result.text += WithoutFormulas::stand_in;
-                result.text.append(static_cast<std::size_t>(std::count(formula.begin(), formula.end(), '\n')), '\n');
+                result.text.append(static_cast<std::size_t>(std::ranges::count(formula, '\n')), '\n');
                 at += length;
                 continue;
             }
@@ -44,21 +44,6 @@ void take_out(std::string_view paragraph, WithoutFormulas &result) {
         at += length;
     }
 }
-
-} // namespace
-
-Document parse_markdown(std::string_view text, int options) {
-    cmark_gfm_core_extensions_ensure_registered();
-    const std::unique_ptr<cmark_parser, decltype(&cmark_parser_free)> parser{cmark_parser_new(options),
-                                                                             &cmark_parser_free};
-    cmark_parser_attach_syntax_extension(parser.get(), cmark_find_syntax_extension("table"));
-    cmark_parser_feed(parser.get(), text.data(), text.size());
-    return Document{cmark_parser_finish(parser.get())};
-}
-
-bool is_table(cmark_node *node) { return std::string_view{cmark_node_get_type_string(node)} == "table"; }
-
-namespace {
 
 Cell read_cell(cmark_node *cell) {
     std::string link;
@@ -78,40 +63,6 @@ Table read_table(cmark_node *table) {
     }
     return rows;
 }
-
-} // namespace
-
-std::vector<Table> tables(std::string_view text) {
-    const Document document = parse_markdown(text);
-    std::vector<Table> result;
-    each_node(document.get(), [&](cmark_node *node) {
-        if (is_table(node)) result.push_back(read_table(node));
-    });
-    return result;
-}
-
-WithoutFormulas take_out_formulas(std::string_view text) {
-    const Document document = parse_markdown(text);
-    std::vector<std::size_t> paragraph_end(lines_of(text).size() + 1); // 0: no paragraph begins on this line
-    each_node(document.get(), [&](cmark_node *node) {
-        if (cmark_node_get_type(node) != CMARK_NODE_PARAGRAPH && !is_table(node)) return;
-        paragraph_end.at(static_cast<std::size_t>(cmark_node_get_start_line(node)) - 1) =
-            static_cast<std::size_t>(cmark_node_get_end_line(node));
-    });
-
-    WithoutFormulas result;
-    const std::vector<Line> lines = lines_of(text);
-    for (std::size_t first = 0, next; first < lines.size(); first = next) {
-        next = std::max(first + 1, paragraph_end[first]);
-        const char *begin = lines[first].text.data();
-        const std::string_view whole{begin, static_cast<std::size_t>(lines[next - 1].end.end() - begin)};
-        if (paragraph_end[first] > first) take_out(whole, result);
-        else result.text += whole;
-    }
-    return result;
-}
-
-namespace {
 
 /// Writes a document's text into `out`; formulas come back in the order in which they were taken out.
 struct PlainWriter {
@@ -195,6 +146,47 @@ struct PlainWriter {
 };
 
 } // namespace
+
+Document parse_markdown(std::string_view text, int options) {
+    cmark_gfm_core_extensions_ensure_registered();
+    const std::unique_ptr<cmark_parser, decltype(&cmark_parser_free)> parser{cmark_parser_new(options),
+                                                                             &cmark_parser_free};
+    cmark_parser_attach_syntax_extension(parser.get(), cmark_find_syntax_extension("table"));
+    cmark_parser_feed(parser.get(), text.data(), text.size());
+    return Document{cmark_parser_finish(parser.get())};
+}
+
+bool is_table(cmark_node *node) { return std::string_view{cmark_node_get_type_string(node)} == "table"; }
+
+std::vector<Table> tables(std::string_view text) {
+    const Document document = parse_markdown(text);
+    std::vector<Table> result;
+    each_node(document.get(), [&](cmark_node *node) {
+        if (is_table(node)) result.push_back(read_table(node));
+    });
+    return result;
+}
+
+WithoutFormulas take_out_formulas(std::string_view text) {
+    const Document document = parse_markdown(text);
+    std::vector<std::size_t> paragraph_end(lines_of(text).size() + 1); // 0: no paragraph begins on this line
+    each_node(document.get(), [&](cmark_node *node) {
+        if (cmark_node_get_type(node) != CMARK_NODE_PARAGRAPH && !is_table(node)) return;
+        paragraph_end.at(static_cast<std::size_t>(cmark_node_get_start_line(node)) - 1) =
+            static_cast<std::size_t>(cmark_node_get_end_line(node));
+    });
+
+    WithoutFormulas result;
+    const std::vector<Line> lines = lines_of(text);
+    for (std::size_t first = 0, next; first < lines.size(); first = next) {
+        next = std::max(first + 1, paragraph_end[first]);
+        const char *begin = lines[first].text.data();
+        const std::string_view whole{begin, static_cast<std::size_t>(lines[next - 1].end.end() - begin)};
+        if (paragraph_end[first] > first) take_out(whole, result);
+        else result.text += whole;
+    }
+    return result;
+}
 
 std::string words_of(cmark_node *parent) {
     std::string words;

@@ -69,8 +69,7 @@ std::vector<Prerequisite> read_needs(std::string_view cell) {
 
 Needs weave_needs(const Tree &tree, const std::string &book) {
     Needs result;
-    std::vector<std::string> rows;
-    for (const Line &line : lines_of(book)) rows.push_back(std::string{line.text} + std::string{line.end});
+    std::vector<std::string> rows = with_line_ends(book);
     for (const Entry &entry : contents(book)) {
         const std::filesystem::path chapter = tree.root / entry.chapter;
         if (entry.chapter.empty() || entry.columns <= needs_column || !std::filesystem::exists(chapter)) continue;
@@ -89,7 +88,7 @@ Needs weave_needs(const Tree &tree, const std::string &book) {
         std::string &row = rows[static_cast<std::size_t>(entry.line) - 1];
         if (needs_cell(*needed) != entry.needs) row = with_last_cell(row, needs_cell(*needed));
     }
-    for (const std::string &row : rows) result.book += row;
+    result.book = joined(rows);
     return result;
 }
 

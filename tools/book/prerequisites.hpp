@@ -5,7 +5,6 @@
 #include "book/finding.hpp"
 #include "ground/tree.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -2,7 +2,6 @@
 
 #include "book/chapter.hpp"
 #include "book/chunks.hpp"
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 #include "ground/nearest.hpp"
@@ -21,31 +20,6 @@ std::vector<fs::path> figures(const Tree &tree, const Section &section) {
     return files_in(tree.root / "plots", ".gp", section.name + "_");
 }
 
-} // namespace
-
-Page page_of(const Tree &tree, const Section &section) {
-    Page page{tree.chapter(section),
-              {tree.header(section), tree.program(section), tree.solution(section)},
-              {},
-              {tree.header(section), tree.solution(section)}};
-    for (const fs::path &file : files_in(page.file.parent_path(), "pp")) // a benchmark, and what it measures
-        if (std::find(page.code.begin(), page.code.end(), file) == page.code.end()) page.code.push_back(file);
-    for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
-    page.whole = page.code;
-    page.code.push_back(tree.tests(section));
-    for (const fs::path &peer :
-         files_in(tree.root / "tests" / "peers", "", section.name + ".")) // how far apart they are
-        page.code.push_back(peer);
-    return page;
-}
-
-Page page_of_book(const Tree &tree) {
-    const std::vector<fs::path> shared = files_in(tree.root / "chapters", ".hpp");
-    return {tree.root / "book.md", shared, {}, shared};
-}
-
-namespace {
-
 /// What a fence is to hold, and where that comes from.
 struct Wanted {
     std::vector<std::string> lines;
@@ -62,9 +36,13 @@ class Weaver {
     Woven weave() {
         const Chapter chapter = read_chapter(text, page.file);
         find_chunks();
-        if (chapter.broken.empty()) weave_into(chapter);
-        else leave_alone(chapter);
-        std::sort(result.findings.begin(), result.findings.end());
+        result.broken = !chapter.broken.empty();
+        if (!result.broken) weave_into(chapter);
+        else {
+            result.text = text;
+            result.findings.insert(result.findings.end(), chapter.broken.begin(), chapter.broken.end());
+        }
+        std::ranges::sort(result.findings);
         return std::move(result);
     }
 
@@ -72,12 +50,6 @@ class Weaver {
     std::string place(const fs::path &file, int line) const { return fmt::format("{}:{}", tree.shown(file), line); }
     void find(const fs::path &file, int line, std::string message) {
         result.findings.push_back({file, line, std::move(message)});
-    }
-
-    void leave_alone(const Chapter &chapter) {
-        result.broken = true;
-        result.text = text;
-        result.findings.insert(result.findings.end(), chapter.broken.begin(), chapter.broken.end());
     }
 
     void weave_into(const Chapter &chapter) {
@@ -179,10 +151,7 @@ class Weaver {
     /// Long enough for its code: a line that looks like a fence must not end it.
     static std::size_t length_for(const Fence &fence, const std::vector<std::string> &code) {
         std::size_t length = fence.length;
-        for (const std::string &line : code) {
-            const std::string_view seen = without_blanks(line);
-            length = std::max(length, std::min(seen.find_first_not_of(fence.sign), seen.size()) + 1);
-        }
+        for (const std::string &line : code) length = std::max(length, run_of(fence.sign, line) + 1);
         return length;
     }
 
@@ -236,14 +205,6 @@ class Weaver {
     Woven result;
 };
 
-} // namespace
-
-Woven weave(const Tree &tree, const Page &page, std::string_view text, const Output &output) {
-    return Weaver{tree, page, text, output}.weave();
-}
-
-namespace {
-
 /// Whether a header's code names this function, type or constant.
 bool names(const std::string &header, const std::string &name) {
     const std::regex word{"\\b" + name + "\\b"};
@@ -256,6 +217,31 @@ bool names(const std::string &header, const std::string &name) {
 
 } // namespace
 
+Page page_of(const Tree &tree, const Section &section) {
+    Page page{tree.chapter(section),
+              {tree.header(section), tree.program(section), tree.solution(section)},
+              {},
+              {tree.header(section), tree.solution(section)}};
+    for (const fs::path &file : files_in(page.file.parent_path(), "pp")) // a benchmark, and what it measures
+        if (std::ranges::find(page.code, file) == page.code.end()) page.code.push_back(file);
+    for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
+    page.whole = page.code;
+    page.code.push_back(tree.tests(section));
+    for (const fs::path &peer :
+         files_in(tree.root / "tests" / "peers", "", section.name + ".")) // how far apart they are
+        page.code.push_back(peer);
+    return page;
+}
+
+Page page_of_book(const Tree &tree) {
+    const std::vector<fs::path> shared = files_in(tree.root / "chapters", ".hpp");
+    return {tree.root / "book.md", shared, {}, shared};
+}
+
+Woven weave(const Tree &tree, const Page &page, std::string_view text, const Output &output) {
+    return Weaver{tree, page, text, output}.weave();
+}
+
 std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std::string_view text) {
     const fs::path chapter = tree.chapter(section), header = tree.header(section);
     const std::string contract = read_file(header);
@@ -264,13 +250,8 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std
     const std::vector<Chunk> solutions = cut(tree.solution(section));
     std::vector<Finding> missing;
 
-    const auto same = [](const ListedExercise &a) {
-        return [&a](const ListedExercise &b) {
-            return a.number == b.number && a.function == b.function && a.tier == b.tier;
-        };
-    };
     for (const ListedExercise &one : declared) {
-        if (std::none_of(rows.begin(), rows.end(), same(one)))
+        if (std::ranges::find(rows, one) == rows.end())
             missing.push_back(
                 {header, one.line,
                  fmt::format("the chapter's table has no row for this exercise; write `| {} | `{}`: ... | {} |` there.",
@@ -284,14 +265,14 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std
                              "begin</summary>`, before its other hints.",
                              one.number)});
         const std::string title = "Solution " + one.number;
-        if (std::none_of(solutions.begin(), solutions.end(),
-                         [&](const Chunk &c) { return c.title == title || c.title.starts_with(title + ":"); }))
+        if (std::ranges::none_of(solutions,
+                                 [&](const Chunk &c) { return c.title == title || c.title.starts_with(title + ":"); }))
             missing.push_back(
                 {tree.solution(section), 1,
                  fmt::format("no chunk is the solution of {}; write `//> {}: ...` above it.", one.number, title)});
     }
     for (const ListedExercise &row : rows)
-        if (std::none_of(declared.begin(), declared.end(), same(row)))
+        if (std::ranges::find(declared, row) == declared.end())
             missing.push_back(
                 {chapter, row.line,
                  "the header declares no exercise like this row; give both the same number, function and tier."});

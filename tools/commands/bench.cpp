@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 double median(std::vector<double> times) {
-    std::sort(times.begin(), times.end());
+    std::ranges::sort(times);
     return times[times.size() / 2];
 }
 

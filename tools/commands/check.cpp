@@ -15,9 +15,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <poll.h>
-#include <span>
 #include <unistd.h>
 
 namespace course {
@@ -39,35 +39,32 @@ struct Outcome {
     Exercise exercise;
     std::vector<Verdict> verdicts;
 
-    const Verdict *first_failure() const {
-        const auto found = std::find_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return !v.passed(); });
+    const Verdict *first(const auto &of) const {
+        const auto found = std::ranges::find_if(verdicts, of);
         return found == verdicts.end() ? nullptr : &*found;
     }
-    const Verdict *first(Kind kind) const {
-        const auto found =
-            std::find_if(verdicts.begin(), verdicts.end(), [kind](const Verdict &v) { return v.kind == kind; });
-        return found == verdicts.end() ? nullptr : &*found;
+    const Verdict *first_failure() const { return first(std::not_fn(&Verdict::passed)); }
+    const Verdict *first_open() const {
+        return first([](const Verdict &v) { return v.kind == Kind::not_started; });
     }
     /// Not started as long as any call says so: a stub that refuses bad input passes some tests as it is.
     Kind state() const {
         const Verdict *failure = first_failure();
-        return failure == nullptr ? Kind::passed : first(Kind::not_started) ? Kind::not_started : failure->kind;
-    }
-    /// The exercise that it calls, and that is not started: "4.2 time_of_flight"; or nothing.
-    std::string needs() const {
-        const Verdict *open = first(Kind::not_started);
-        return open == nullptr ? "" : open->needs;
+        return failure == nullptr ? Kind::passed : first_open() ? Kind::not_started : failure->kind;
     }
     /// How far it is from done: "wrong", "not started", "needs 4.2 time_of_flight". This is remembered, too.
-    std::string standing() const { return needs().empty() ? std::string{name_of(state())} : "needs " + needs(); }
+    std::string standing() const {
+        const Verdict *open = first_open();
+        return open == nullptr || open->needs.empty() ? std::string{name_of(state())} : "needs " + open->needs;
+    }
 };
 
 std::vector<Outcome> by_exercise(const Tree &tree, const Section &section, const Judgement &judgement) {
     std::vector<Outcome> outcomes;
     for (auto &exercise : catalogue(tree, section)) {
         Outcome outcome{std::move(exercise), {}};
-        std::copy_if(judgement.verdicts.begin(), judgement.verdicts.end(), std::back_inserter(outcome.verdicts),
-                     [&](const Verdict &v) { return v.exercise == outcome.exercise.number; });
+        std::ranges::copy_if(judgement.verdicts, std::back_inserter(outcome.verdicts),
+                             [&](const Verdict &v) { return v.exercise == outcome.exercise.number; });
         outcomes.push_back(std::move(outcome));
     }
     return outcomes;
@@ -85,13 +82,11 @@ void print_failure(const Verdict &verdict) {
 void print(const Outcome &outcome, bool verbose) {
     const auto &[exercise, verdicts] = outcome;
     const Verdict *failure = outcome.first_failure();
-    const auto passed = static_cast<std::size_t>(
-        std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); }));
+    const auto passed = std::ranges::count_if(verdicts, &Verdict::passed);
     const std::string head = exercise.number + ' ' + exercise.function + ", " + exercise.tier;
     if (failure == nullptr)
         std::cout << painted(Colour::green, "✓ " + head) << ": " << tests(verdicts.size()) << " passed\n";
-    else if (outcome.state() == Kind::not_started) {
-        const Verdict *open = outcome.first(Kind::not_started);
+    else if (const Verdict *open = outcome.first_open()) {
         std::cout << painted(Colour::dim, "· " + head) << ": " << (verbose ? open->sentence : outcome.standing())
                   << '\n';
         return;
@@ -118,8 +113,8 @@ void print(const Outcome &outcome, bool verbose) {
 bool never_started(const Judgement &judgement) {
     const auto &first = judgement.verdicts.front();
     return !first.passed() && first.kind != Kind::missing && first.kind != Kind::not_started
-           && std::all_of(judgement.verdicts.begin(), judgement.verdicts.end(),
-                          [&](const Verdict &v) { return !v.call && v.sentence == first.sentence; });
+           && std::ranges::all_of(judgement.verdicts,
+                                  [&](const Verdict &v) { return !v.call && v.sentence == first.sentence; });
 }
 
 /// Where the compiler or the linker stopped.
@@ -140,13 +135,6 @@ void print_warnings(const std::vector<std::string> &warnings, bool verbose) {
     if (warnings.size() > shown) std::cout << "  and " << warnings.size() - shown << " more warnings (-v shows all)\n";
 }
 
-/// The first one that is not passed; or nothing.
-const Outcome *first_open(std::span<const Outcome> outcomes) {
-    for (const Outcome &outcome : outcomes)
-        if (outcome.first_failure() != nullptr) return &outcome;
-    return nullptr;
-}
-
 /// What to do about an exercise that stands like this.
 void print_next(const Exercise &exercise, const std::string &standing) {
     const bool needs = standing.starts_with("needs "),
@@ -157,26 +145,11 @@ void print_next(const Exercise &exercise, const std::string &standing) {
 }
 
 void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
-    if (const Outcome *open = first_open(outcomes)) print_next(open->exercise, open->standing());
+    const auto open = std::ranges::find_if(outcomes, &Outcome::first_failure);
+    if (open != outcomes.end()) print_next(open->exercise, open->standing());
     else
         std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.")
                   << " See your figures in the book: ./course open " << section.short_number() << " --mine\n";
-}
-
-/// The same, said of no test in particular.
-Verdict nameless(Verdict verdict, const std::string &heading) {
-    verdict.test = heading;
-    verdict.file.clear();
-    return verdict;
-}
-
-/// Whether it is empty, or begins as each report does: nobody misses it.
-bool may_be_replaced(const fs::path &file) {
-    constexpr std::string_view head = "<?xml";
-    std::string begin(head.size(), '\0');
-    std::ifstream in{file, std::ios::binary};
-    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-    return in.eof() ? in.gcount() == 0 : in && begin == head;
 }
 
 /// Before anything is judged: an earlier report goes, so that it is not taken for this one, and a place that cannot be
@@ -184,7 +157,9 @@ bool may_be_replaced(const fs::path &file) {
 void make_room(const fs::path &report) {
     if (fs::exists(report) && !fs::is_regular_file(report))
         throw Complaint{"--junit writes a file, and " + report.string() + " is something else"};
-    if (fs::exists(report) && !may_be_replaced(report))
+    std::string head;
+    std::getline(std::ifstream{report}, head);
+    if (fs::exists(report) && !fs::is_empty(report) && !head.starts_with("<?xml"))
         throw Complaint{"--junit would overwrite " + report.string()
                         + ", which is not an earlier report: give it another name, or delete that file first"};
     if (const fs::path folder = fs::absolute(report).parent_path(); !fs::is_directory(folder))
@@ -264,11 +239,13 @@ class Check {
 
     /// For a machine: of the section, or of the exercise that was asked for.
     Report report_on(const Section &section, const Judgement &judgement) const {
-        const fs::path file = options.file.empty() ? tree.exercise(section) : fs::path{options.file};
-        Report result{section, tree.shown(file), options.seed, catalogue(tree, section), tests_of(tree, section), {},
-                      {}};
-        result.verdicts = judgement.verdicts;
-        result.unbuilt = judgement.unbuilt;
+        Report result{section,
+                      tree.shown(place_of(section)),
+                      options.seed,
+                      catalogue(tree, section),
+                      tests_of(tree, section),
+                      judgement.unbuilt,
+                      judgement.verdicts};
         if (only) std::erase_if(result.tests, [&](const KnownTest &test) { return test.exercise != only->number; });
         return result;
     }
@@ -281,12 +258,16 @@ class Check {
         return warnings_about(judgement.warnings, read_file(file_of(section)), tree.shown(file_of(section)), others);
     }
 
+    /// What is judged; it need not be there.
+    fs::path place_of(const Section &section) const {
+        return options.file.empty() ? tree.exercise(section) : fs::path{options.file};
+    }
     fs::path file_of(const Section &section) const {
         return options.file.empty() ? tree.written_exercise(section) : fs::path{options.file};
     }
 
     void report(const Section &section, const Judgement &judgement) {
-        const std::string name = tree.shown(options.file.empty() ? tree.exercise(section) : fs::path{options.file});
+        const std::string name = tree.shown(place_of(section));
         print_warnings(only ? warnings_of_it(section, judgement) : judgement.warnings, options.verbose);
         if (judgement.unbuilt) {
             print_unbuilt(*judgement.unbuilt, name);
@@ -296,8 +277,12 @@ class Check {
         auto outcomes = by_exercise(tree, section, judgement);
         if (only) std::erase_if(outcomes, [&](const Outcome &o) { return o.exercise.number != only->number; });
         if (options.file.empty()) keep_in_mind(section, outcomes, Kind::passed);
-        if (never_started(judgement)) print_failure(nameless(judgement.verdicts.front(), "no test could start:"));
-        else
+        if (never_started(judgement)) {
+            Verdict of_all = judgement.verdicts.front();
+            of_all.test = "no test could start:";
+            of_all.file.clear();
+            print_failure(of_all);
+        } else
             for (const auto &outcome : outcomes) print(outcome, options.verbose);
         if (only && outcomes.front().first_failure() == nullptr) print_after(section);
         else print_next(outcomes, section);
@@ -306,12 +291,11 @@ class Check {
     /// What to do after the exercise that was asked for, and is passed: the next one that was open when it was last
     /// judged, or else one before it. Of somebody's file nothing is known but this exercise.
     void print_after(const Section &section) const {
-        auto standings = progress(tree, section).standings;
-        const auto done =
-            std::ranges::find(standings, only->number, [](const Standing &s) { return s.exercise.number; });
-        std::rotate(standings.begin(), done, standings.end());
-        const auto open = std::ranges::find_if(standings, [](const Standing &s) { return s.state != "passed"; });
-        if (options.file.empty() && open != standings.end()) print_next(open->exercise, open->state);
+        Progress known = progress(tree, section);
+        const auto is_done = [&](const Standing &s) { return s.exercise.number == only->number; };
+        std::ranges::rotate(known.standings, std::ranges::find_if(known.standings, is_done));
+        const auto open = known.first_open();
+        if (options.file.empty() && open != known.standings.end()) print_next(open->exercise, open->state);
         else std::cout << "The whole section: ./course check " << section.short_number() << '\n';
     }
 
@@ -328,10 +312,8 @@ class Check {
     /// What changes when the file does.
     std::string look(const Section &section) const {
         std::error_code ignored;
-        const fs::path file = options.file.empty() ? tree.exercise(section) : fs::path{options.file};
-        const auto date = fs::last_write_time(file, ignored).time_since_epoch().count();
-        const auto size = fs::file_size(file, ignored);
-        return std::to_string(date) + ' ' + std::to_string(size);
+        const auto date = fs::last_write_time(place_of(section), ignored).time_since_epoch().count();
+        return std::to_string(date) + ' ' + std::to_string(fs::file_size(place_of(section), ignored));
     }
 
     bool wait_for_change(const Section &section, const std::string &seen) const {

@@ -36,6 +36,8 @@ void add_draw(CLI::App &app, const Tree &tree);
 void add_publish(CLI::App &app, const Tree &tree);
 void add_bench(CLI::App &app, const Tree &tree);
 void add_site(CLI::App &app, const Tree &tree);
+void add_open(CLI::App &app, const Tree &tree);
+void add_make(CLI::App &app, const Tree &tree);
 void add_play(CLI::App &app, const Tree &tree);
 
 } // namespace course

@@ -7,11 +7,9 @@
 #include "ground/terminal.hpp"
 #include "loop/catalogue.hpp"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <iostream>
-#include <memory>
 #include <regex>
 #include <unistd.h>
 
@@ -86,17 +84,14 @@ void debug(const Tree &tree, const std::string &words, bool print) {
 } // namespace
 
 void add_debug(CLI::App &app, const Tree &tree) {
-    struct Options {
-        std::string section;
-        bool print = false;
-    };
-    const auto options = std::make_shared<Options>();
+    const auto section = std::make_shared<std::string>();
+    const auto print = std::make_shared<bool>();
     CLI::App *command =
         app.add_subcommand("debug", "Build the tests with your code in one process, and start a debugger");
-    command->add_option("section", options->section, "its number, name or file, or one exercise: 7.2")->required();
-    command->add_flag("--print", options->print, "only print the debugger's command");
+    command->add_option("section", *section, "its number, name or file, or one exercise: 7.2")->required();
+    command->add_flag("--print", *print, "only print the debugger's command");
     command->footer("Without a terminal the command is printed as well.\n\nExample: ./course debug 7.2");
-    command->callback([&tree, options] { debug(tree, options->section, options->print); });
+    command->callback([&tree, section, print] { debug(tree, *section, *print); });
 }
 
 } // namespace course

@@ -9,7 +9,7 @@
 namespace course {
 namespace {
 
-void tell_protection() {
+void tell(const Tree &tree) {
     const Protection here = protection_of_this_kernel();
     std::cout << "protection      ";
     if (here.files && here.calls)
@@ -17,9 +17,6 @@ void tell_protection() {
     else
         std::cout << "this kernel lacks " << (here.files ? "" : "Landlock") << (here.files || here.calls ? "" : " and ")
                   << (here.calls ? "" : "seccomp") << ": judge only code that you trust\n";
-}
-
-void tell_compilers(const Tree &tree) {
     std::cout << "check           "
               << (toolbox(tree, tree.sections().front()).quick
                       ? "Clang compiles your answers; GCC those with a mistake, for its messages\n"
@@ -30,10 +27,7 @@ void tell_compilers(const Tree &tree) {
 
 void add_doctor(CLI::App &app, const Tree &tree) {
     app.add_subcommand("doctor", "Say which tools are installed, and how to get the others")
-        ->callback([&tree] {
-            tell_protection();
-            tell_compilers(tree);
-        })
+        ->callback([&tree] { tell(tree); })
         ->footer("Example: ./course doctor");
 }
 

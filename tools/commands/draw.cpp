@@ -2,8 +2,6 @@
 #include "figures/figure.hpp"
 #include "ground/files.hpp"
 
-#include <memory>
-
 namespace course {
 namespace {
 
@@ -19,17 +17,14 @@ Example: ./course draw --script plots/07_segment_intersection_room.gp \
 } // namespace
 
 void add_draw(CLI::App &app, const Tree &) {
-    struct Options {
-        Figure figure;
-        std::filesystem::path out;
-    };
-    const auto options = std::make_shared<Options>();
+    const auto figure = std::make_shared<Figure>();
+    const auto out = std::make_shared<std::filesystem::path>();
     CLI::App *command = app.add_subcommand("draw", "Draw one figure from its trace")->group("")->footer(about_draw);
-    command->add_option("--script", options->figure.script, "gnuplot script in plots/")->required();
-    command->add_option("--trace", options->figure.trace, "the reference's trace")->required();
-    command->add_option("--mine", options->figure.student, "the student's trace, drawn over it");
-    command->add_option("--out", options->out, "the SVG to write")->required();
-    command->callback([options] { write_file(options->out, draw(options->figure)); });
+    command->add_option("--script", figure->script, "gnuplot script in plots/")->required();
+    command->add_option("--trace", figure->trace, "the reference's trace")->required();
+    command->add_option("--mine", figure->student, "the student's trace, drawn over it");
+    command->add_option("--out", *out, "the SVG to write")->required();
+    command->callback([figure, out] { write_file(*out, draw(*figure)); });
 }
 
 } // namespace course

@@ -9,8 +9,6 @@
 #include "loop/progress.hpp"
 
 #include <iostream>
-#include <iterator>
-#include <memory>
 
 namespace course {
 namespace {
@@ -37,8 +35,8 @@ void print(const Hint &hint, int rung, int rungs) {
 FoundExercise next_exercise(const Tree &tree) {
     const auto section = first_unfinished(tree);
     if (!section) throw Complaint{"all exercises pass; name one to see its hints, as in: ./course hint 1.2"};
-    for (const Standing &standing : progress(tree, *section).standings)
-        if (standing.state != "passed") return {*section, standing.exercise};
+    const Progress known = progress(tree, *section);
+    if (!known.finished()) return {*section, known.first_open()->exercise};
     throw Complaint{"all of section " + section->short_number() + " passed when it was last checked; check it again"};
 }
 

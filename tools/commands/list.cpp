@@ -8,17 +8,14 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <sstream>
 
 namespace course {
 namespace {
 
 /// The chapter's first line without its mark, "7 Segment intersection".
 std::string title(const Tree &tree, const Section &section) {
-    std::istringstream chapter{read_file(tree.chapter(section))};
-    std::string line;
-    std::getline(chapter, line);
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+    const std::string chapter = read_file(tree.chapter(section)),
+                      line = chapter.substr(0, chapter.find_first_of("\r\n"));
     return line.starts_with("# ") ? line.substr(2) : section.name;
 }
 
@@ -43,24 +40,16 @@ void print(const Tree &tree, const Section &section, const Progress &progress) {
     if (progress.changed) std::cout << "  " << file << " has changed since the last check.\n";
 }
 
-/// The first exercise that is not passed; or the one that it needs, which is not started.
-std::vector<Standing>::const_iterator first_open(const std::vector<Standing> &standings) {
-    const auto open =
-        std::find_if(standings.begin(), standings.end(), [](const Standing &s) { return s.state != "passed"; });
-    if (open == standings.end()) return open;
-    const auto needed = std::find_if(standings.begin(), standings.end(), [&](const Standing &s) {
-        return open->state == "needs " + s.exercise.number + ' ' + s.exercise.function;
-    });
-    return needed == standings.end() ? open : needed;
-}
-
-/// What to do about the first exercise that is open.
+/// What to do about the first exercise that is open, or the one that it needs, which is not started.
 std::string next_step(const Section &section, const Progress &progress) {
-    const auto open = first_open(progress.standings);
+    const auto open = progress.first_open(), none = progress.standings.end();
     const std::string number = section.short_number();
     if (!progress.there) return "./course reset " + number;
-    if (progress.changed || open == progress.standings.end()) return "./course check " + number;
-    const auto &[exercise, state] = *open;
+    if (progress.changed || open == none) return "./course check " + number;
+    const auto needed = std::ranges::find_if(progress.standings, [&](const Standing &s) {
+        return open->state == "needs " + s.exercise.number + ' ' + s.exercise.function;
+    });
+    const auto &[exercise, state] = needed == none ? *open : *needed;
     if (state == "is empty" || state == "can't be read" || state == "does not compile" || state == "does not link")
         return "./course check " + number + " (it " + state + ')';
     if (state != "not started")

@@ -13,35 +13,27 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
-#include <memory>
 #include <regex>
-#include <set>
 
 namespace course {
 namespace fs = std::filesystem;
 namespace {
 
 /// What C++ or its libraries call something else already; a section's name becomes a namespace.
-const std::set<std::string_view> taken{
-    "alignas",   "alignof",   "and",       "asm",      "auto",    "bitand",  "bitor",    "bool",     "break",
-    "case",      "catch",     "char",      "class",    "compl",   "concept", "const",    "continue", "decltype",
-    "default",   "delete",    "do",        "double",   "else",    "enum",    "explicit", "export",   "extern",
-    "false",     "float",     "for",       "friend",   "goto",    "if",      "inline",   "int",      "long",
-    "mutable",   "namespace", "new",       "noexcept", "not",     "nullptr", "operator", "or",       "private",
-    "protected", "public",    "register",  "requires", "return",  "short",   "signed",   "sizeof",   "static",
-    "struct",    "switch",    "template",  "this",     "throw",   "true",    "try",      "typedef",  "typeid",
-    "typename",  "union",     "unsigned",  "using",    "virtual", "void",    "volatile", "while",    "xor",
-    "course",    "std",       "subject",   "pull",     "abs",     "clock",   "div",      "drem",     "exp",
-    "fork",      "gamma",     "index",     "link",     "log",     "pause",   "pipe",     "pow",      "rand",
-    "random",    "read",      "remainder", "remove",   "rename",  "round",   "select",   "signal",   "sleep",
-    "time",      "wait",      "write"};
+constexpr std::string_view taken =
+    " alignas alignof and asm auto bitand bitor bool break case catch char class compl concept const continue decltype"
+    " default delete do double else enum explicit export extern false float for friend goto if inline int long mutable"
+    " namespace new noexcept not nullptr operator or private protected public register requires return short signed"
+    " sizeof static struct switch template this throw true try typedef typeid typename union unsigned using virtual"
+    " void volatile while xor course std subject pull abs clock div drem exp fork gamma index link log pause pipe pow"
+    " rand random read remainder remove rename round select signal sleep time wait write ";
 
 /// "13_springs"; says the right form of anything else.
 void require_well_formed(const std::string &name) {
     static const std::regex form{R"(\d\d_[a-z][a-z0-9]*(_[a-z0-9]+)*)"}, nearly{R"((\d{1,2})[ _.-]*([a-z].*))"};
     if (std::regex_match(name, form)) {
         const std::string slug = name.substr(3);
-        if (taken.contains(slug))
+        if (contains(taken, ' ' + slug + ' '))
             throw Complaint{
                 "`" + slug
                 + "` is a word of C++ or of a library already, and the name becomes a namespace; add a word to it, as "
@@ -106,7 +98,7 @@ std::map<fs::path, std::string> files_of(const Tree &tree, const Section &sectio
 
 std::string default_title(const Section &section) {
     std::string title = section.slug();
-    std::replace(title.begin(), title.end(), '_', ' ');
+    std::ranges::replace(title, '_', ' ');
     return with_capital(title);
 }
 
@@ -131,8 +123,7 @@ void write_all(const Tree &tree, const Section &section, const std::map<fs::path
         std::vector<Term> terms = terms_of(tree);
         for (Term &term : terms_of(files.at(chapter), section.number(), tree.shown(chapter), chapter))
             terms.push_back(std::move(term));
-        std::stable_sort(terms.begin(), terms.end(),
-                         [](const Term &a, const Term &b) { return a.section < b.section; });
+        std::ranges::stable_sort(terms, {}, &Term::section);
         write_file(book, weave_glossary(contents, book, terms).book);
         write_file(list, with_section(old_list, section));
     } catch (...) {
@@ -146,7 +137,7 @@ void write_all(const Tree &tree, const Section &section, const std::map<fs::path
 }
 
 void make(const Tree &tree, const std::string &name, std::string title) {
-    const ShortLock alone{tree.memory() / "lock"};
+    const Descriptor alone = short_lock(tree.memory() / "lock");
     require_well_formed(name);
     const Section section{name};
     require_new(tree, section);
@@ -183,17 +174,14 @@ void make(const Tree &tree, const std::string &name, std::string title) {
 } // namespace
 
 void add_new(CLI::App &app, const Tree &tree) {
-    struct Options {
-        std::string name, title;
-    };
-    const auto options = std::make_shared<Options>();
+    const auto name = std::make_shared<std::string>(), title = std::make_shared<std::string>();
     CLI::App *command = app.add_subcommand("new", "Write the skeleton of a new section");
-    command->add_option("name", options->name, "two digits and a name, which becomes a C++ namespace")->required();
+    command->add_option("name", *name, "two digits and a name, which becomes a C++ namespace")->required();
     command->add_option(
-        "--title", options->title,
+        "--title", *title,
         "of the chapter; if it is not given, book.md's of a section to come, or one made from the name");
     command->footer("Nothing that exists is overwritten.\n\nExample: ./course new 13_springs --title \"Springs\"");
-    command->callback([&tree, options] { make(tree, options->name, options->title); });
+    command->callback([&tree, name, title] { make(tree, *name, *title); });
 }
 
 } // namespace course

@@ -17,7 +17,6 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <memory>
 #include <regex>
 #include <thread>
 #include <unistd.h>
@@ -117,7 +116,7 @@ int number_in_section(const std::string &exercise) {
 /// a section: at its first place. For the reader's code: at the first such place that begins with it.
 std::string place_of_demo(const Tree &tree, const Section &section, const std::string &exercise, bool mine) {
     const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
-    const auto found = std::find_if(marks.begin(), marks.end(), [&](const DemoMark &mark) {
+    const auto found = std::ranges::find_if(marks, [&](const DemoMark &mark) {
         return (mark.mine || !mine)
                && (exercise.empty() || number_in_section(mark.exercise) >= number_in_section(exercise));
     });
@@ -135,7 +134,7 @@ void play(const Tree &tree, const PlayOptions &options) {
     if (!options.section.empty()) {
         section = tree.section(options.section);
         if (is_number_of_exercise(options.section)) exercise = find_exercise(tree, options.section).exercise.number;
-        if (std::none_of(all.begin(), all.end(), [&](const Demo &d) { return d.section.name == section->name; }))
+        if (std::ranges::none_of(all, [&](const Demo &d) { return d.section.name == section->name; }))
             throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
         page =
             page_name(tree, tree.chapter(*section)) + ".html#" + place_of_demo(tree, *section, exercise, options.mine);

@@ -7,7 +7,6 @@
 #include "ground/text.hpp"
 
 #include <iostream>
-#include <memory>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -51,22 +50,19 @@ bool plot_mine(const Tree &tree, const Section &section) {
 } // namespace
 
 void add_plot(CLI::App &app, const Tree &tree) {
-    struct Options {
-        std::string section;
-        bool mine = false;
-    };
-    const auto options = std::make_shared<Options>();
+    const auto words = std::make_shared<std::string>();
+    const auto mine = std::make_shared<bool>();
     CLI::App *command =
         app.add_subcommand("plot", "Draw a section's figures, and say where they are")->footer(about_plot);
-    command->add_option("section", options->section, "its number, name or file");
-    command->add_flag("--mine", options->mine, "with your curve over ours");
-    command->callback([&tree, options] {
-        const auto sections = options->section.empty() ? tree.sections() : std::vector{tree.section(options->section)};
+    command->add_option("section", *words, "its number, name or file");
+    command->add_flag("--mine", *mine, "with your curve over ours");
+    command->callback([&tree, words, mine] {
+        const auto sections = words->empty() ? tree.sections() : std::vector{tree.section(*words)};
         const Lock lock{tree};
         bool all = true;
         for (const Section &section : sections) {
             draw_figures(tree, section);
-            if (options->mine) all = plot_mine(tree, section) && all;
+            if (*mine) all = plot_mine(tree, section) && all;
             else
                 for (const Figure &figure : figures_of(tree, section)) say_drawn(tree, drawn(tree, figure), figure);
         }

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <iostream>
 #include <iterator>
-#include <memory>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -113,20 +112,17 @@ void check_all(const Tree &tree, const std::vector<Section> &sections) {
 } // namespace
 
 void add_publish(CLI::App &app, const Tree &tree) {
-    struct Options {
-        std::string section;
-        bool check = false;
-    };
-    const auto options = std::make_shared<Options>();
+    const auto words = std::make_shared<std::string>();
+    const auto check = std::make_shared<bool>();
     CLI::App *command = app.add_subcommand("publish", "Keep the drawn figures in plots/, where the chapters show them");
     command->footer(about_publish);
-    command->add_option("section", options->section, "its number, name or file; all without it");
-    command->add_flag("--check", options->check, "only say what differs");
-    command->callback([&tree, options] {
-        const auto sections = options->section.empty() ? tree.sections() : std::vector{tree.section(options->section)};
+    command->add_option("section", *words, "its number, name or file; all without it");
+    command->add_flag("--check", *check, "only say what differs");
+    command->callback([&tree, words, check] {
+        const auto sections = words->empty() ? tree.sections() : std::vector{tree.section(*words)};
         const Lock lock{tree};
         for (const Section &section : sections) draw_figures(tree, section);
-        options->check ? check_all(tree, sections) : publish_all(tree, sections);
+        *check ? check_all(tree, sections) : publish_all(tree, sections);
     });
 }
 

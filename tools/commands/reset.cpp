@@ -8,7 +8,6 @@
 #include "site/progress_script.hpp"
 
 #include <iostream>
-#include <memory>
 
 namespace course {
 namespace {
@@ -45,17 +44,14 @@ void reset(const Tree &tree, const std::string &words, bool yes) {
 } // namespace
 
 void add_reset(CLI::App &app, const Tree &tree) {
-    struct Options {
-        std::string section;
-        bool yes = false;
-    };
-    const auto options = std::make_shared<Options>();
+    const auto section = std::make_shared<std::string>();
+    const auto yes = std::make_shared<bool>();
     CLI::App *command = app.add_subcommand("reset", "Bring back a section's empty exercises; yours are kept as a copy");
-    command->add_option("section", options->section, "its number, name or file")->required();
-    command->add_flag("--yes", options->yes, "do not ask");
+    command->add_option("section", *section, "its number, name or file")->required();
+    command->add_flag("--yes", *yes, "do not ask");
     command->footer("The copy goes to .course/kept/, under a name with date and time.\n\nExample: ./course reset 7");
-    command->callback([&tree, options] {
-        reset(tree, options->section, options->yes);
+    command->callback([&tree, section, yes] {
+        reset(tree, *section, *yes);
         tell_pages(tree);
     });
 }

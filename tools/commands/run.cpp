@@ -5,7 +5,6 @@
 #include "loop/programs.hpp"
 
 #include <iostream>
-#include <memory>
 
 namespace course {
 namespace {
@@ -28,20 +27,15 @@ void run_section(const Tree &tree, const Section &section, const std::string &pa
 } // namespace
 
 void add_run(CLI::App &app, const Tree &tree) {
-    struct Options {
-        std::string section, part;
-        bool mine = false;
-    };
-    const auto options = std::make_shared<Options>();
+    const auto section = std::make_shared<std::string>(), part = std::make_shared<std::string>();
+    const auto mine = std::make_shared<bool>();
     CLI::App *command = app.add_subcommand("run", "Run a section's program, and print its worked examples");
-    command->add_option("section", options->section, "its number, name or file")->required();
-    command->add_option("part", options->part,
-                        "one part of its output, as the chapter names it; without it, all of them");
-    command->add_flag("--mine", options->mine, "with your functions instead of ours");
+    command->add_option("section", *section, "its number, name or file")->required();
+    command->add_option("part", *part, "one part of its output, as the chapter names it; without it, all of them");
+    command->add_flag("--mine", *mine, "with your functions instead of ours");
     command->footer("Example: ./course run 7 --mine\n         ./course run 7 intersections");
-    command->callback([&tree, options] {
-        run_section(tree, tree.section(options->section), options->part,
-                    options->mine ? Whose::student : Whose::reference);
+    command->callback([&tree, section, part, mine] {
+        run_section(tree, tree.section(*section), *part, *mine ? Whose::student : Whose::reference);
     });
 }
 

@@ -10,7 +10,6 @@
 #include "site/progress_script.hpp"
 
 #include <iostream>
-#include <memory>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -73,7 +72,9 @@ void open(const Tree &tree, const std::string &section, bool mine) {
     std::cout << (show(file) ? "Opening " : "Open this file in your browser: ") << file << '\n';
 }
 
-void add_site_command(CLI::App &app, const Tree &tree) {
+} // namespace
+
+void add_site(CLI::App &app, const Tree &tree) {
     const auto mine = std::make_shared<bool>(false);
     CLI::App *command =
         app.add_subcommand("site", "Build the book as a site, to be read in a browser without a network");
@@ -87,7 +88,7 @@ void add_site_command(CLI::App &app, const Tree &tree) {
     });
 }
 
-void add_open_command(CLI::App &app, const Tree &tree) {
+void add_open(CLI::App &app, const Tree &tree) {
     const auto section = std::make_shared<std::string>();
     const auto mine = std::make_shared<bool>(false);
     CLI::App *command = app.add_subcommand("open", "Open the book, or a chapter, in your browser");
@@ -97,7 +98,7 @@ void add_open_command(CLI::App &app, const Tree &tree) {
     command->callback([&tree, section, mine] { open(tree, *section, *mine); });
 }
 
-void add_make_command(CLI::App &app, const Tree &tree) {
+void add_make(CLI::App &app, const Tree &tree) {
     const auto tools = std::make_shared<SiteTools>();
     CLI::App *command = app.add_subcommand("make-site", "Make the site; the build knows with which tools")->group("");
     command->add_option("--doxygen", tools->doxygen)->required();
@@ -105,14 +106,6 @@ void add_make_command(CLI::App &app, const Tree &tree) {
     command->add_option("--katex", tools->katex)->required();
     command->add_option("--lunr", tools->lunr)->required();
     command->callback([&tree, tools] { build_site(tree, *tools); });
-}
-
-} // namespace
-
-void add_site(CLI::App &app, const Tree &tree) {
-    add_site_command(app, tree);
-    add_open_command(app, tree);
-    add_make_command(app, tree);
 }
 
 } // namespace course

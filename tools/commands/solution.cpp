@@ -5,7 +5,6 @@
 #include "loop/catalogue.hpp"
 
 #include <iostream>
-#include <memory>
 
 namespace course {
 namespace {

@@ -19,7 +19,6 @@
 #include <csignal>
 #include <iostream>
 #include <map>
-#include <memory>
 #include <set>
 
 namespace course {
@@ -29,11 +28,6 @@ namespace {
 /// A program takes a tenth of a second of processor, or half a minute with sanitizers and without optimization.
 constexpr Limits program_limits{.processor_time = 120};
 constexpr double longest_sleep = 1200; // [s] for one that waits: on a busy machine an honest one may take minutes
-
-struct WeaveOptions {
-    std::vector<std::string> sections;
-    bool check = false;
-};
 
 /// What the section's program, or one part of it, prints, if it is built from the code as it is now.
 std::string output_of(const Tree &tree, const Section &section, const std::string &part) {
@@ -114,7 +108,7 @@ class Command {
     }
 
     void finish() {
-        std::sort(findings.begin(), findings.end());
+        std::ranges::sort(findings);
         for (const Finding &finding : findings)
             std::cout << tree.shown(finding.file) << ':' << finding.line << ": " << finding.message << '\n';
         if (differs) tell_both_ways();
@@ -177,17 +171,16 @@ class Command {
 } // namespace
 
 void add_weave(CLI::App &app, const Tree &tree) {
-    const auto options = std::make_shared<WeaveOptions>();
+    const auto named = std::make_shared<std::vector<std::string>>();
+    const auto check = std::make_shared<bool>();
     CLI::App *command = app.add_subcommand("weave", "Bring the book's listings, outputs and glossary up to date");
-    command->add_option("section", options->sections,
-                        "Their chapters and the glossary only; without any, the whole book");
-    command->add_flag("--check", options->check,
-                      "Change nothing: say what is out of date, is missing, or leads nowhere");
+    command->add_option("section", *named, "Their chapters and the glossary only; without any, the whole book");
+    command->add_flag("--check", *check, "Change nothing: say what is out of date, is missing, or leads nowhere");
     command->footer("Example: ./course weave 7\n         ./course weave --check");
-    command->callback([&tree, options] {
+    command->callback([&tree, named, check] {
         std::vector<Section> sections;
-        for (const std::string &words : options->sections) sections.push_back(tree.section(words));
-        Command weave{tree, options->check};
+        for (const std::string &words : *named) sections.push_back(tree.section(words));
+        Command weave{tree, *check};
         for (const Section &section : sections.empty() ? tree.sections() : sections) weave.section(section);
         weave.book();
         if (sections.empty()) weave.root();

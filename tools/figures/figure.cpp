@@ -6,11 +6,9 @@
 #include "ground/text.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <regex>
 #include <sstream>
-#include <unistd.h>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -18,25 +16,6 @@ namespace {
 
 constexpr double longest_drawing =
     60; // [s] a figure takes a tenth; a script that pauses or loops would stop the build for ever
-
-/// A folder for gnuplot's own output, gone in the end.
-class Workshop {
-  public:
-    Workshop() {
-        std::string name = (fs::temp_directory_path() / "course-figure.XXXXXX").string();
-        if (!::mkdtemp(name.data()))
-            throw Complaint{"cannot write " + name + ": " + std::strerror(errno)
-                            + "; set TMPDIR to a folder that is yours"};
-        folder = name;
-    }
-    ~Workshop() {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
-    Workshop(const Workshop &) = delete;
-    Workshop &operator=(const Workshop &) = delete;
-    fs::path folder;
-};
 
 std::string shown(const fs::path &script) { return "plots/" + script.filename().string(); }
 
@@ -134,7 +113,11 @@ std::string draw(const Figure &figure) {
     for (const fs::path &trace : {figure.trace, figure.student})
         if (!trace.empty()) read_trace(trace, trace.filename().string());
 
-    const Workshop workshop;
+    const fs::path beginning = fs::temp_directory_path() / "course-figure";
+    const Scratch workshop{beginning};
+    if (workshop.folder.empty())
+        throw Complaint{"cannot write " + beginning.string() + ".XXXXXX: " + std::strerror(workshop.error)
+                        + "; set TMPDIR to a folder that is yours"};
     const fs::path svg = workshop.folder / "figure.svg", table = workshop.folder / "table";
     gnuplot(figure, "", svg);
     if (!fs::exists(svg))

@@ -1,4 +1,4 @@
-#include "figures/recolour.hpp"
+#include "figures/figure.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -6,7 +6,6 @@
 #include <regex>
 #include <set>
 #include <sstream>
-#include <string_view>
 #include <utility>
 
 namespace course {
@@ -15,18 +14,13 @@ namespace {
 using Used = std::set<std::pair<std::string, std::string>>; // an attribute and its colour
 
 bool is(pugi::xml_node node, std::initializer_list<std::string_view> names) {
-    return std::find(names.begin(), names.end(), node.name()) != names.end();
+    return std::ranges::find(names, node.name()) != names.end();
 }
 
 /// gnuplot opens a group for every change of its pen, and leaves most of them empty.
-void drop_empty_groups(pugi::xml_node node) {
-    for (pugi::xml_node child = node.first_child(); child;) {
-        const pugi::xml_node next = child.next_sibling();
-        drop_empty_groups(child);
-        const bool filled = child.find_child([](pugi::xml_node inner) { return inner.type() == pugi::node_element; });
-        if (is(child, {"g"}) && !filled) node.remove_child(child);
-        child = next;
-    }
+void drop_empty_groups(pugi::xml_node svg) {
+    for (pugi::xpath_node_set empty; !(empty = svg.select_nodes(".//g[not(*)]")).empty();)
+        for (const pugi::xpath_node &group : empty) group.parent().remove_child(group.node());
 }
 
 /// "rgb( 59, 130, 246)" as "#3b82f6"; anything else stays as it is.

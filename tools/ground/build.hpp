@@ -1,4 +1,6 @@
 #pragma once
+#include "ground/kernel.hpp"
+#include "ground/plain.hpp"
 #include "ground/process.hpp"
 #include "ground/tree.hpp"
 
@@ -7,6 +9,12 @@
 namespace course {
 
 /// Brings one target of the build up to date; what it printed is plain text. The caller holds the Lock.
-Finished build_target(const Tree &tree, const std::string &target);
+inline Finished build_target(const Tree &tree, const std::string &target) {
+    require_room_in_files();
+    Finished built = run({"cmake", "--build", tree.build.string(), "--target", target});
+    built.out = plain_output(built.out);
+    built.err = plain_output(built.err);
+    return built;
+}
 
 } // namespace course

@@ -33,7 +33,7 @@ std::vector<fs::path> files_in(const fs::path &folder, std::string_view end, std
         if (const std::string name = entry.path().filename().string();
             name.starts_with(start) && name.ends_with(end) && entry.is_regular_file())
             files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     return files;
 }
 
@@ -58,38 +58,19 @@ int write_all(int file, std::string_view text) {
     return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
 }
 
-/// What a new file may be opened with, unless the old one says otherwise.
-mode_t mode_for(const fs::path &path) {
-    struct stat old {};
-    if (::stat(path.c_str(), &old) == 0) return old.st_mode & 07777;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    return 0666 & ~mask;
-}
-
-/// A draft in the folder of its file, so that renaming is one step. It is locked while we write it; after a kill it is not.
-int make_draft(const fs::path &path, std::string &draft) {
+/// A draft beside its file, so that renaming is one step. It is locked while we write it; one that a kill has left is
+/// written over.
+int open_draft(const fs::path &draft) {
     for (;;) {
-        draft = path.string() + ".draft-XXXXXX";
-        const int file = ::mkostemp(draft.data(), O_CLOEXEC);
+        const int file = ::open(draft.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (file < 0 && errno == EACCES && ::unlink(draft.c_str()) == 0) continue; // what was left is read-only
         if (file < 0) return file;
-        const bool swept = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-        struct stat is {};
-        if (!swept && (::fstat(file, &is) != 0 || is.st_nlink > 0)) return file;
-        ::close(file); // another command took it for one that a kill had left
-    }
-}
-
-/// Removes the drafts of this file that a kill has left.
-void sweep_drafts(const fs::path &path) {
-    const std::string beginning = path.filename().string() + ".draft-";
-    std::error_code ignored;
-    for (const auto &entry : fs::directory_iterator{path.parent_path().empty() ? "." : path.parent_path(), ignored}) {
-        if (!entry.path().filename().string().starts_with(beginning)) continue;
-        const int file = ::open(entry.path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-        if (file < 0) continue;
-        if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
-        ::close(file);
+        while (::flock(file, LOCK_EX) != 0 && errno == EINTR) {}
+        struct stat opened {
+        }, there{};
+        if (::fstat(file, &opened) != 0 || (::stat(draft.c_str(), &there) == 0 && there.st_ino == opened.st_ino))
+            return file;
+        ::close(file); // another command has written it meanwhile
     }
 }
 
@@ -107,17 +88,28 @@ bool write_file(const fs::path &wanted, std::string_view text) {
     if (trouble) refuse(path, trouble.value());
 
     const Undisturbed by_signals; // Ctrl-C in between would leave the draft lying about
-    sweep_drafts(path);
-    std::string draft;
-    const int file = make_draft(path, draft);
+    const fs::path draft = path.parent_path() / ('.' + path.filename().string() + ".draft");
+    const int file = open_draft(draft);
     if (file < 0) refuse(path, errno);
-    int error = write_all(file, text);
-    if (::fchmod(file, mode_for(path)) != 0 && error == 0) error = errno;
-    if (::close(file) != 0 && error == 0) error = errno;
+    int error = ::ftruncate(file, 0) == 0 ? write_all(file, text) : errno;
+    struct stat old {};
+    if (::stat(path.c_str(), &old) == 0 && ::fchmod(file, old.st_mode & 07777) != 0 && error == 0) error = errno;
     if (error == 0 && std::rename(draft.c_str(), path.c_str()) != 0) error = errno;
-    if (error == 0) return true;
-    ::unlink(draft.c_str());
-    refuse(path, error);
+    if (error != 0) ::unlink(draft.c_str());
+    ::close(file);
+    if (error != 0) refuse(path, error);
+    return true;
+}
+
+Scratch::Scratch(const fs::path &beginning) {
+    std::string name = beginning.string() + ".XXXXXX";
+    if (::mkdtemp(name.data()) != nullptr) folder = name;
+    else error = errno;
+}
+
+Scratch::~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
 }
 
 } // namespace course

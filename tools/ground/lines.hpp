@@ -2,6 +2,8 @@
 // Texts, line by line, with their own line ends: `\n`, `\r\n`, `\r`, as Markdown and compilers count them.
 
 #include <algorithm>
+#include <numeric>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +24,16 @@ inline std::vector<Line> lines_of(std::string_view text) {
         text.remove_prefix(length + end);
     }
     return lines;
+}
+
+/// The same with their ends in them, so that lines can be taken out and put in; and all of them as a text again.
+inline std::vector<std::string> with_line_ends(std::string_view text) {
+    std::vector<std::string> lines;
+    for (const Line &line : lines_of(text)) lines.push_back(std::string{line.text} + std::string{line.end});
+    return lines;
+}
+inline std::string joined(const std::vector<std::string> &lines) {
+    return std::accumulate(lines.begin(), lines.end(), std::string{});
 }
 
 inline std::string_view without_blanks_behind(std::string_view text) {

@@ -1,7 +1,5 @@
 #include "ground/lock.hpp"
 
-#include "ground/complaint.hpp"
-
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -62,19 +60,15 @@ Lock::Lock(const Tree &tree) {
 Lock::~Lock() {
     if (file < 0) return;
     ::unsetenv(variable);
-    if (::ftruncate(file, 0) != 0) errno = 0;
-    ::close(file); // and with it goes the lock
+    if (::ftruncate(file, 0) != 0) errno = 0; // the lock goes with the file
 }
 
-ShortLock::ShortLock(const std::filesystem::path &path) {
+Descriptor short_lock(const std::filesystem::path &path) {
     std::error_code ignored;
     std::filesystem::create_directories(path.parent_path(), ignored);
-    file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    Descriptor file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     while (file >= 0 && ::flock(file, LOCK_EX) != 0 && errno == EINTR) {}
-}
-
-ShortLock::~ShortLock() {
-    if (file >= 0) ::close(file);
+    return file;
 }
 
 } // namespace course

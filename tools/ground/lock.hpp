@@ -1,4 +1,5 @@
 #pragma once
+#include "ground/descriptor.hpp"
 #include "ground/tree.hpp"
 
 namespace course {
@@ -12,24 +13,13 @@ class Lock {
     /// @throws Complaint if the build folder cannot be written.
     explicit Lock(const Tree &tree);
     ~Lock();
-    Lock(const Lock &) = delete;
-    Lock &operator=(const Lock &) = delete;
 
   private:
-    int file = -1; ///< -1: the process that started us holds the lock
+    Descriptor file; ///< none: the process that started us holds the lock
 };
 
 /// Held for the moment in which a file is read, changed and written back, so that two commands at once lose nothing.
 /// Where `file` cannot be made, nothing is held.
-class ShortLock {
-  public:
-    explicit ShortLock(const std::filesystem::path &file);
-    ~ShortLock();
-    ShortLock(const ShortLock &) = delete;
-    ShortLock &operator=(const ShortLock &) = delete;
-
-  private:
-    int file = -1;
-};
+[[nodiscard]] Descriptor short_lock(const std::filesystem::path &file);
 
 } // namespace course

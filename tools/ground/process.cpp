@@ -1,8 +1,7 @@
 #include "ground/process.hpp"
 
-#include "ground/asleep.hpp"
-#include "ground/complaint.hpp"
-#include "ground/limits.hpp"
+#include "ground/descriptor.hpp"
+#include "ground/kernel.hpp"
 #include "verdict/tests/shut_in.hpp"
 
 #include <algorithm>
@@ -10,7 +9,6 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -49,19 +47,6 @@ sigset_t our_signals() {
     return set;
 }
 
-/// A descriptor, closed in the end.
-struct Descriptor {
-    int number = -1;
-    Descriptor() = default;
-    Descriptor(const Descriptor &) = delete;
-    Descriptor &operator=(const Descriptor &) = delete;
-    ~Descriptor() { close(); }
-    void close() {
-        if (number >= 0) ::close(number);
-        number = -1;
-    }
-};
-
 /// One stream of the program: where it writes, where we read, what came.
 struct Captured {
     Descriptor read, write;
@@ -72,16 +57,16 @@ struct Captured {
         if (::pipe(ends) != 0)
             throw MachineTrouble{"no pipe can be made (" + std::string{std::strerror(errno)}
                                  + "); close some programs"};
-        read.number = ends[0], write.number = ends[1];
+        read = ends[0], write = ends[1];
         for (int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
-        ::fcntl(read.number, F_SETFL, O_NONBLOCK);
+        ::fcntl(read, F_SETFL, O_NONBLOCK);
     }
 
     /// All that is there now; closes at the end of the stream.
     void take() {
         std::array<char, 65536> part;
-        while (read.number >= 0) {
-            const ssize_t count = ::read(read.number, part.data(), part.size());
+        while (read >= 0) {
+            const ssize_t count = ::read(read, part.data(), part.size());
             if (count < 0 && errno == EINTR) continue;
             if (count < 0 && errno == EAGAIN) return;
             if (count <= 0) return read.close();
@@ -100,7 +85,7 @@ std::vector<std::string> our_environment() {
     std::vector<std::string> all{"LC_ALL=C.UTF-8"};
     for (char **ours = environ; *ours != nullptr; ++ours) {
         const std::string_view entry = *ours;
-        if (std::find(left_out.begin(), left_out.end(), entry.substr(0, entry.find('=') + 1)) == left_out.end())
+        if (std::ranges::find(left_out, entry.substr(0, entry.find('=') + 1)) == left_out.end())
             all.emplace_back(entry);
     }
     if (std::getenv("PATH") == nullptr) all.emplace_back(usual_path);
@@ -128,7 +113,7 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
     const auto arguments = pointers_to(command), variables = pointers_to(environment);
     Captured trouble; // closed by the program's start; else the number of the error comes
     trouble.open();
-    ::fcntl(trouble.read.number, F_SETFL, 0);
+    ::fcntl(trouble.read, F_SETFL, 0);
 
     const pid_t child = ::fork();
     if (child == 0) { // only what is safe between fork and exec
@@ -138,8 +123,8 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
             ::dup2(nothing, STDIN_FILENO);
         }
         if (options.quiet) {
-            ::dup2(out.write.number, STDOUT_FILENO);
-            ::dup2(err.write.number, STDERR_FILENO);
+            ::dup2(out.write, STDOUT_FILENO);
+            ::dup2(err.write, STDERR_FILENO);
         }
         if (options.quiet) limit(RLIMIT_CORE, 0); // nobody would look at it
         impose(options.limits);
@@ -153,7 +138,7 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
             && (options.shut_in == nullptr || options.shut_in->shut(STDERR_FILENO)))
             ::execvp(arguments[0], arguments.data());
         const int error = errno;
-        if (::write(trouble.write.number, &error, sizeof error) != sizeof error) ::_exit(126);
+        if (::write(trouble.write, &error, sizeof error) != sizeof error) ::_exit(126);
         ::_exit(127);
     }
     int error = errno;
@@ -161,7 +146,7 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
     if (child > 0) {
         if (apart) ::setpgid(child, child); // both processes do it, since either may come first
         ssize_t count = 0;
-        while ((count = ::read(trouble.read.number, &error, sizeof error)) < 0 && errno == EINTR) {}
+        while ((count = ::read(trouble.read, &error, sizeof error)) < 0 && errno == EINTR) {}
         if (count <= 0) return child;
         ::waitpid(child, nullptr, 0);
     }
@@ -174,13 +159,13 @@ pid_t start(const std::vector<std::string> &command, const RunOptions &options, 
 /// Whether a program and all that it has started wait for something that none of them does.
 bool all_asleep(pid_t program) {
     const auto children = children_of(program);
-    return is_asleep(program) && std::all_of(children.begin(), children.end(), all_asleep);
+    return is_asleep(program) && std::ranges::all_of(children, all_asleep);
 }
 
 /// Waits a little, or until the program has printed or closed something.
 void listen(Captured &out, Captured &err) {
-    std::array<pollfd, 2> ends{{{out.read.number, POLLIN, 0}, {err.read.number, POLLIN, 0}}}; // poll skips a -1
-    const bool silent = out.read.number < 0 && err.read.number < 0;
+    std::array<pollfd, 2> ends{{{out.read, POLLIN, 0}, {err.read, POLLIN, 0}}}; // poll skips a -1
+    const bool silent = out.read < 0 && err.read < 0;
     ::poll(ends.data(), ends.size(), silent ? 2 : 20); // [ms] between two looks at whether it has ended
     out.take();
     err.take();

@@ -2,6 +2,7 @@
 
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
+#include "ground/text.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -9,10 +10,7 @@
 namespace course {
 namespace {
 
-bool is_name(std::string_view word) {
-    return std::all_of(word.begin(), word.end(),
-                       [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
-}
+bool is_name(std::string_view word) { return std::ranges::all_of(word, is_in_a_name); }
 
 } // namespace
 
@@ -38,7 +36,7 @@ std::string explain_renamed(const std::vector<std::string> &names, const std::ve
         for (const Renamed &one : renamed) {
             if (one.before != name || one.now.empty()) continue;
             std::string words = '`' + one.before + "` is called `" + one.now + '`';
-            if (std::find(said.begin(), said.end(), words) == said.end()) said.push_back(std::move(words));
+            if (std::ranges::find(said, words) == said.end()) said.push_back(std::move(words));
         }
     if (said.empty()) return "";
     std::string sentence = said.front() + " now";

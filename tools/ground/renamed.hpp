@@ -4,7 +4,6 @@
 #include "ground/tree.hpp"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace course {

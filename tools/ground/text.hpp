@@ -6,19 +6,25 @@
 #include <cctype>
 #include <charconv>
 #include <concepts>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace course {
 
 inline bool contains(std::string_view text, std::string_view words) { return text.find(words) != text.npos; }
 
-inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
-inline bool is_all_digits(std::string_view text) {
-    return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+using Words = std::initializer_list<std::string_view>;
+inline bool contains_any(std::string_view text, Words all) {
+    return std::ranges::any_of(all, [&](std::string_view words) { return contains(text, words); });
 }
+inline bool is_any_of(std::string_view text, Words all) { return std::ranges::find(all, text) != all.end(); }
+
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool is_all_digits(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_digit); }
+
+inline bool is_in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// With small letters, in ASCII.
 inline std::string lower(std::string_view text) {

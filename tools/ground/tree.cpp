@@ -3,9 +3,9 @@
 #include "ground/files.hpp"
 #include "ground/nearest.hpp"
 #include "ground/plain.hpp"
+#include "ground/text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <regex>
 #include <sstream>
 
@@ -15,17 +15,15 @@ namespace {
 
 /// "Segment intersection" and "segment-intersection" mean segment_intersection.
 std::string plain(std::string_view words) {
-    std::string result{words};
-    for (char &c : result) {
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        if (c == ' ' || c == '-') c = '_';
-    }
+    std::string result = lower(words);
+    std::ranges::replace_if(
+        result, [](char c) { return c == ' ' || c == '-'; }, '_');
     return result;
 }
 
 /// Whether a path leads to a file or folder of the section: exercises/07_x.cpp, chapters/07_x/, plots/07_x_y.gp.
 bool leads_to(const fs::path &path, const Section &section) {
-    return std::any_of(path.begin(), path.end(), [&](const fs::path &part) {
+    return std::ranges::any_of(path, [&](const fs::path &part) {
         const std::string stem = part.stem().string();
         return stem == section.name || stem.starts_with(section.name + "_");
     });
@@ -42,7 +40,7 @@ std::string listed(const std::vector<Section> &sections) {
 /// typed; for a number, the nearest number.
 std::string did_you_mean_section(const std::string &typed, const std::vector<Section> &sections) {
     Section best = sections.front();
-    if (!typed.empty() && std::isdigit(static_cast<unsigned char>(typed[0])) != 0 && typed.size() < 5) {
+    if (!typed.empty() && is_digit(typed[0]) && typed.size() < 5) {
         const auto away = [wanted = std::stoi(typed)](const Section &s) { return std::abs(s.number() - wanted); };
         for (const Section &s : sections)
             if (away(s) < away(best)) best = s;
@@ -85,7 +83,7 @@ Section Tree::section(std::string_view words) const {
     static const std::regex number{R"(0*(\d{1,2})(\.\d+)?)"};
     std::vector<Section> meant;
     const auto those = [&](const auto &fits) {
-        if (meant.empty()) std::copy_if(all.begin(), all.end(), std::back_inserter(meant), fits);
+        if (meant.empty()) std::ranges::copy_if(all, std::back_inserter(meant), fits);
     };
     const std::string typed{words}, part = plain(words);
     if (std::smatch found; words.size() < 10 && std::regex_match(typed, found, number)) {

@@ -9,18 +9,6 @@
 namespace course {
 namespace {
 
-/// a, b or (a, b): a comma that is in no inner brackets.
-bool has_comma(std::string_view answer) {
-    if (answer.starts_with('(') && answer.ends_with(')')) answer = answer.substr(1, answer.size() - 2);
-    int open = 0;
-    for (const char c : answer) {
-        if (contains("([{<", {&c, 1})) ++open;
-        if (contains(")]}>", {&c, 1})) --open;
-        if (c == ',' && open == 0) return true;
-    }
-    return false;
-}
-
 /// return a, b; and return none;
 std::string about_return(const Said &said) {
     const std::string_view code = without_blanks(said.code);
@@ -35,22 +23,20 @@ std::string about_return(const Said &said) {
             is_strange = contains(said.words, "conver") || contains(said.words, "character constant");
             answer = answer.substr(1, answer.size() - 2);
         }
-    for (const char *none : {"nothing", "none", "None", "null"})
-        if (answer == none && is_strange) return answer_nothing;
-    return {};
+    return is_strange && is_any_of(answer, {"nothing", "none", "None", "null"}) ? answer_nothing : "";
 }
 
 /// {a, b}; where a return belongs before it
 std::string about_bare_braces(const Said &said) {
     if (!said.words.starts_with("expected ';'")) return {};
-    std::string_view code = without_blanks_behind(std::string_view{said.code}.substr(0, said.code.find("//")));
+    std::string_view code = code_alone(said.code);
     if (code.ends_with(';')) code.remove_suffix(1);
     const std::size_t begins = code.rfind('{');
     if (begins == code.npos || !code.ends_with('}')) return {};
     const std::string_view before = without_blanks_behind(code.substr(0, begins)),
                            inside = without_blanks(code.substr(begins + 1, code.size() - begins - 2));
     const std::string_view behind = inside.substr(first_word(inside).size()), next = without_blanks(behind);
-    const bool is_block = without_blanks(before).empty() || before.ends_with(')') || before.ends_with("else");
+    const bool is_block = before.empty() || before.ends_with(')') || before.ends_with("else");
     const bool declares = behind.starts_with(' ') && !next.empty() && is_in_a_name(next.front());
     const bool does_something = contains(inside, ";") || contains(inside, "=") || declares;
     return is_block && has_comma(inside) && !does_something ? "An answer needs return before its braces: return {a, b};"
@@ -101,9 +87,8 @@ std::string about_missing_star(const Said &said) {
                            right = without_blanks(std::string_view{said.code}.substr(caret));
     if (left.empty() || right.empty() || !(is_in_a_name(left.back()) || left.ends_with(')'))) return {};
     const std::string_view word = first_word(right);
-    for (const char *statement : {"", "return", "if", "for", "while", "else", "const", "auto", "double", "int"})
-        if (word == statement) return {};
-    return missing_star;
+    const Words statements{"", "return", "if", "for", "while", "else", "const", "auto", "double", "int"};
+    return is_any_of(word, statements) ? "" : missing_star;
 }
 
 /// t², t ** 2
@@ -119,24 +104,13 @@ std::string about_power(const Said &said) {
 std::string about_two_signs(const Said &said) {
     const bool no_operand =
         said.words.starts_with("expected primary-expression before '/'") || said.words == "expected expression";
-    const bool is_it =
-        contains(said.words, "±") || contains(said.words, "<U+00B1>") || (no_operand && contains(said.code, "+/-"));
+    const bool is_it = contains_any(said.words, {"±", "<U+00B1>"}) || (no_operand && contains(said.code, "+/-"));
     return is_it ? "± stands for two values: write + for one of them, and - for the other." : "";
-}
-
-/// Where the parenthesis closes that opens at `from`, or npos.
-std::size_t where_it_closes(std::string_view code, std::size_t from) {
-    int open = 0;
-    for (std::size_t i = from; i < code.size(); ++i) {
-        if (code[i] == '(') ++open;
-        if (code[i] == ')' && --open == 0) return i;
-    }
-    return code.npos;
 }
 
 /// if t < 1, if (t < 1 x = 2, if (t < 1) && (t > 0), else (t < 1), if (t < 1);
 std::string about_if(const Said &said) {
-    const std::string_view code = without_blanks_behind(std::string_view{said.code}.substr(0, said.code.find("//")));
+    const std::string_view code = code_alone(said.code);
     if (said.words.starts_with("expected '(' ") && contains(code, "if "))
         return "An if needs parentheses: if (t < 1) …";
     if (contains(said.words, "expected ';'") && contains(code, "else ("))
@@ -208,9 +182,7 @@ std::string about_braces(const Said &said) {
     if (!said.words.starts_with("expected primary-expression before '{'")) return {};
     std::string code = said.code;
     std::erase(code, ' ');
-    for (const char *slip : {"*{", "+{", "-{", "/{"})
-        if (contains(code, slip)) return write_vec2;
-    return {};
+    return contains_any(code, {"*{", "+{", "-{", "/{"}) ? write_vec2 : "";
 }
 
 /// An `else` without its block, as Clang says it.
@@ -220,10 +192,9 @@ std::string about_else(const Said &said) {
 
 /// if (a = b), where a cannot be changed, or is no number.
 std::string about_condition(const Said &said) {
-    bool cannot_assign = false;
-    for (const char *words : {"assignment of ", "left operand of assignment", "cannot assign to", "is not assignable",
-                              "' to 'bool'", "convertible to 'bool'", "'operator='", "overloaded '='"})
-        if (contains(said.words, words)) cannot_assign = true;
+    const bool cannot_assign = contains_any(said.words, {"assignment of ", "left operand of assignment",
+                                                         "cannot assign to", "is not assignable", "' to 'bool'",
+                                                         "convertible to 'bool'", "'operator='", "overloaded '='"});
     const std::size_t begins = std::min(said.code.find("if ("), said.code.find("while ("));
     if (!cannot_assign || begins == said.code.npos) return {};
     const std::size_t end = std::min(where_it_closes(said.code, said.code.find('(', begins)), said.code.size() - 1);

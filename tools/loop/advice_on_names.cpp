@@ -51,8 +51,7 @@ std::string about_unknown_name(const Said &said) {
     if (names[0] == "pi" || names[0] == "PI") return write_pi;
     if (names[0] == "norm" || (names[0] == "length" && is_called(said.code, "length"))) return length_of_vector;
     if (names[0] == "dot") return write_dot;
-    for (const char *one_word : {"elseif", "elsif", "elif"})
-        if (names[0] == one_word) return "Write else if, in two words.";
+    if (is_any_of(names[0], {"elseif", "elsif", "elif"})) return "Write else if, in two words.";
     for (const auto &[name, header] : standards)
         if (names[0] == name // a list of your own may be called `numbers`
             && (names[0] != header || contains(said.code, names[0] + '<')))

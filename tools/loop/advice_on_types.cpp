@@ -38,16 +38,14 @@ std::string about_member(const Said &said) {
     const bool no_struct =
         contains(said.words, "which is of non-class type '") || contains(said.words, "is not a structure or union");
     if (no_struct && !names.empty() && is_number(names.back())) return number_already;
-    const bool gcc = contains(said.words, "has no member named '"), clang = said.words.starts_with("no member named '");
-    if (names.size() < 2 || (!gcc && !clang)) return {};
-    const std::string &asked = gcc ? names[0] : names[1];
-    if ((gcc ? names[1] : names[0]) == "push_back" && !contains(asked, "std::")) return only_lists_grow;
+    const auto [asked, member] = missing_member(said);
+    if (member == "push_back" && !contains(asked, "std::")) return only_lists_grow;
     if (const std::string name = struct_name(asked); !name.empty() && !contains(said.words, "did you mean"))
         return "Look up the fields of " + name + " in the header.";
-    if (is_vector(asked) && (gcc ? names[1] : names[0]) == "length") return length_of_vector;
+    if (is_vector(asked) && member == "length") return length_of_vector;
     if (is_vector(asked) && !contains(said.words, "did you mean")) return vector_already;
     if (!is_optional(asked)) return {};
-    return "It may be nothing: ask first, if (found), and then write found->" + (gcc ? names[1] : names[0]) + '.';
+    return "It may be nothing: ask first, if (found), and then write found->" + member + '.';
 }
 
 /// A struct where a list of numbers or vectors is to grow, or a number where a function wants the whole struct.
@@ -66,8 +64,7 @@ std::string about_argument(const Said &said) {
         return two_in_braces;
     const std::string element = struct_name(list);
     if (contains(said.words, "push_back") && !element.empty() && (is_vector(pushed) || is_number(pushed)))
-        return with_capital(with_article(element))
-               + " is wanted here: put its fields in braces, in the order of the header.";
+        return wanted(element);
     const std::string all = said.words + said.notes;
     const auto own = between(all, "std::vector<", ">");
     const bool fields_pushed =
@@ -86,10 +83,7 @@ std::string about_argument(const Said &said) {
         return "A whole " + whole
                + " is wanted here, not a number: pass one that you have, a and not a.mass, or make one of its fields "
                  "in braces, in the order of the header.";
-    return is_vector(given) || !struct_name(given).empty()
-               ? with_capital(with_article(whole))
-                     + " is wanted here: put its fields in braces, in the order of the header."
-               : "";
+    return is_vector(given) || !struct_name(given).empty() ? wanted(whole) : "";
 }
 
 /// velocity.dot(2)
@@ -122,9 +116,8 @@ std::string about_sine(const Said &said) {
 
 /// Box.high: GCC points at the dot, Clang at the dot or at the type.
 std::string about_type_with_dot(const Said &said) {
-    bool is_it = false;
-    for (const char *words : {"before '.' token", "does not refer to a value", "dot operator on a type", "type name '"})
-        if (contains(said.words, words)) is_it = true;
+    const bool is_it = contains_any(
+        said.words, {"before '.' token", "does not refer to a value", "dot operator on a type", "type name '"});
     std::size_t from = std::min(said.caret.find('^'), said.code.size());
     while (from > 0 && is_in_a_name(said.code[from - 1])) --from;
     const std::string_view code = std::string_view{said.code}.substr(from), type = first_word(code);
@@ -139,9 +132,8 @@ std::string about_type_with_dot(const Said &said) {
 
 /// 2 * time_of_flight: the name of a function, which is not called.
 std::string about_function(const Said &said) {
-    bool takes_a_value = false;
-    for (const char *words : {"invalid operands", "cannot convert", "cannot initialize", "incompatible"})
-        if (contains(said.words, words)) takes_a_value = true;
+    const bool takes_a_value =
+        contains_any(said.words, {"invalid operands", "cannot convert", "cannot initialize", "incompatible"});
     for (const std::string &type : in_quotes(said.words))
         if (takes_a_value && type.ends_with(')') && contains(type, "(") && !contains(type, "::)")) return call_function;
     return {};
@@ -161,12 +153,7 @@ bool has_pair_in_parentheses(std::string_view code) {
     for (std::size_t at = 0; (at = code.find('(', at)) != code.npos; ++at) {
         const std::size_t before = at == 0 ? code.npos : code.find_last_not_of(' ', at - 1);
         if (before == code.npos || !contains("=+-", code.substr(before, 1))) continue;
-        int open = 0;
-        for (std::size_t i = at; i < code.size(); ++i) {
-            if (contains("([{", code.substr(i, 1))) ++open;
-            if (contains(")]}", code.substr(i, 1)) && --open == 0) break;
-            if (code[i] == ',' && open == 1) return true;
-        }
+        if (has_comma(code.substr(at, where_it_closes(code, at) + 1 - at))) return true;
     }
     return false;
 }
@@ -241,10 +228,7 @@ std::string about_conversion(const Said &said) {
     if (said.words.starts_with("no matching constructor for initialization of 'std::optional<")
         && contains(said.code, "return {"))
         return about_optional_list(names[0]);
-    if (names.size() < 2
-        || !(contains(said.words, "convert") || contains(said.words, "conversion")
-             || contains(said.words, "incompatible type")))
-        return {};
+    if (names.size() < 2 || !contains_any(said.words, {"convert", "conversion", "incompatible type"})) return {};
     const bool clang_assigns = said.words.starts_with("assigning to '"); // 'double' from incompatible type 'Vec2'
     const std::string &from = names[names.size() - (clang_assigns ? 1 : 2)],
                       &to = names[names.size() - (clang_assigns ? 2 : 1)];
@@ -267,18 +251,15 @@ std::string about_conversion(const Said &said) {
         if (has_pair_in_parentheses(said.code)) return pair_in_braces;
         return has_dot_product(said) ? dot_is_number : two_components;
     }
-    if ((is_number(from) || is_vector(from)) && !struct_name(to).empty())
-        return with_capital(with_article(struct_name(to)))
-               + " is wanted here: put its fields in braces, in the order of the header.";
+    if ((is_number(from) || is_vector(from)) && !struct_name(to).empty()) return wanted(struct_name(to));
     if (!struct_name(from).empty() && (is_vector(to) || is_number(to))) return about_fields(struct_name(from));
     return {};
 }
 
 /// b ? {1, 0} : v
 std::string about_choice(const Said &said) {
-    const bool is_it = contains(said.words, "before '{' token")
-                       || contains(said.words, "initializer list cannot be used")
-                       || contains(said.words, "expected expression");
+    const bool is_it =
+        contains_any(said.words, {"before '{' token", "initializer list cannot be used", "expected expression"});
     return is_it && (contains(said.code, " ? {") || (contains(said.code, " ? ") && contains(said.code, " : {")))
                ? type_before_braces
                : "";
@@ -286,8 +267,7 @@ std::string about_choice(const Said &said) {
 
 /// std::min(t, 1) and its like.
 std::string about_two_types(const Said &said) {
-    const bool is_it = contains(said.words, "call to 'min") || contains(said.words, "call to 'max")
-                       || contains(said.words, "call to 'clamp");
+    const bool is_it = contains_any(said.words, {"call to 'min", "call to 'max", "call to 'clamp"});
     const auto types = between(said.notes, "deduced conflicting types", "\n");
     if (!is_it || !types) return {};
     if (contains(*types, "unsigned"))
@@ -296,11 +276,91 @@ std::string about_two_types(const Said &said) {
                                                                      : "";
 }
 
+constexpr const char *two_numbers =
+    "A Vec2 is made of two numbers, Vec2{x, y}, and not of two vectors: the vector from a to b is b - a.";
+
+/// The struct in whose braces the compiler stands: Ball, of `Ball{a.position, 2}` or `Ball(a.position, 2)`.
+std::string struct_around(const Said &said) {
+    const std::size_t caret = said.caret.find('^');
+    if (caret == said.caret.npos || caret >= said.code.size()) return {};
+    int closed = 0;
+    for (std::size_t i = caret; i-- > 0;) {
+        if (contains(")]}", said.code.substr(i, 1))) ++closed;
+        if (!contains("([{", said.code.substr(i, 1)) || closed-- > 0) continue;
+        std::size_t begin = i;
+        while (begin > 0 && is_in_a_name(said.code[begin - 1])) --begin;
+        return struct_name(std::string_view{said.code}.substr(begin, i - begin));
+    }
+    return {};
+}
+
+/// Disc{a, b}, with fields that a Disc does not have there.
+std::string about_struct_braces(const Said &said) {
+    if (contains_any(said.words, {"std::optional<", "::)(", "product of Vec2s"})) return {}; // other rules know more
+    std::string name;
+    for (const char *words : {"could not convert", "cannot convert", "no viable conversion", "cannot initialize"})
+        if (said.words.starts_with(words)) name = struct_around(said);
+    for (const char *words : {"too many initializers for '", "no matching constructor for initialization of '"})
+        if (said.words.starts_with(words)) name = struct_name(in_quotes(said.words).front());
+    if (name.empty()) return {};
+    const bool is_answer = contains(said.code, "return " + name + '{') || contains(said.code, "return " + name + '(');
+    return "The braces of " + with_article(name) + " hold its fields, in the order of the header"
+           + (is_answer ? "; if the result is another struct, write return {…};" : ".");
+}
+
+/// return ball; where Velocities are wanted
+std::string about_other_struct(const Said &said) {
+    if (!said.words.starts_with("could not convert") && !said.words.starts_with("no viable conversion")) return {};
+    const auto names = in_quotes(said.words);
+    if (names.size() < 2) return {};
+    const std::string from = struct_name(names[names.size() - 2]), to = struct_name(names.back());
+    if (from.empty() || to.empty() || from == to) return {};
+    return wanted(to, ", not " + with_article(from));
+}
+
+/// return Pair;
+std::string about_bare_type(const Said &said) {
+    const bool no_value = said.words == "expected primary-expression before ';' token"
+                          || contains(said.words, "does not refer to a value")
+                          || said.words.starts_with("unexpected type name '");
+    const auto answer = between(said.code, "return ", ";");
+    if (!no_value || !answer || struct_name(*answer).empty()) return {};
+    const std::string name{*answer};
+    return name + " is a type: answer with a value, a variable or " + name + "{…}.";
+}
+
+/// Vec2{a, b}: the compiler stands in the library, which makes numbers of them.
+std::string about_two_vectors(const Said &said) {
+    const bool casts =
+        said.words.starts_with("invalid cast from type '") || contains(said.words, "without a conversion");
+    const auto names = in_quotes(said.words);
+    return casts && said.code.empty() && names.size() == 2 && is_vector(names[0]) && is_number(names[1]) ? two_numbers
+                                                                                                         : "";
+}
+
+/// {n.y(), n.x}: of braces, GCC says no more than that they do not fit.
+std::string about_uncalled(const Said &said) {
+    if (contains_any(said.words, {", 1>::x}", ", 1>::x,", ", 1>::y}", ", 1>::y,"})) return call_it;
+    if (!contains(said.words, "'Vec2::Matrix(<brace") || !contains(said.notes, "deduce template parameter 'T"))
+        return {};
+    for (const std::string component : {".x", ".y"})
+        for (std::size_t at = 0; (at = said.code.find(component, at)) != said.code.npos; at += 2) {
+            const std::string behind = said.code.substr(at + 2, 1);
+            if (behind.empty() || (behind != "(" && !is_in_a_name(behind[0]))) return call_it;
+        }
+    return {};
+}
+
+/// {n * v, 2}: of braces, GCC says no more than that they do not fit.
+std::string about_product(const Said &said) { return contains(said.words, "::operator*<Vec2>(") ? write_dot : ""; }
+
 } // namespace
 
 std::string advice_on_types(const Said &said) {
-    return first_of({about_member, about_argument, about_dot, about_absolute, about_sine, about_type_with_dot,
-                     about_function, about_pair, about_operands, about_conversion, about_choice, about_two_types},
+    return first_of({about_two_vectors, about_product, about_uncalled, about_bare_type, about_other_struct,
+                     about_struct_braces, about_member, about_argument, about_dot, about_absolute, about_sine,
+                     about_type_with_dot, about_function, about_pair, about_operands, about_conversion, about_choice,
+                     about_two_types},
                     said);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The rules behind `advice`, and the sentences that more than one of them says.
+// What is said beside a compiler's words: the rules, and the sentences that more than one of them says.
 
 #include "loop/said.hpp"
 
@@ -7,6 +7,10 @@
 #include <string>
 
 namespace course {
+
+/// What a beginner needs to know beside the words of GCC or Clang, for the slips that are made most, as a sentence of
+/// its own; empty if there is nothing to add, or if the slip can only be guessed.
+std::string advice(const Said &said);
 
 /// Knows some slips; of others it says nothing.
 using Rule = std::string (*)(const Said &);
@@ -17,23 +21,20 @@ std::string first_of(std::initializer_list<Rule> rules, const Said &said);
 /// "a Disc", "an Impact"
 std::string with_article(const std::string &name);
 
+/// "A Disc is wanted here: put its fields in braces, …"
+std::string wanted(const std::string &name, const std::string &instead = "");
+
 /// Whether something that is not a function is called as if it were one.
 bool calls_no_function(const Said &said);
 
 /// Slips that the student's line shows: a missing star, type or parenthesis.
 std::string advice_on_code(const Said &said);
 
-/// A type where another one is wanted.
+/// A type where another one is wanted; a struct that is wanted, or made in the wrong place.
 std::string advice_on_types(const Said &said);
 
-/// A struct that is wanted, or made in the wrong place.
-std::string advice_on_structs(const Said &said);
-
-/// Lists: their elements, their functions, and loops over them.
+/// Lists: their elements, their functions, and loops over them; maps, and lists in them.
 std::string advice_on_lists(const Said &said);
-
-/// Maps, and lists in them.
-std::string advice_on_maps(const Said &said);
 
 /// Names that are not known, and headers that have them.
 std::string advice_on_names(const Said &said);

@@ -1,10 +1,13 @@
 #include "loop/answer.hpp"
 
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
+#include "ground/text.hpp"
+#include "loop/said.hpp"
 
-#include <vector>
+#include <algorithm>
+#include <array>
+#include <set>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -33,6 +36,65 @@ std::string_view included(std::string_view line) {
     if (!line.starts_with('"')) return {};
     const std::string_view name = line.substr(1, line.find('"', 1) - 1);
     return name.substr(name.rfind('/') + 1); // npos + 1 is 0
+}
+
+/// "UTF-16", if every other byte or so is a zero, or a mark says so; "" for UTF-8, and for what is no text.
+std::string wide_encoding(std::string_view text) {
+    using namespace std::string_view_literals;
+    if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
+    const auto is_control = [](char c) { return c > 0 && c < ' ' && !contains("\t\r\n\f\v", {&c, 1}); };
+    if (std::ranges::any_of(text, is_control)) return "";
+    const auto zeros = 10 * static_cast<std::size_t>(std::ranges::count(text, '\0'));
+    return zeros > 6 * text.size() ? "UTF-32" : zeros > 3 * text.size() ? "UTF-16" : "";
+}
+
+/// Whether a file that isn't the student's may be asked for, however the word is put together.
+bool asks_for_files(std::string_view text) {
+    std::string joined; // without what may stand within a name, or between its parts
+    std::ranges::copy_if(text, std::back_inserter(joined), [](char c) { return !contains("\\\r\n \t#", {&c, 1}); });
+    return contains(joined, "__has_include") || contains(joined, "__has_embed");
+}
+
+/// Whether this line is a `return` that the line before it does not make conditional.
+bool always_returns(std::string_view code, std::string_view before) {
+    return code.starts_with("return ") && code.ends_with(';')
+           && std::ranges::count(code, '{') == std::ranges::count(code, '}') && !before.ends_with(')')
+           && !before.ends_with("else");
+}
+
+bool may_follow_return(std::string_view code) {
+    return contains("}#/", code.substr(0, 1)) || code.starts_with("case ") || code.ends_with(':');
+}
+
+/// Code with blanks for all that is in comments and quotes. Its lines stay.
+std::string code_of(std::string code) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> hides{
+        {{"//", "\n"}, {"/*", "*/"}, {"\"", "\""}}};
+    replace_all(code, "\\\"", "  ");
+    for (std::size_t at = 0; at < code.size(); ++at)
+        for (const auto &[begin, end] : hides) {
+            if (!std::string_view{code}.substr(at).starts_with(begin)) continue;
+            const std::size_t behind =
+                std::min(code.find(end, at + begin.size()), code.size() - end.size()) + end.size();
+            std::replace_if(
+                code.begin() + long(at), code.begin() + long(behind), [](char c) { return c != '\n'; }, ' ');
+            at = behind - 1;
+            break;
+        }
+    return code;
+}
+
+/// Whether a number may begin behind this as the first of a product: not behind 0.5 *, where all is double already, not
+/// in "x1", "2.1", "1e-3", and not in the brackets of a size.
+bool begins_a_product(std::string_view before) {
+    if (before.empty()) return true;
+    if (is_in_a_name(before.back()) || contains(".'", before.substr(before.size() - 1))) return false;
+    const std::size_t end = before.size();
+    const bool exponent = end > 2 && contains("+-", before.substr(end - 1)) && contains("eE", before.substr(end - 2, 1))
+                          && contains("0123456789.", before.substr(end - 3, 1));
+    before = without_blanks_behind(before);
+    return !exponent && (before.empty() || !contains("*/%[", before.substr(before.size() - 1)));
 }
 
 } // namespace
@@ -71,6 +133,113 @@ std::optional<Verdict> diagnose_section(std::string_view text, const std::string
         }
     }
     return verdict;
+}
+
+std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
+    const std::string back =
+        " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
+    if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
+        return Verdict{.kind = Kind::empty, .sentence = name + " is empty." + back};
+    const auto because = [&](const std::string &what) {
+        return Verdict{.kind = Kind::unreadable, .sentence = name + what};
+    };
+    if (text.starts_with("PK\3\4")) return because(" is a zip archive: unpack it, and check the file inside.");
+    if (const std::string encoding = wide_encoding(text); !encoding.empty())
+        return because(" is saved as " + encoding + ": save it as UTF-8 in your editor.");
+    if (text.find('\0') != text.npos)
+        return because(" is not a text file: has a compiled file been saved over it?" + back);
+    if (asks_for_files(text))
+        return Verdict{.kind = Kind::does_not_compile,
+                       .sentence =
+                           "Your file asks with `__has_include` which files there are, and a check doesn't tell: "
+                           "include what you need."};
+    return {};
+}
+
+std::vector<std::string> warnings_about(const std::vector<std::string> &warnings, std::string_view text,
+                                        const std::string &name, const std::vector<std::string> &others) {
+    std::set<int> lines; // of the others' functions, from the one with the name to the brace at the left edge
+    int number = 0;
+    bool inside = false;
+    for (const Line &line : lines_of(text)) {
+        ++number;
+        const std::string_view code = without_blanks_behind(line.text);
+        const auto begins = [&](const std::string &function) { return contains(code, ' ' + function + '('); };
+        const bool at_the_left = !code.empty() && code[0] != ' ' && code[0] != '\t' && code[0] != '/';
+        if (at_the_left && !code.ends_with(';')) inside = inside || std::ranges::any_of(others, begins);
+        if (inside) lines.insert(number);
+        if (at_the_left && code.ends_with('}')) inside = false;
+    }
+    std::vector<std::string> about;
+    for (const std::string &warning : warnings) {
+        const std::size_t place = warning.starts_with(name + ':') ? name.size() + 1 : warning.size();
+        const auto its = leading_number(std::string_view{warning}.substr(place));
+        if (!its || !lines.contains(*its)) about.push_back(warning);
+    }
+    return about;
+}
+
+std::vector<std::string> find_unreached(std::string_view text, const std::string &name) {
+    std::vector<std::string> found;
+    const auto tell = [&](int line, const char *what) { found.push_back(name + ':' + std::to_string(line) + what); };
+    int line = 0, thrown = 0; // where the last NotYet stands, until its braces end
+    std::string_view before;  // the last line with code
+    bool returned = false;
+    for (const Line &each : lines_of(text)) {
+        ++line;
+        const std::string_view code = code_alone(each.text);
+        if (code.empty()) continue;
+        if (returned && !may_follow_return(code))
+            tell(line, ": this line comes after a `return`, and is never reached: move it up");
+        returned = always_returns(code, before);
+        before = code;
+        if (code.starts_with("throw course::NotYet") || code.starts_with("throw NotYet")) thrown = line;
+        else if (code.starts_with('}')) thrown = 0;
+        else if (thrown != 0 && !code.starts_with('"')) {
+            tell(thrown, ": this `throw` is still above your code, which is therefore never reached: delete this line");
+            thrown = 0;
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> find_whole_divisions(std::string_view text, const std::string &name) {
+    constexpr const char *digits = "0123456789";
+    std::vector<std::string> found;
+    const std::string all = code_of(std::string{text});
+    int number = 0;
+    for (const auto &[line, end] : lines_of(all)) {
+        ++number;
+        for (std::size_t slash = 0; (slash = line.find('/', slash)) != line.npos; ++slash) {
+            const std::string_view left = without_blanks_behind(line.substr(0, slash)),
+                                   right = without_blanks(line.substr(slash + 1));
+            const std::size_t begins = left.find_last_not_of(digits) + 1,
+                              ends = std::min(right.find_first_not_of(digits), right.size());
+            const std::string over{left.substr(begins)}, under{right.substr(0, ends)};
+            const auto a = leading_number(over), b = leading_number(under);
+            const bool is_whole =
+                ends == right.size() || (!is_in_a_name(right[ends]) && !contains(".'", {&right[ends], 1}));
+            if (!a || !b || *b == 0 || *a % *b == 0 || !is_whole || !begins_a_product(left.substr(0, begins))) continue;
+            found.push_back(name + ':' + std::to_string(number) + ": `" + over + " / " + under + "` is "
+                            + std::to_string(*a / *b) + ", because both are whole numbers: write `" + over + ".0 / "
+                            + under + '`');
+        }
+    }
+    return found;
+}
+
+std::string explain_accepted(std::string_view text, std::string_view stub, const std::string &exercise) {
+    const auto count = [](std::string_view of, std::string_view wanted) {
+        const auto lines = lines_of(of);
+        return std::ranges::count_if(lines, [&](const Line &line) { return without_blanks(line.text) == wanted; });
+    };
+    const std::string_view function = between(stub, "// " + exercise + ' ', "throw course::NotYet").value_or("");
+    for (const Line &line : lines_of(function))
+        if (const std::string_view refuses = without_blanks(line.text);
+            contains(refuses, "require") && count(text, refuses) < count(stub, refuses))
+            return " When you got it, the function began with lines that refuse it: put `" + std::string{refuses}
+                   + "` back, and any others. These were accepted:";
+    return {};
 }
 
 } // namespace course

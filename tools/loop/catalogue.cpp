@@ -1,6 +1,5 @@
 #include "loop/catalogue.hpp"
 
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/nearest.hpp"
 #include "ground/text.hpp"

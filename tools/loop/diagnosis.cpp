@@ -4,7 +4,7 @@
 #include "ground/nearest.hpp"
 #include "ground/plain.hpp"
 #include "ground/text.hpp"
-#include "loop/advice.hpp"
+#include "loop/advice_rules.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -113,10 +113,6 @@ std::vector<Remark> remarks_in(std::string_view printed, const std::filesystem::
     return remarks;
 }
 
-std::string shown(const std::string &file, const std::filesystem::path &students, const std::string &shown_name) {
-    return file == students.string() ? shown_name : std::filesystem::path{file}.filename().string();
-}
-
 /// "could not convert '…' from 'A' to 'B'" without what is between the first quotes, if that is in the library's words,
 /// since the line itself is shown below; and not more than can be read.
 std::string readable(std::string words) {
@@ -151,63 +147,13 @@ std::string explained(const Said &said) {
     return words + (std::string_view{".?!"}.find(words.back()) == std::string_view::npos ? ". " : " ") + more;
 }
 
-/// "UTF-16", if every other byte or so is a zero, or a mark says so; "" for UTF-8, and for what is no text.
-std::string wide_encoding(std::string_view text) {
-    using namespace std::string_view_literals;
-    if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
-    const auto is_control = [](char c) { return c > 0 && c < ' ' && !contains("\t\r\n\f\v", {&c, 1}); };
-    if (std::any_of(text.begin(), text.end(), is_control)) return "";
-    const auto zeros = 10 * static_cast<std::size_t>(std::count(text.begin(), text.end(), '\0'));
-    return zeros > 6 * text.size() ? "UTF-32" : zeros > 3 * text.size() ? "UTF-16" : "";
-}
-
-/// Whether a file that isn't the student's may be asked for, however the word is put together.
-bool asks_for_files(std::string_view text) {
-    std::string joined; // without what may stand within a name, or between its parts
-    std::copy_if(text.begin(), text.end(), std::back_inserter(joined), [](char c) {
-        return !contains("\\\r\n \t#", {&c, 1});
-    });
-    return contains(joined, "__has_include") || contains(joined, "__has_embed");
-}
-
-} // namespace
-
-std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
-    const std::string back =
-        " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
-    if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
-        return Verdict{.kind = Kind::empty, .sentence = name + " is empty." + back};
-    const auto because = [&](const std::string &what) {
-        return Verdict{.kind = Kind::unreadable, .sentence = name + what};
-    };
-    if (text.starts_with("PK\3\4")) return because(" is a zip archive: unpack it, and check the file inside.");
-    if (const std::string encoding = wide_encoding(text); !encoding.empty())
-        return because(" is saved as " + encoding + ": save it as UTF-8 in your editor.");
-    if (text.find('\0') != text.npos)
-        return because(" is not a text file: has a compiled file been saved over it?" + back);
-    if (asks_for_files(text))
-        return Verdict{.kind = Kind::does_not_compile,
-                       .sentence =
-                           "Your file asks with `__has_include` which files there are, and a check doesn't tell: "
-                           "include what you need."};
-    return {};
-}
-
-std::string explain_unopened() {
-    return "A check can't open this file: it has only headers of the system, Eigen and chapters/. Check the name, or "
-           "write what you need yourself.";
-}
-
-namespace {
-
 /// The name that the compiler does not know, if that is what its words say.
 std::string unknown_name(const std::string &words) {
     if (const auto member = between(words, "no member named '", "'")) return std::string{*member};
-    for (const char *unknown : {"was not declared", "has not been declared", "does not name a type",
-                                "is not a member of", "undeclared identifier", "unknown type name", "no type named"})
-        if (contains(words, unknown)) return std::string{between(words, "'", "'").value_or("")};
-    return "";
+    const bool unknown =
+        contains_any(words, {"was not declared", "has not been declared", "does not name a type", "is not a member of",
+                             "undeclared identifier", "unknown type name", "no type named"});
+    return std::string{unknown ? between(words, "'", "'").value_or("") : ""};
 }
 
 /// A line that a compiler speaks of and does not show: GCC shows none again that it has just shown with a warning, and
@@ -227,123 +173,9 @@ void drop_imagined_templates(std::vector<Remark> &remarks) {
         if (!unknown_name(remark.said.words).empty()) lines.push_back(remark.line);
     std::erase_if(remarks, [&](const Remark &remark) {
         return remark.said.words.starts_with("call to non-'constexpr' function")
-               && std::find(lines.begin(), lines.end(), remark.line) != lines.end();
+               && std::ranges::find(lines, remark.line) != lines.end();
     });
 }
-
-} // namespace
-
-Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name,
-                          const std::vector<Renamed> &renamed) {
-    Verdict verdict = {.kind = Kind::does_not_compile};
-    auto remarks = remarks_in(printed, file);
-    std::erase_if(remarks, [](const Remark &remark) { return !remark.is_error; });
-    drop_imagined_templates(remarks);
-    if (remarks.empty()) {
-        const std::string_view first = printed.substr(0, printed.find('\n')),
-                               words = between(printed, ": Error: ", "\n").value_or(first); // of the assembler
-        verdict.sentence = could_not_open(words) ? explain_unopened()
-                           : words.empty()       ? "The compiler stopped: it said nothing."
-                                                 : "The compiler stopped: " + plain_line(words, longest_name);
-        return verdict;
-    }
-    Remark &first = remarks.front();
-    verdict.sentence = explained(first.said);
-    if (!explain_renamed({unknown_name(first.said.words)}, renamed).empty()) {
-        std::vector<std::string> unknown;
-        for (const Remark &remark : remarks) unknown.push_back(unknown_name(remark.said.words));
-        verdict.sentence = explain_renamed(unknown, renamed);
-    }
-    if (first.line != 0) verdict.file = shown(first.file, file, name);
-    verdict.line = first.line;
-    if (first.said.code.empty() && first.file == file.string()) first.said.code = line_of_file(file, first.line);
-    if (const auto &[words, code, caret, notes] = first.said; !code.empty()) {
-        const std::string number = std::to_string(first.line);
-        const std::string margin(std::max<std::size_t>(number.size(), 5), ' ');
-        verdict.printed = {margin.substr(number.size()) + number + " | " + plain_line(code, longest_line)};
-        if (!caret.empty()) verdict.printed.push_back(margin + " | " + plain_line(caret, longest_line));
-    }
-    verdict.printed_more = remarks.size() - 1;
-    return verdict;
-}
-
-std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
-                                       const std::string &name) {
-    std::vector<std::string> warnings;
-    for (const Remark &remark : remarks_in(printed, file))
-        if (!remark.is_error && remark.file == file.string())
-            warnings.push_back(name + ':' + std::to_string(remark.line) + ": " + explained(remark.said));
-    return warnings;
-}
-
-std::vector<std::string> warnings_about(const std::vector<std::string> &warnings, std::string_view text,
-                                        const std::string &name, const std::vector<std::string> &others) {
-    std::set<int> lines; // of the others' functions, from the one with the name to the brace at the left edge
-    int number = 0;
-    bool inside = false;
-    for (const Line &line : lines_of(text)) {
-        ++number;
-        const std::string_view code = without_blanks_behind(line.text);
-        const auto begins = [&](const std::string &function) { return contains(code, ' ' + function + '('); };
-        const bool at_the_left = !code.empty() && code[0] != ' ' && code[0] != '\t' && code[0] != '/';
-        if (at_the_left && !code.ends_with(';')) inside = inside || std::any_of(others.begin(), others.end(), begins);
-        if (inside) lines.insert(number);
-        if (at_the_left && code.ends_with('}')) inside = false;
-    }
-    std::vector<std::string> about;
-    for (const std::string &warning : warnings) {
-        const std::size_t place = warning.starts_with(name + ':') ? name.size() + 1 : warning.size();
-        const auto its = leading_number(std::string_view{warning}.substr(place));
-        if (!its || !lines.contains(*its)) about.push_back(warning);
-    }
-    return about;
-}
-
-namespace {
-
-/// A line of code without its blanks and what is behind its `//`.
-std::string_view code_alone(std::string_view line) {
-    return without_blanks_behind(without_blanks(line.substr(0, line.find("//"))));
-}
-
-/// Whether this line is a `return` that the line before it does not make conditional.
-bool always_returns(std::string_view code, std::string_view before) {
-    return code.starts_with("return ") && code.ends_with(';')
-           && std::count(code.begin(), code.end(), '{') == std::count(code.begin(), code.end(), '}')
-           && !before.ends_with(')') && !before.ends_with("else");
-}
-
-bool may_follow_return(std::string_view code) {
-    return contains("}#/", code.substr(0, 1)) || code.starts_with("case ") || code.ends_with(':');
-}
-
-} // namespace
-
-std::vector<std::string> find_unreached(std::string_view text, const std::string &name) {
-    std::vector<std::string> found;
-    const auto tell = [&](int line, const char *what) { found.push_back(name + ':' + std::to_string(line) + what); };
-    int line = 0, thrown = 0; // where the last NotYet stands, until its braces end
-    std::string_view before;  // the last line with code
-    bool returned = false;
-    for (const Line &each : lines_of(text)) {
-        ++line;
-        const std::string_view code = code_alone(each.text);
-        if (code.empty()) continue;
-        if (returned && !may_follow_return(code))
-            tell(line, ": this line comes after a `return`, and is never reached: move it up");
-        returned = always_returns(code, before);
-        before = code;
-        if (code.starts_with("throw course::NotYet") || code.starts_with("throw NotYet")) thrown = line;
-        else if (code.starts_with('}')) thrown = 0;
-        else if (thrown != 0 && !code.starts_with('"')) {
-            tell(thrown, ": this `throw` is still above your code, which is therefore never reached: delete this line");
-            thrown = 0;
-        }
-    }
-    return found;
-}
-
-namespace {
 
 /// The name that stands after these words in quotes, `x' or 'x': a linker's. A long one may have been cut.
 std::optional<std::string> quoted_after(std::string_view line, std::string_view words) {
@@ -352,36 +184,6 @@ std::optional<std::string> quoted_after(std::string_view line, std::string_view 
     const std::string_view name = line.substr(at + words.size() + 1);
     return plain_line(name.substr(0, name.find('\'')), longest_name);
 }
-
-} // namespace
-
-Verdict diagnose_linker(std::string_view printed, const std::string &name, const std::string &number) {
-    std::set<std::string> missing;
-    std::optional<std::string> twice;
-    const std::string text = with_short_names(std::string{printed});
-    for (const Line &line : lines_of(text)) {
-        if (const auto its = quoted_after(line.text, "undefined reference to ")) missing.insert(*its);
-        if (const auto its = quoted_after(line.text, "multiple definition of "); its && !twice) twice = its;
-    }
-    const auto because = [](std::string sentence) {
-        return Verdict{.kind = Kind::does_not_link, .sentence = std::move(sentence)};
-    };
-    if (twice == "main")
-        return because("Your file has a `main` of its own. The course has one already: remove yours. `./course run "
-                       + number + " --mine` runs the section's program with your code.");
-    if (twice)
-        return because('`' + *twice
-                       + "` is defined twice, in your file and in the course: remove yours, or give it a name that is "
-                         "not taken.");
-    if (missing.empty())
-        return because("The linker stopped: " + plain_line(text.substr(0, text.find('\n')), longest_name));
-    std::string names;
-    for (const auto &one : missing) names += (names.empty() ? "`" : ", `") + one + '`';
-    return because(names + (missing.size() == 1 ? " is" : " are") + " declared in " + name
-                   + ", and used, but never defined: write the body, or correct name and parameters.");
-}
-
-namespace {
 
 /// A function of an object: "ns::meet(double)", and "meet".
 struct Defined {
@@ -419,6 +221,81 @@ std::string declaration(const std::string &header, const std::string &function) 
 
 } // namespace
 
+std::string explain_unopened() {
+    return "A check can't open this file: it has only headers of the system, Eigen and chapters/. Check the name, or "
+           "write what you need yourself.";
+}
+
+Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name,
+                          const std::vector<Renamed> &renamed) {
+    Verdict verdict = {.kind = Kind::does_not_compile};
+    auto remarks = remarks_in(printed, file);
+    std::erase_if(remarks, [](const Remark &remark) { return !remark.is_error; });
+    drop_imagined_templates(remarks);
+    if (remarks.empty()) {
+        const std::string_view first = printed.substr(0, printed.find('\n')),
+                               words = between(printed, ": Error: ", "\n").value_or(first); // of the assembler
+        verdict.sentence = could_not_open(words) ? explain_unopened()
+                           : words.empty()       ? "The compiler stopped: it said nothing."
+                                                 : "The compiler stopped: " + plain_line(words, longest_name);
+        return verdict;
+    }
+    Remark &first = remarks.front();
+    verdict.sentence = explained(first.said);
+    if (!explain_renamed({unknown_name(first.said.words)}, renamed).empty()) {
+        std::vector<std::string> unknown;
+        for (const Remark &remark : remarks) unknown.push_back(unknown_name(remark.said.words));
+        verdict.sentence = explain_renamed(unknown, renamed);
+    }
+    if (first.line != 0)
+        verdict.file = first.file == file ? name : std::filesystem::path{first.file}.filename().string();
+    verdict.line = first.line;
+    if (first.said.code.empty() && first.file == file.string()) first.said.code = line_of_file(file, first.line);
+    if (const auto &[words, code, caret, notes] = first.said; !code.empty()) {
+        const std::string number = std::to_string(first.line);
+        const std::string margin(std::max<std::size_t>(number.size(), 5), ' ');
+        verdict.printed = {margin.substr(number.size()) + number + " | " + plain_line(code, longest_line)};
+        if (!caret.empty()) verdict.printed.push_back(margin + " | " + plain_line(caret, longest_line));
+    }
+    verdict.printed_more = remarks.size() - 1;
+    return verdict;
+}
+
+std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
+                                       const std::string &name) {
+    std::vector<std::string> warnings;
+    for (const Remark &remark : remarks_in(printed, file))
+        if (!remark.is_error && remark.file == file.string())
+            warnings.push_back(name + ':' + std::to_string(remark.line) + ": " + explained(remark.said));
+    return warnings;
+}
+
+Verdict diagnose_linker(std::string_view printed, const std::string &name, const std::string &number) {
+    std::set<std::string> missing;
+    std::optional<std::string> twice;
+    const std::string text = with_short_names(std::string{printed});
+    for (const Line &line : lines_of(text)) {
+        if (const auto its = quoted_after(line.text, "undefined reference to ")) missing.insert(*its);
+        if (const auto its = quoted_after(line.text, "multiple definition of "); its && !twice) twice = its;
+    }
+    const auto because = [](std::string sentence) {
+        return Verdict{.kind = Kind::does_not_link, .sentence = std::move(sentence)};
+    };
+    if (twice == "main")
+        return because("Your file has a `main` of its own. The course has one already: remove yours. `./course run "
+                       + number + " --mine` runs the section's program with your code.");
+    if (twice)
+        return because('`' + *twice
+                       + "` is defined twice, in your file and in the course: remove yours, or give it a name that is "
+                         "not taken.");
+    if (missing.empty())
+        return because("The linker stopped: " + plain_line(text.substr(0, text.find('\n')), longest_name));
+    std::string names;
+    for (const auto &one : missing) names += (names.empty() ? "`" : ", `") + one + '`';
+    return because(names + (missing.size() == 1 ? " is" : " are") + " declared in " + name
+                   + ", and used, but never defined: write the body, or correct name and parameters.");
+}
+
 std::string first_error(const std::string &printed) {
     const auto lines = lines_of(printed);
     const std::string_view undefined = "undefined reference to ";
@@ -454,20 +331,6 @@ std::string explain_missing(std::string_view symbols, const std::string &header,
     std::string near = nearest(function, others);
     if (edit_distance(near, function) > 1 + function.size() / 3) near.clear(); // a helper with a name of its own
     return says + (says.empty() ? "" : ".") + (near.empty() ? "" : " Yours has `" + near + "`: is that it, misspelt?");
-}
-
-std::string explain_accepted(std::string_view text, std::string_view stub, const std::string &exercise) {
-    const auto count = [](std::string_view of, std::string_view wanted) {
-        const auto lines = lines_of(of);
-        return std::ranges::count_if(lines, [&](const Line &line) { return without_blanks(line.text) == wanted; });
-    };
-    const std::string_view function = between(stub, "// " + exercise + ' ', "throw course::NotYet").value_or("");
-    for (const Line &line : lines_of(function))
-        if (const std::string_view refuses = without_blanks(line.text);
-            contains(refuses, "require") && count(text, refuses) < count(stub, refuses))
-            return " When you got it, the function began with lines that refuse it: put `" + std::string{refuses}
-                   + "` back, and any others. These were accepted:";
-    return {};
 }
 
 } // namespace course

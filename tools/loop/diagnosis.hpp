@@ -11,10 +11,6 @@
 
 namespace course {
 
-/// Says what is wrong with a file before any compiler sees it: it is empty, not text, or asks which files there are.
-/// @param number  of the section, for the command that brings the stub back
-std::optional<Verdict> diagnose_text(std::string_view text, const std::string &shown_name, const std::string &number);
-
 /// The first error, with its line of code; how many more there are. If it is about an old name, the new names of all the
 /// old ones that errors are about.
 /// @param errors  what the compiler printed
@@ -31,19 +27,6 @@ std::string explain_unopened();
 std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
                                        const std::string &shown_name);
 
-/// Those of these warnings that concern one exercise: all but the ones inside the functions of the others.
-/// @param text    of the student's file
-/// @param others  functions of the other exercises
-std::vector<std::string> warnings_about(const std::vector<std::string> &warnings, std::string_view text,
-                                        const std::string &shown_name, const std::vector<std::string> &others);
-
-/// Where code follows a `throw course::NotYet` or a `return` in the same braces, and is never reached: one line each, as
-/// warnings are.
-std::vector<std::string> find_unreached(std::string_view text, const std::string &shown_name);
-
-/// Where a whole number is divided by one and something is lost, 1 / 2 but not 4 / 2: one line each.
-std::vector<std::string> find_whole_divisions(std::string_view text, const std::string &shown_name);
-
 /// An own `main`, a helper that is declared and never defined, something defined twice.
 Verdict diagnose_linker(std::string_view errors, const std::string &shown_name, const std::string &number);
 
@@ -58,10 +41,5 @@ std::string first_error(const std::string &printed);
 /// @param renamed  old names of the section
 std::string explain_missing(std::string_view symbols, const std::string &header, const std::string &function,
                             const std::vector<Renamed> &renamed = {});
-
-/// What helps if bad input was accepted, to be added to that sentence: the first of the lines that refused it in the
-/// stub, above the `throw` of this exercise, and that the student's file has no longer. Empty if all are there.
-/// @param stub  the text of the file as it was when the student got it
-std::string explain_accepted(std::string_view text, std::string_view stub, const std::string &exercise);
 
 } // namespace course

@@ -1,25 +1,19 @@
 #include "loop/judge.hpp"
 
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
-#include "ground/limits.hpp"
+#include "ground/kernel.hpp"
 #include "ground/lines.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
 #include "loop/answer.hpp"
+#include "loop/compiling.hpp"
 #include "loop/diagnosis.hpp"
-#include "loop/includes.hpp"
-#include "loop/stopped.hpp"
 #include "loop/toolbox.hpp"
 #include "verdict/tests/shut_in.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <functional>
@@ -28,11 +22,10 @@ namespace course {
 namespace fs = std::filesystem;
 
 bool Judgement::all_passed() const {
-    return !unbuilt && !verdicts.empty()
-           && std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); });
+    return !unbuilt && !verdicts.empty() && std::ranges::all_of(verdicts, &Verdict::passed);
 }
 bool Judgement::our_fault() const {
-    return std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.kind == Kind::no_verdict; });
+    return std::ranges::any_of(verdicts, [](const Verdict &v) { return v.kind == Kind::no_verdict; });
 }
 
 namespace {
@@ -42,39 +35,15 @@ constexpr double longest_test = 600;
 /// [s] of processor for the quick compiler, which needs a fifth of a second.
 constexpr unsigned quick_enough = 5;
 
-/// A folder for one judgement, gone when it is over.
-class Scratch {
-  public:
-    explicit Scratch(const fs::path &build) {
-        sweep(build / "loop");
-        std::string name = (build / "loop" / "judge.XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw MachineTrouble{"cannot write in " + build.string() + " (" + std::strerror(errno)
-                                 + "): make it writable, or its disk less full"};
-        folder = name;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
-    Scratch(const Scratch &) = delete;
-    Scratch &operator=(const Scratch &) = delete;
-
-    fs::path operator/(const char *name) const { return folder / name; }
-
-    fs::path folder;
-
-  private:
-    /// Those that a kill has left: no check takes an hour.
-    static void sweep(const fs::path &loop) {
-        std::error_code ignored;
-        const auto an_hour_ago = fs::file_time_type::clock::now() - std::chrono::hours{1};
-        for (const auto &entry : fs::directory_iterator{loop, ignored})
-            if (entry.path().filename().string().starts_with("judge.") && entry.last_write_time(ignored) < an_hour_ago
-                && !ignored)
-                fs::remove_all(entry.path(), ignored);
-    }
-};
+/// Removes the folders of judgements that a kill has ended: no check takes an hour.
+void sweep(const fs::path &loop) {
+    std::error_code ignored;
+    const auto an_hour_ago = fs::file_time_type::clock::now() - std::chrono::hours{1};
+    for (const auto &entry : fs::directory_iterator{loop, ignored})
+        if (entry.path().filename().string().starts_with("judge.") && entry.last_write_time(ignored) < an_hour_ago
+            && !ignored)
+            fs::remove_all(entry.path(), ignored);
+}
 
 Judgement not_built(Verdict why, std::vector<std::string> warnings = {}) {
     return {std::move(why), {}, std::move(warnings)};
@@ -114,15 +83,25 @@ std::string run_tests(const Tree &tree, const Section &section, const std::strin
 /// A student's file becomes a subject, the program against which tests run. Compilers see a copy of it, with nothing
 /// beside it and a name that none of them stumbles over.
 struct SubjectBuild {
-    SubjectBuild(const Tree &tree_, const Section &section_, const Toolbox &tools_, const std::string &name_,
-                 const std::string &text_)
-        : tree{tree_}, section{section_}, tools{tools_}, name{name_}, text{text_} {
+    const Tree &tree;
+    const Section &section;
+    const Toolbox &tools;
+    const std::string &name, &text;
+    const Scratch scratch{tree.build / "loop" / "judge"};
+    const fs::path file = scratch.folder / "student.cpp";
+    const ShutIn shut_in{places_of(tools, scratch.folder), {.calls = false, .privileges = false}};
+    bool is_linked = false;
+
+    void make_copy() const {
+        if (scratch.folder.empty())
+            throw MachineTrouble{"cannot write in " + tree.build.string() + " (" + std::strerror(scratch.error)
+                                 + "): make it writable, or its disk less full"};
         std::ofstream copy{file, std::ios::binary}; // write_file would wait for the disk
         if (!(copy << text).flush()) throw MachineTrouble{"the disk is full; make some room and try again"};
     }
 
-    std::string object() const { return scratch / "student.o"; }
-    std::string subject() const { return scratch / "subject"; }
+    std::string object() const { return scratch.folder / "student.o"; }
+    std::string subject() const { return scratch.folder / "subject"; }
 
     /// @return why it could not be compiled
     std::optional<Verdict> compile(std::vector<std::string> &warnings) {
@@ -174,7 +153,7 @@ struct SubjectBuild {
     /// is passed on of one that might quote them. It passes over headers that aren't there.
     std::optional<Verdict> look_elsewhere() const {
         auto command = compile_command(tools.compiler);
-        const std::string list = scratch / "includes";
+        const std::string list = scratch.folder / "includes";
         command.insert(command.end(), {"-M", "-MG", "-MF", list, "-fmax-errors=0"});
         const auto listed = run_tool(command, compiler_limits);
         std::string why = stopped_by_a_limit(listed, plain_output(listed.err));
@@ -209,15 +188,6 @@ struct SubjectBuild {
         command.insert(command.end(), tools.link.begin(), tools.link.end());
         return run_tool(command, compiler_limits);
     }
-
-    const Tree &tree;
-    const Section &section;
-    const Toolbox &tools;
-    const std::string &name, &text;
-    const Scratch scratch{tree.build};
-    const fs::path file = scratch / "student.cpp";
-    const ShutIn shut_in{places_of(tools, scratch.folder), {.calls = false, .privileges = false}};
-    bool is_linked = false;
 };
 
 /// For a function that is missing: how the header declares it, and what is there instead.
@@ -238,13 +208,8 @@ void help_the_missing(std::vector<Verdict> &verdicts, const Tree &tree, const Se
 
 std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std::string &said) {
     std::vector<Verdict> told, verdicts;
-    for (const Line &line : lines_of(said)) {
-        const auto json = nlohmann::json::parse(line.text, nullptr, false);
-        try {
-            told.push_back(json.get<Verdict>());
-        } catch (const nlohmann::json::exception &) { // half a line: its test has no verdict
-        }
-    }
+    for (const Line &line : lines_of(said))
+        if (auto verdict = from_line(line.text)) told.push_back(std::move(*verdict)); // else its test has none
     const auto none = [](const KnownTest &test, const char *sentence) {
         return Verdict{.exercise = test.exercise, .test = test.claim, .kind = Kind::no_verdict, .sentence = sentence};
     };
@@ -272,7 +237,9 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     require_room_in_files();
     const Toolbox tools = toolbox(tree, section);
     bring_up_to_date(tree, section, tools);
+    sweep(tree.build / "loop");
     SubjectBuild build{tree, section, tools, name, text};
+    build.make_copy();
     std::vector<std::string> warnings;
     if (auto trouble = build.compile(warnings)) return not_built(*trouble);
     for (const auto &find : {find_unreached, find_whole_divisions})

@@ -19,7 +19,7 @@ std::string plain(std::string_view text) {
 
 void set(pugi::xml_node node, const char *name, const std::string &value) {
     std::string line = plain(value);
-    std::replace(line.begin(), line.end(), '\n', ' ');
+    std::ranges::replace(line, '\n', ' ');
     node.append_attribute(name) = line.c_str();
 }
 
@@ -87,15 +87,11 @@ std::string junit(const std::vector<Report> &reports) {
         add_property(suite, "file", report.file);
         add_property(suite, "seed", std::to_string(report.seed));
         for (const KnownTest &test : report.tests) add_test(suite, test, report);
-        const auto count = [&](const char *element) {
-            const auto cases = suite.children("testcase");
-            return static_cast<int>(std::count_if(
-                cases.begin(), cases.end(), [&](const pugi::xml_node &test) { return !test.child(element).empty(); }));
-        };
-        tests = static_cast<int>(report.tests.size());
-        failures = count("failure");
-        errors = count("error");
-        skipped = count("skipped");
+        const auto count = [&](const char *path) { return suite.select_nodes(path).size(); };
+        tests = report.tests.size();
+        failures = count("testcase/failure");
+        errors = count("testcase/error");
+        skipped = count("testcase/skipped");
     }
     std::ostringstream out;
     document.save(out, "  ");

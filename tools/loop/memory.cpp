@@ -1,16 +1,14 @@
 #include "loop/memory.hpp"
 
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <ctime>
-#include <iomanip>
+#include <fmt/chrono.h>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -41,7 +39,7 @@ void store(const fs::path &path, const json &memory) {
 
 /// Changes what a file remembers. One command at a time, so that of two at once neither loses what the other adds.
 template <class Change> void change(const Tree &tree, const fs::path &path, Change what) {
-    const ShortLock alone{tree.memory() / "lock"};
+    const Descriptor alone = short_lock(tree.memory() / "lock");
     json memory = load(path);
     what(memory);
     store(path, memory);
@@ -60,16 +58,13 @@ std::string word(const json &object, const char *key) {
 
 std::string now(const char *format, bool utc) {
     const std::time_t seconds = std::time(nullptr);
-    std::ostringstream text;
-    std::tm parts{};
-    text << std::put_time(utc ? ::gmtime_r(&seconds, &parts) : ::localtime_r(&seconds, &parts), format);
-    return text.str();
+    return fmt::format(fmt::runtime(format), utc ? fmt::gmtime(seconds) : fmt::localtime(seconds));
 }
 
 } // namespace
 
 void remember(const Tree &tree, const Section &section, const std::vector<ExerciseState> &states) {
-    const std::string file = fingerprint(tree.exercise(section)), when = now("%Y-%m-%dT%H:%M:%SZ", true);
+    const std::string file = fingerprint(tree.exercise(section)), when = now("{:%Y-%m-%dT%H:%M:%SZ}", true);
     change(tree, progress_file(tree), [&](json &progress) {
         json &memories = progress[section.name];
         if (!memories.is_object()) memories = json::object();
@@ -105,14 +100,12 @@ std::string fingerprint(const fs::path &file) {
     if (!fs::is_regular_file(file)) return "";
     std::uint64_t hash = 0xcbf29ce484222325; // FNV-1a: no secret, only a change
     for (char c : read_file(file)) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    std::ostringstream digits;
-    digits << std::hex << std::setfill('0') << std::setw(16) << hash;
-    return digits.str();
+    return fmt::format("{:016x}", hash);
 }
 
 fs::path keep_copy(const Tree &tree, const Section &section) {
     const fs::path folder = tree.memory() / "kept";
-    const std::string name = section.name + now("-%Y-%m-%d-%H%M%S", false);
+    const std::string name = section.name + now("-{:%Y-%m-%d-%H%M%S}", false);
     fs::path copy = folder / (name + ".cpp");
     for (int more = 2; fs::exists(copy); ++more) copy = folder / (name + '-' + std::to_string(more) + ".cpp");
     write_file(copy, read_file(tree.exercise(section)));

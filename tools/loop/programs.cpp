@@ -1,8 +1,7 @@
 #include "loop/programs.hpp"
 
 #include "ground/build.hpp"
-#include "ground/complaint.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "ground/text.hpp"
 #include "loop/diagnosis.hpp"
 #include "verdict/tests/shut_in.hpp"
@@ -94,47 +93,41 @@ void empty_folder(const fs::path &folder) {
 /// So that a runaway function cannot bring the machine down. Sanitizers take addresses of many TB.
 constexpr Limits student_limits{.memory = sanitized ? 0 : std::size_t{4} << 30, .file_size = std::size_t{100} << 20};
 
-Ran run_student(const Tree &tree, const Section &section, const fs::path &traces, const std::string &part,
-                double deadline) {
-    tree.written_exercise(section);
-    if (const Finished built = build_target(tree, section.name + "_mine"); built.code != 0)
-        return {
-            false, {}, "your program cannot be built: " + student_error(tree, section, built.out + '\n' + built.err)};
-    empty_folder(traces);
-    const fs::path program = program_binary(tree, section, Whose::student);
-    Places places{places_of_system(), {traces}};
-    places.readable.push_back(program);
-    const ShutIn shut_in{places, {}};
-    // The folder is its own, and named by no path: others may be on the way, where root's capabilities would be needed.
-    const Finished finished = run(program_command(program, part, "."), {.deadline = deadline,
-                                                                        .folder = traces,
-                                                                        .limits = student_limits,
-                                                                        .environment = {"LC_ALL=C.UTF-8"},
-                                                                        .shut_in = &shut_in});
-    if (finished.code == unknown_part && !part.empty()) throw Complaint{last_line(finished.err)};
-    return {true, finished, student_trouble(section, finished, deadline)};
-}
-
-Ran run_reference(const Tree &tree, const Section &section, const fs::path &traces, const std::string &part) {
-    if (const Finished built = build_target(tree, section.name); built.code != 0)
-        return {false,
-                {},
-                "the program of " + section.name + " cannot be built: " + first_error(built.out + '\n' + built.err)};
-    std::error_code ignored;
-    fs::create_directories(traces, ignored); // the program says so if it cannot write
-    const Finished finished = run(program_command(program_binary(tree, section, Whose::reference), part, traces));
-    if (finished.code == unknown_part && !part.empty()) throw Complaint{last_line(finished.err)};
-    if (finished.code == 0) return {true, finished, ""};
-    return {true, finished, "the program of " + section.name + " left with exit code " + std::to_string(finished.code)};
-}
-
 } // namespace
 
-Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs::path &traces, const std::string &part,
+Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs::path &folder, const std::string &part,
                 double deadline) {
-    const fs::path folder = fs::absolute(traces);
-    return whose == Whose::student ? run_student(tree, section, folder, part, deadline)
-                                   : run_reference(tree, section, folder, part);
+    const fs::path traces = fs::absolute(folder), program = program_binary(tree, section, whose);
+    const bool student = whose == Whose::student;
+    if (student) tree.written_exercise(section);
+    const Finished built = build_target(tree, section.name + (student ? "_mine" : ""));
+    const std::string printed = built.out + '\n' + built.err;
+    if (built.code != 0)
+        return {false,
+                {},
+                student ? "your program cannot be built: " + student_error(tree, section, printed)
+                        : "the program of " + section.name + " cannot be built: " + first_error(printed)};
+    Finished finished;
+    if (student) {
+        empty_folder(traces);
+        Places places{places_of_system(), {traces}};
+        places.readable.push_back(program);
+        const ShutIn shut_in{places, {}};
+        // The folder is its own, and named by no path: on the way may be others, where root's capabilities are needed.
+        finished = run(program_command(program, part, "."), {.deadline = deadline,
+                                                             .folder = traces,
+                                                             .limits = student_limits,
+                                                             .environment = {"LC_ALL=C.UTF-8"},
+                                                             .shut_in = &shut_in});
+    } else {
+        std::error_code ignored;
+        fs::create_directories(traces, ignored); // the program says so if it cannot write
+        finished = run(program_command(program, part, traces));
+    }
+    if (finished.code == unknown_part && !part.empty()) throw Complaint{last_line(finished.err)};
+    if (student) return {true, finished, student_trouble(section, finished, deadline)};
+    const std::string left = "the program of " + section.name + " left with exit code ";
+    return {true, finished, finished.code == 0 ? "" : left + std::to_string(finished.code)};
 }
 
 } // namespace course

@@ -2,14 +2,7 @@
 
 #include "loop/memory.hpp"
 
-#include <algorithm>
-
 namespace course {
-
-int Progress::passed() const {
-    return static_cast<int>(
-        std::count_if(standings.begin(), standings.end(), [](const Standing &s) { return s.state == "passed"; }));
-}
 
 Progress progress(const Tree &tree, const Section &section) {
     const auto memories = recall(tree, section);

@@ -2,6 +2,7 @@
 #include "ground/tree.hpp"
 #include "loop/catalogue.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,11 @@ struct Progress {
     bool there = true;    ///< whether the student's file is there
     bool changed = false; ///< whether it has changed since the last check
 
-    int passed() const;
-    bool finished() const { return passed() == static_cast<int>(standings.size()); }
+    std::ptrdiff_t passed() const { return std::ranges::count(standings, "passed", &Standing::state); }
+    std::vector<Standing>::const_iterator first_open() const { ///< the first that is not passed, or the end
+        return std::ranges::find_if(standings, [](const Standing &s) { return s.state != "passed"; });
+    }
+    bool finished() const { return first_open() == standings.end(); }
 };
 
 /// @throws Complaint if the section is not built yet.

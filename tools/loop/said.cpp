@@ -4,8 +4,6 @@
 #include "ground/text.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <utility>
 
 namespace course {
 namespace {
@@ -102,15 +100,43 @@ std::string struct_name(std::string_view type) {
         if (type.starts_with(word)) type.remove_prefix(std::string_view{word}.size());
     if (type.ends_with('&')) type.remove_suffix(1);
     if (const std::size_t colon = type.rfind(':'); colon != type.npos) type.remove_prefix(colon + 1);
-    const bool is_name = std::all_of(type.begin(), type.end(), is_in_a_name);
+    const bool is_name = std::ranges::all_of(type, is_in_a_name);
     if (!is_name || type.empty() || type[0] < 'A' || type[0] > 'Z' || type == "Vec2") return {};
     return std::string{type};
 }
 
-bool is_in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+std::size_t where_it_closes(std::string_view code, std::size_t from) {
+    int open = 0;
+    for (std::size_t i = from; i < code.size(); ++i) {
+        if (contains("([{", {&code[i], 1})) ++open;
+        if (contains(")]}", {&code[i], 1}) && --open == 0) return i;
+    }
+    return code.npos;
+}
+
+bool has_comma(std::string_view code) {
+    if (code.starts_with('(') && code.ends_with(')')) code = code.substr(1, code.size() - 2);
+    int open = 0;
+    for (const char c : code) {
+        if (contains("([{<", {&c, 1})) ++open;
+        if (contains(")]}>", {&c, 1})) --open;
+        if (c == ',' && open == 0) return true;
+    }
+    return false;
+}
+
+std::string_view code_alone(std::string_view line) { return without_blanks(line.substr(0, line.find("//"))); }
+
+std::pair<std::string, std::string> missing_member(const Said &said) {
+    const auto names = in_quotes(said.words);
+    if (names.size() < 2) return {};
+    if (contains(said.words, "has no member named '")) return {names[0], names[1]}; // GCC
+    if (said.words.starts_with("no member named '")) return {names[1], names[0]};   // Clang
+    return {};
+}
 
 std::string_view first_word(std::string_view code) {
-    const auto end = std::find_if_not(code.begin(), code.end(), is_in_a_name);
+    const auto end = std::ranges::find_if_not(code, is_in_a_name);
     return code.substr(0, static_cast<std::size_t>(end - code.begin()));
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace course {
@@ -31,7 +32,17 @@ bool is_vector(std::string_view type);
 /// A struct of the course or the student's own: State, as the compiler writes it; or else nothing.
 std::string struct_name(std::string_view type);
 
-bool is_in_a_name(char c);
+/// Where the bracket closes that stands at `from`, of any kind but < and >; or npos.
+std::size_t where_it_closes(std::string_view code, std::size_t from);
+
+/// a, b or (a, b): a comma that is in no inner brackets.
+bool has_comma(std::string_view code);
+
+/// A line of code without the blanks around it, and without what is behind its `//`.
+std::string_view code_alone(std::string_view line);
+
+/// The type that is asked for a member that it lacks, and that member's name; both empty if it is about something else.
+std::pair<std::string, std::string> missing_member(const Said &said);
 
 /// A name or a number with which this begins; or nothing.
 std::string_view first_word(std::string_view code);

@@ -1,7 +1,6 @@
 #include "loop/toolbox.hpp"
 
 #include "ground/build.hpp"
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
 
@@ -60,31 +59,10 @@ std::vector<fs::path> made_for(const Toolbox &tools) {
     files.insert(files.end(), tools.earlier.begin(), tools.earlier.end());
     auto quick = tools.quick_link;
     if (tools.quick) quick.insert(quick.end(), tools.quick->precompiled.begin(), tools.quick->precompiled.end());
-    std::copy_if(quick.begin(), quick.end(), std::back_inserter(files),
-                 [](const std::string &word) { return word.starts_with('/'); });
+    std::ranges::copy_if(quick, std::back_inserter(files),
+                         [](const std::string &word) { return word.starts_with('/'); });
     return files;
 }
-
-} // namespace
-
-Places places_of(const Toolbox &tools, const fs::path &work) {
-    Places places{places_of_system(), {work, "/dev/null"}};
-    auto &readable = places.readable;
-    readable.insert(readable.end(), tools.includes.begin(), tools.includes.end());
-    std::vector<std::string> programs{tools.compiler.program, tools.nm};
-    if (tools.quick) programs.push_back(tools.quick->program);
-    for (const std::string &program : programs) {
-        std::error_code missing; // run says so
-        const fs::path home = fs::canonical(program, missing).parent_path().parent_path();
-        if (missing) continue;
-        readable.emplace_back(program);
-        for (const char *part : {"bin", "include", "lib", "lib64", "libexec"}) readable.push_back(home / part);
-    }
-    for (const fs::path &file : made_for(tools)) readable.push_back(file);
-    return places;
-}
-
-namespace {
 
 /// The newest date of the course's own files that a verdict on this section rests on. A file dated in the future, by a
 /// clock that was wrong, would be newer than all that is ever built from it: it is dated now.
@@ -113,6 +91,23 @@ fs::file_time_type newest(const Tree &tree, const Section &section) {
 
 } // namespace
 
+Places places_of(const Toolbox &tools, const fs::path &work) {
+    Places places{places_of_system(), {work, "/dev/null"}};
+    auto &readable = places.readable;
+    readable.insert(readable.end(), tools.includes.begin(), tools.includes.end());
+    std::vector<std::string> programs{tools.compiler.program, tools.nm};
+    if (tools.quick) programs.push_back(tools.quick->program);
+    for (const std::string &program : programs) {
+        std::error_code missing; // run says so
+        const fs::path home = fs::canonical(program, missing).parent_path().parent_path();
+        if (missing) continue;
+        readable.emplace_back(program);
+        for (const char *part : {"bin", "include", "lib", "lib64", "libexec"}) readable.push_back(home / part);
+    }
+    for (const fs::path &file : made_for(tools)) readable.push_back(file);
+    return places;
+}
+
 void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &tools) {
     const fs::path stamp = tree.build / "loop" / (section.name + ".checked");
     std::error_code never;
@@ -121,7 +116,7 @@ void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &t
     files.insert(files.end(), {tree.test_program(section), tree.catalogue(section)});
     const auto is_cut = [](const fs::path &file) { return fs::exists(file) && fs::is_empty(file); };
     const auto is_whole = [&](const fs::path &file) { return fs::exists(file) && !is_cut(file); };
-    if (std::all_of(files.begin(), files.end(), is_whole) && !never && checked >= newest(tree, section)) return;
+    if (std::ranges::all_of(files, is_whole) && !never && checked >= newest(tree, section)) return;
     const Lock lock{tree};
     for (const fs::path &file : files)
         if (is_cut(file)) fs::remove(file); // or it would be newer than what it is made from

@@ -5,15 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 namespace course {
-
 namespace {
-constexpr std::array<std::string_view, 18> names = {
+constexpr std::string_view names[] = { // in the order of Kind
     "passed",
     "wrong",
     "not started",
@@ -31,52 +30,8 @@ constexpr std::array<std::string_view, 18> names = {
     "answered out of turn",
     "left a process",
     "printed too much",
-    "no verdict",
-};
-static_assert(names.size() == static_cast<std::size_t>(Kind::no_verdict) + 1);
-} // namespace
-
-std::string_view name_of(Kind kind) { return names.at(static_cast<std::size_t>(kind)); }
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Call, function, arguments, before, answer)
-
-namespace {
-
-/// Visits what a verdict holds beside its kind and its call, with its name in JSON.
-template <class V, class Visit> void for_each_field(V &verdict, const Visit &visit) {
-    visit("exercise", verdict.exercise);
-    visit("test", verdict.test);
-    visit("sentence", verdict.sentence);
-    visit("accepted", verdict.accepted);
-    visit("label", verdict.label);
-    visit("got", verdict.got);
-    visit("want", verdict.want);
-    visit("tolerance", verdict.tolerance);
-    visit("whole", verdict.whole);
-    visit("file", verdict.file);
-    visit("line", verdict.line);
-    visit("printed", verdict.printed);
-    visit("printed_more", verdict.printed_more);
-    visit("needs", verdict.needs);
-}
-
-} // namespace
-
-void to_json(nlohmann::json &json, const Verdict &v) {
-    json = {{"kind", name_of(v.kind)}};
-    for_each_field(v, [&](const char *name, const auto &field) { json[name] = field; });
-    if (v.call) json["call"] = *v.call;
-}
-
-void from_json(const nlohmann::json &json, Verdict &v) {
-    const std::string kind = json.at("kind");
-    const auto found = std::find(names.begin(), names.end(), kind);
-    v.kind = found == names.end() ? Kind::no_verdict : static_cast<Kind>(found - names.begin());
-    for_each_field(v, [&](const char *name, auto &field) { json.at(name).get_to(field); });
-    if (const auto call = json.find("call"); call != json.end()) v.call = call->get<Call>();
-}
-
-namespace {
+    "no verdict"};
+static_assert(std::size(names) == static_cast<std::size_t>(Kind::no_verdict) + 1);
 
 /// A struct of structs that would be wider than a screen: each of its parts on a line of its own, below the first.
 std::string in_lines(const std::string &line, std::size_t before) {
@@ -98,7 +53,50 @@ std::string in_lines(const std::string &line, std::size_t before) {
     return text;
 }
 
+/// What a library says of a check that failed, without the name of the function, which fills the screen.
+std::string short_assertion(std::string_view line) {
+    const std::size_t at = line.find(" Assertion "), place = line.find(": ", line.find('/')),
+                      name = line.rfind('/', place);
+    if (at == line.npos || name == line.npos) return std::string{line};
+    return std::string{line.substr(name + 1, place - name)} + std::string{line.substr(at)};
+}
+
 } // namespace
+
+std::string_view name_of(Kind kind) { return names[static_cast<std::size_t>(kind)]; }
+
+static void to_json(nlohmann::json &json, Kind kind) { json = name_of(kind); }
+static void from_json(const nlohmann::json &json, Kind &kind) {
+    const auto found = std::ranges::find(names, json.get<std::string>());
+    kind = found == std::end(names) ? Kind::no_verdict : static_cast<Kind>(found - names);
+}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Call, function, arguments, before, answer)
+
+} // namespace course
+
+template <> struct nlohmann::adl_serializer<std::optional<course::Call>> {
+    static void to_json(json &json, const std::optional<course::Call> &call) {
+        if (call) json = *call; // else null
+    }
+    static void from_json(const json &json, std::optional<course::Call> &call) {
+        if (!json.is_null()) call = json.get<course::Call>();
+    }
+};
+
+namespace course {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Verdict, exercise, test, kind, sentence, call, accepted, label, got, want, tolerance,
+                                   whole, file, line, printed, printed_more, needs)
+
+std::string to_line(const Verdict &verdict) {
+    return nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+std::optional<Verdict> from_line(std::string_view line) try {
+    return nlohmann::json::parse(line).get<Verdict>();
+} catch (const nlohmann::json::exception &) {
+    return {};
+}
 
 std::string explain(const Verdict &v, int indent) {
     const std::string margin(static_cast<std::size_t>(indent), ' ');
@@ -128,18 +126,6 @@ std::string explain(const Verdict &v, int indent) {
     }
     return text;
 }
-
-namespace {
-
-/// What a library says of a check that failed, without the name of the function, which fills the screen.
-std::string short_assertion(std::string_view line) {
-    const std::size_t at = line.find(" Assertion "), place = line.find(": ", line.find('/')),
-                      name = line.rfind('/', place);
-    if (at == line.npos || name == line.npos) return std::string{line};
-    return std::string{line.substr(name + 1, place - name)} + std::string{line.substr(at)};
-}
-
-} // namespace
 
 std::string meaning_of_signal(int signal) {
     switch (signal) {

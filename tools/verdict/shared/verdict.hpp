@@ -1,8 +1,6 @@
 #pragma once
 // What is said of one test case: the same at a student's desk, in CI and in a grader.
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <optional>
 #include <string>
 #include <string_view>
@@ -61,8 +59,9 @@ struct Verdict {
     bool passed() const { return kind == Kind::passed; }
 };
 
-void to_json(nlohmann::json &json, const Verdict &verdict);
-void from_json(const nlohmann::json &json, Verdict &verdict);
+/// A verdict as a line of JSON, and back: nothing if the line is none, or half of one.
+std::string to_line(const Verdict &verdict);
+std::optional<Verdict> from_line(std::string_view line);
 
 /// What a student reads of a case that is not passed: some lines, each indented by `indent` blanks.
 std::string explain(const Verdict &verdict, int indent);

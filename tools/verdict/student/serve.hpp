@@ -18,15 +18,12 @@ template <class Result, class... Arguments> void serve(Result (*function)(Argume
 }
 template <auto F> void serve_function(Reader &in, Writer &out) { serve(F, in, out); }
 
-/// Whether a line is the section's own: its header includes those of earlier sections, whose functions are ours.
-consteval bool is_own(std::string_view section) {
-    const std::string_view header = COURSE_SECTION;
-    return header.substr(0, header.find('.')) == section;
-}
-
-template <bool Own> struct Served {
-    explicit Served(Serve serve) {
-        if constexpr (Own) served[exercises++] = serve;
+/// A line of the section's header, which includes those of earlier sections first: their functions are ours.
+struct Served {
+    Served(std::string_view section, Serve serve) {
+        static std::string_view last;
+        if (section != std::exchange(last, section)) exercises = 0;
+        served[exercises++] = serve;
     }
 };
 
@@ -34,5 +31,5 @@ template <bool Own> struct Served {
 
 #undef COURSE_EXERCISE
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
-    static const ::Served<is_own(#section)> function##_served{&::serve_function<&section::function>};
+    static const ::Served function##_served{#section, &::serve_function<&section::function>};
 #include COURSE_SECTION

@@ -2,6 +2,7 @@
 // How a call leaves the tests: what an exercise is, and who answers for it.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,9 +39,8 @@ struct CaseOver {};
 /// The result's bytes were not a value of its type.
 [[noreturn]] void answered_nonsense();
 
-/// Whether these are the bytes that the last call answered: then its unit belongs to them.
-bool is_last_result(std::string_view bytes);
-std::string_view last_unit();
+/// The unit of the last call's answer, if these are its bytes.
+std::optional<std::string_view> unit_of_answer(std::string_view bytes);
 
 /// A check compares something else than the answer of the last call, and does not name it: the test's own mistake.
 void refuse_nameless();

@@ -1,6 +1,7 @@
 #pragma once
 // Values as a student reads them: (4, -2) m, {from (0, 0) m, to (4, 3) m}, nothing, [1, 2, 3].
 
+#include "ground/lines.hpp"
 #include "verdict/shared/wire.hpp"
 
 #include <array>
@@ -27,10 +28,7 @@ inline std::vector<std::string> split_list(std::string_view list) {
     std::vector<std::string> parts;
     while (!list.empty()) {
         const std::size_t comma = std::min(list.find(','), list.size());
-        std::string_view part = list.substr(0, comma);
-        while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
-        while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
-        parts.emplace_back(part);
+        parts.emplace_back(without_blanks(list.substr(0, comma)));
         list.remove_prefix(std::min(comma + 1, list.size()));
     }
     return parts;

@@ -7,10 +7,8 @@
 //
 // Catch2 finds the tests and runs them. What it would print is never looked at: the session owns the verdict.
 
-#include "ground/complaint.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 #include "ground/lines.hpp"
-#include "verdict/tests/nameless_file.hpp"
 #include "verdict/tests/session.hpp"
 
 #include <catch2/catch_session.hpp>
@@ -25,7 +23,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <csignal>
 #include <fstream>
 #include <functional>
@@ -34,7 +31,6 @@
 #include <numeric>
 #include <optional>
 #include <set>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,6 +44,10 @@ std::function<void(const Verdict &)> tell = [](const Verdict &) {};
 
 std::string exercise_of(const Catch::TestCaseInfo &test) {
     return test.tags.empty() ? "?" : std::string{test.tags.front().original};
+}
+
+const std::vector<Catch::TestCaseInfo *> &all_tests() {
+    return Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
 }
 
 /// Hears what happens in the tests, and passes it to the session.
@@ -102,7 +102,7 @@ nlohmann::json catalogue() {
     for (const ExerciseLine *exercise : exercise_lines())
         list.push_back({{"number", exercise->number}, {"tier", exercise->tier}, {"function", exercise->function}});
     nlohmann::json tests = nlohmann::json::array();
-    for (const Catch::TestCaseInfo *test : Catch::getRegistryHub().getTestCaseRegistry().getAllInfos())
+    for (const Catch::TestCaseInfo *test : all_tests())
         tests.push_back({{"exercise", exercise_of(*test)}, {"claim", test->name}});
     return {{"exercises", list}, {"tests", tests}};
 }
@@ -116,11 +116,9 @@ struct Part {
 
 /// A test that ran but was not heard of, or the other way round, is our mistake, and no student's.
 void add_missing_verdicts(const Part &part) {
-    const auto &all = Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
-    for (const Catch::TestCaseInfo *test : Catch::createShard(all, part.of, part.index)) {
+    for (const Catch::TestCaseInfo *test : Catch::createShard(all_tests(), part.of, part.index)) {
         if (!part.exercise.empty() && exercise_of(*test) != part.exercise) continue;
-        if (std::any_of(verdicts.begin(), verdicts.end(), [&](const Verdict &v) { return v.test == test->name; }))
-            continue;
+        if (std::ranges::any_of(verdicts, [&](const Verdict &v) { return v.test == test->name; })) continue;
         verdicts.push_back({.exercise = exercise_of(*test),
                             .test = test->name,
                             .kind = Kind::no_verdict,
@@ -146,46 +144,14 @@ void run_tests(Session &here, unsigned seed, const Part &part) {
     if (!part.until_red) add_missing_verdicts(part);
 }
 
-const std::vector<Catch::TestCaseInfo *> &all_tests() {
-    return Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
-}
-
-/// Tests, by their places in the file, handed out one by one to several processes.
-class Queue {
-  public:
-    explicit Queue(std::vector<unsigned> tests_) : tests{std::move(tests_)} {
-        void *room = ::mmap(nullptr, sizeof *taken, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (room == MAP_FAILED) throw MachineTrouble{"no memory for the tests"};
-        taken = new (room) std::atomic<unsigned>{0};
-    }
-    ~Queue() { ::munmap(taken, sizeof *taken); }
-    Queue(const Queue &) = delete;
-    Queue &operator=(const Queue &) = delete;
-
-    /// @return which is next; nothing when all are taken
-    std::optional<unsigned> next() {
-        const unsigned at = (*taken)++;
-        return at < tests.size() ? std::optional{tests[at]} : std::nullopt;
-    }
-
-  private:
-    std::vector<unsigned> tests;
-    std::atomic<unsigned> *taken; ///< in memory that these processes share
-};
-
-/// A verdict as a line of JSON.
-std::string line_of(const Verdict &verdict) {
-    return nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-}
-
 /// What one of several processes does with an item of a list; it tells of it in lines, where no subject can reach them.
 using Job = std::function<void(unsigned item, NamelessFile &lines)>;
 
 /// Such a process. It has children of its own, and so finds what a student's code has left behind.
-[[noreturn]] void work(const Job &job, Queue &items, int core, NamelessFile &lines) {
+[[noreturn]] void work(const Job &job, int items, int core, NamelessFile &lines) {
     try {
         prepare_for_subjects(core);
-        while (const auto item = items.next()) job(*item, lines);
+        for (unsigned item = 0; ::read(items, &item, sizeof item) == sizeof item;) job(item, lines);
         ::_exit(all_well);
     } catch (const MachineTrouble &trouble) {
         std::cerr << trouble.what() << std::endl;
@@ -199,7 +165,11 @@ int share(std::size_t most, const std::vector<unsigned> &items, const Job &job, 
     const std::vector<int> all = cores();
     std::vector<NamelessFile> lines(std::min(all.size(), most));
     std::vector<pid_t> processes;
-    Queue queue{items};
+    auto [queue, filling] = make_pipe(); // of all items: what one process reads from it, no other one gets
+    const auto size = static_cast<ssize_t>(items.size() * sizeof items[0]);
+    if (::write(filling, items.data(), static_cast<std::size_t>(size)) != size)
+        throw MachineTrouble{"there is no room for a list of the tests"};
+    filling.close();
     for (std::size_t worker = 0; worker < lines.size(); ++worker) {
         processes.push_back(::fork());
         if (processes.back() == 0) work(job, queue, all[worker], lines[worker]);
@@ -224,7 +194,7 @@ int run_in(std::size_t workers, const std::vector<unsigned> &which, const std::s
            std::vector<Verdict> &said) {
     std::optional<Session> here; // a process has one for all of its tests
     const Job run_one = [&](unsigned test, NamelessFile &lines) {
-        tell = [&](const Verdict &verdict) { lines.append(line_of(verdict)); };
+        tell = [&](const Verdict &verdict) { lines.append(to_line(verdict)); };
         if (!here) here.emplace(subject, Patience{});
         run_tests(*here, seed, {test, static_cast<unsigned>(all_tests().size())});
         if (!here->trouble().empty()) throw MachineTrouble{here->trouble()};
@@ -232,8 +202,7 @@ int run_in(std::size_t workers, const std::vector<unsigned> &which, const std::s
     std::vector<std::string> lines;
     const int code = share(workers, which, run_one, lines);
     for (const std::string &line : lines)
-        if (const auto json = nlohmann::json::parse(line, nullptr, false); json.is_object())
-            said.push_back(json.get<Verdict>());
+        if (auto verdict = from_line(line)) said.push_back(std::move(*verdict));
     return code;
 }
 
@@ -264,7 +233,7 @@ int run_side_by_side(const std::string &subject, unsigned seed, const std::strin
         if (again.size() == 1) verdict = std::move(again.front());
         if (verdict.kind == Kind::too_long) proved.insert(of);
     }
-    for (const Verdict &verdict : said) std::cout << line_of(verdict);
+    for (const Verdict &verdict : said) std::cout << to_line(verdict);
     return code;
 }
 
@@ -277,18 +246,18 @@ bool nothing_started() {
         if (!verdict.passed() && !untouched(verdict)) return false;
         waits[verdict.exercise] |= untouched(verdict);
     }
-    return std::all_of(waits.begin(), waits.end(), [](const auto &exercise) { return exercise.second; });
+    return std::ranges::all_of(waits, [](const auto &exercise) { return exercise.second; });
 }
 
 /// How many have passed: "8 of 13".
 std::string passed_of_all() {
-    const auto passed = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict &v) { return v.passed(); });
+    const auto passed = std::ranges::count_if(verdicts, &Verdict::passed);
     return std::to_string(passed) + " of " + std::to_string(verdicts.size());
 }
 
 /// Whether the first verdict that is red shows this answer, as `got` or as what the call `gave`, whatever its unit.
 bool first_shows(const std::string &answer) {
-    const auto red = std::ranges::find_if(verdicts, [](const Verdict &v) { return !v.passed(); });
+    const auto red = std::ranges::find_if_not(verdicts, &Verdict::passed);
     if (red == verdicts.end()) return false;
     const auto is_it = [&](const std::string &text) { return (text + ' ').starts_with(answer + ' '); };
     return is_it(red->got) || (red->call && is_it(red->call->answer));
@@ -297,25 +266,23 @@ bool first_shows(const std::string &answer) {
 /// Whether the verdicts are the ones that CI wants of this subject: all passed, none started, one that is red, or just so
 /// many passed, and the first that is red shows some answer: "8 of 13, got t = 0.5".
 bool as_expected(std::string_view expect) {
-    const auto passed = [](const Verdict &v) { return v.passed(); };
     const auto no_verdict = [](const Verdict &v) { return v.kind == Kind::no_verdict; };
-    if (verdicts.empty() || std::any_of(verdicts.begin(), verdicts.end(), no_verdict)) return false;
+    if (verdicts.empty() || std::ranges::any_of(verdicts, no_verdict)) return false;
     if (expect == "none") return nothing_started();
-    if (expect == "all") return std::all_of(verdicts.begin(), verdicts.end(), passed);
-    if (std::any_of(verdicts.begin(), verdicts.end(), untouched)) return false;
+    if (expect == "all") return std::ranges::all_of(verdicts, &Verdict::passed);
+    if (std::ranges::any_of(verdicts, untouched)) return false;
     if (const std::size_t got = expect.find("got "); got != expect.npos)
         return first_shows(std::string{expect.substr(got + 4)})
                && (got == 0 || expect.substr(0, got) == passed_of_all() + ", ");
     if (expect != "red") return passed_of_all() == expect;
-    return !std::all_of(verdicts.begin(), verdicts.end(), passed);
+    return !std::ranges::all_of(verdicts, &Verdict::passed);
 }
 
 /// A verdict, for us.
 std::string in_words(const Verdict &verdict) {
-    std::ostringstream out;
-    out << (verdict.passed() ? "passed  " : "FAILED  ") << verdict.exercise << "  " << verdict.test << '\n';
-    if (!verdict.passed()) out << "        " << name_of(verdict.kind) << '\n' << explain(verdict, 8);
-    return out.str();
+    const std::string test = verdict.exercise + "  " + verdict.test + '\n';
+    if (verdict.passed()) return "passed  " + test;
+    return "FAILED  " + test + "        " + std::string{name_of(verdict.kind)} + '\n' + explain(verdict, 8);
 }
 
 /// Whether it is enough that one verdict is red.

@@ -94,7 +94,7 @@ template <class T> std::string unit_of(const T &value, const Label &label) {
     if (!label.name.empty()) return label.unit;
     wire::Writer bytes;
     bytes.put(value);
-    if (is_last_result(bytes.bytes)) return std::string{last_unit()};
+    if (const auto unit = unit_of_answer(bytes.bytes)) return std::string{*unit};
     refuse_nameless();
     return {};
 }

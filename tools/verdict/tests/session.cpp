@@ -14,6 +14,13 @@
 namespace course {
 namespace {
 
+/// Nobody's fault but the machine's: then nothing is judged.
+constexpr const char *too_busy =
+    "this machine is so busy that your code got too little of the processor to answer; try "
+    "again when less is going on. Nothing was judged";
+constexpr const char *no_answer = "Something other than your function's result came back. Does your code start another "
+                                  "process, or write to a file descriptor that it has not opened?";
+
 std::string leave_sentence(int code, bool before_main) {
     return "Your code ended the program"
            + std::string{before_main ? " before the first test, in the constructor of a global variable" : ""}
@@ -73,9 +80,7 @@ void Session::begin(std::string exercise, std::string test) {
     const bool hurry = exercise == hung || spent > 2 * patience.all;
     allowed = hurry ? least : std::clamp((patience.all - lost) / 5, least, patience.a_case);
     large = false;
-    verdict = {};
-    verdict.exercise = std::move(exercise);
-    verdict.test = std::move(test);
+    verdict = {.exercise = std::move(exercise), .test = std::move(test)};
     calls = 0;
     last_result.clear();
     last_exercise = nullptr;
@@ -114,10 +119,10 @@ void Session::accept(const std::string &input, const std::string &value) {
     if (input.empty() && last_exercise != nullptr)
         for (const std::string &argument : last_exercise->describe_arguments(*last_exercise, last_arguments))
             what += (what.empty() ? "" : ", ") + argument;
-    auto entry = std::find_if(accepted.begin(), accepted.end(), [&](const auto &one) { return one.first == what; });
+    auto entry = std::ranges::find_if(accepted, [&](const auto &one) { return one.first == what; });
     if (entry == accepted.end()) entry = accepted.insert(entry, {what, {}});
     std::vector<std::string> &values = entry->second;
-    if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+    if (!value.empty() && std::ranges::find(values, value) == values.end()) values.push_back(value);
 }
 
 bool Session::is_computed(std::string_view refusal) const {
@@ -171,18 +176,10 @@ void Session::judge_end(int status, bool before_main) {
     else note_verdict(Kind::left, leave_sentence(WEXITSTATUS(status), before_main));
 }
 
-/// Nobody's fault but the machine's: then nothing is judged.
-void Session::over_starved() {
-    machine_trouble =
-        "this machine is so busy that your code got too little of the processor to answer; try again when "
-        "less is going on. Nothing was judged";
-    over(Kind::no_verdict, machine_trouble);
-}
-
 /// No answer: because of time, because the process is gone, or because what it said is not an answer.
 void Session::over_in_silence() {
     const bool before_main = !greeted;
-    if (subject->silence == Subject::Silence::starved) over_starved();
+    if (subject->silence == Subject::Silence::starved) over(Kind::no_verdict, machine_trouble = too_busy);
     if (subject->silence == Subject::Silence::late && before_main)
         over(Kind::too_long,
              "Your code starts before the first test, in the constructor of a global variable, and doesn't come to an "
@@ -211,9 +208,7 @@ void Session::over_in_silence() {
 
 void Session::answered_nonsense() {
     last_result.clear();
-    over(Kind::out_of_turn,
-         "Something other than your function's result came back. Does your code start another process, or write to a "
-         "file descriptor that it has not opened?");
+    over(Kind::out_of_turn, no_answer);
 }
 
 /// Starting has an allowance of its own: a hang elsewhere takes nothing from it.
@@ -311,17 +306,11 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
 }
 
 void Session::fail(Kind kind, std::string sentence, const std::string &file, int line) {
-    if (!accepted.empty() && verdict.file.empty()) {
-        verdict.file = file;
-        verdict.line = line;
-    }
+    if (verdict.file.empty()) std::tie(verdict.file, verdict.line) = std::tie(file, line);
     if (!accepted.empty()) return; // the verdict is about these
     if (verdict.passed() && noted) {
-        verdict.label = noted->label;
-        verdict.got = noted->got;
-        verdict.want = noted->want;
-        verdict.whole = noted->whole;
-        verdict.tolerance = noted->tolerance;
+        std::tie(verdict.label, verdict.got, verdict.want, verdict.whole, verdict.tolerance) =
+            std::tie(noted->label, noted->got, noted->want, noted->whole, noted->tolerance);
         if (sentence.empty() && has_strange_number(noted->got))
             sentence =
                 "A strange number. Was a variable never given a value? Write `double sum = 0;`, not `double sum;`.";
@@ -337,10 +326,6 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
         }
     }
     note_verdict(kind, std::move(sentence));
-    if (verdict.file.empty()) {
-        verdict.file = file;
-        verdict.line = line;
-    }
 }
 
 /// What the last call answers in a new process, where no other came before it; nothing if it does not answer, or if
@@ -374,15 +359,15 @@ Verdict Session::end(bool asserted_something) {
         note_verdict(Kind::no_verdict, "This test asserts nothing: our mistake, not yours.");
     if (subject && verdict.passed()) {
         const auto status = subject->finish(allowance());
-        if (!status && subject->silence == Subject::Silence::starved) try {
-                over_starved();
-            } catch (const CaseOver &) {}
+        if (!status && subject->silence == Subject::Silence::starved)
+            note_verdict(Kind::no_verdict, machine_trouble = too_busy);
         else if (!status)
             note_verdict(Kind::too_long, "Your code answered, but its process did not end: has it started a thread?");
         else if (!WIFEXITED(*status)) judge_end(*status, false);
-        else if (subject->said_more()) try {
-                answered_nonsense();
-            } catch (const CaseOver &) {}
+        else if (subject->said_more()) {
+            last_result.clear();
+            note_verdict(Kind::out_of_turn, no_answer);
+        }
         if (subject->left_processes())
             note_verdict(Kind::left_process, "Your code started another process and left it running. An exercise "
                                              "computes a value, and starts nothing.");
@@ -421,11 +406,11 @@ std::string_view call(const ExerciseLine &exercise, std::string arguments) {
 void answered_nonsense() { session()->answered_nonsense(); }
 void note_mismatch(const Mismatch &mismatch) { session()->note(mismatch); }
 void note_accepted(const std::string &input, const std::string &value) { session()->accept(input, value); }
-bool is_last_result(std::string_view bytes) {
-    return session()->last_exercise != nullptr && session()->last_result == bytes;
+std::optional<std::string_view> unit_of_answer(std::string_view bytes) {
+    if (session()->last_exercise == nullptr || session()->last_result != bytes) return {};
+    return session()->last_exercise->unit;
 }
 void refuse_nameless() { session()->refuse_nameless(); }
 void allow(double seconds) { session()->allow(seconds); }
-std::string_view last_unit() { return session()->last_exercise->unit; }
 
 } // namespace course

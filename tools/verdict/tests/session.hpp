@@ -54,7 +54,6 @@ class Session {
   private:
     [[noreturn]] void over(Kind kind, std::string sentence);
     [[noreturn]] void over_in_silence();
-    [[noreturn]] void over_starved();
     [[noreturn]] void over_not_started(const std::string &hint, std::string_view function);
     void start();
     Allowance allowance() const;

@@ -1,7 +1,6 @@
 #include "verdict/tests/shut_in.hpp"
 
-#include "ground/complaint.hpp"
-#include "ground/hidden.hpp"
+#include "ground/kernel.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -42,7 +41,6 @@ std::vector<std::filesystem::path> places_of_system() {
 #include <string>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
-#include <vector>
 
 namespace course {
 namespace {
@@ -80,30 +78,26 @@ const std::vector<std::filesystem::path> &libraries() {
 }
 
 /// A rule for a file must not speak of what can be done in folders.
-void allow(long rules, const std::filesystem::path &place, std::uint64_t what, std::uint64_t known) {
+void allow(int rules, const std::filesystem::path &place, std::uint64_t what, std::uint64_t known) {
     constexpr std::uint64_t of_files = execute | write_a_file | read_file | truncate;
-    PathRule rule{what & known, ::open(place.c_str(), O_PATH | O_CLOEXEC)};
-    if (rule.file < 0) return;
-    if (::syscall(add_rule, rules, 1, &rule, 0) != 0) {
-        rule.allowed &= of_files;
-        ::syscall(add_rule, rules, 1, &rule, 0);
-    }
-    ::close(rule.file);
+    const Descriptor file = ::open(place.c_str(), O_PATH | O_CLOEXEC);
+    PathRule rule{what & known, file};
+    if (file < 0 || ::syscall(add_rule, rules, 1, &rule, 0) == 0) return;
+    rule.allowed &= of_files;
+    ::syscall(add_rule, rules, 1, &rule, 0);
 }
 
-int make_rules(const Places &places) {
+Descriptor make_rules(const Places &places) {
     const long version = landlock();
     if (version <= 0) return -1;
     const std::uint64_t all = (1u << (version >= 5 ? 16 : version >= 3 ? 15 : version == 2 ? 14 : 13)) - 1;
     const Ruleset set{all, version >= 4 ? 3u : 0u, version >= 6 ? 3u : 0u};
-    const long rules = ::syscall(create_ruleset, &set, sizeof set, 0);
+    const Descriptor rules = static_cast<int>(::syscall(create_ruleset, &set, sizeof set, 0));
     if (rules < 0)
         throw MachineTrouble{"cannot shut the student's process in (" + std::string{std::strerror(errno)} + ")"};
     for (const auto &place : places.readable) allow(rules, place, execute | read_file | read_folder, all);
     for (const auto &place : places.writable) allow(rules, place, ~execute, all);
-    const int high = ::fcntl(static_cast<int>(rules), F_DUPFD_CLOEXEC, 10); // the subject's own take the low numbers
-    ::close(static_cast<int>(rules));
-    return high;
+    return ::fcntl(rules, F_DUPFD_CLOEXEC, 10); // the subject's own take the low numbers
 }
 
 // ---- capabilities, which root has: by the kernel's own calls, since the C library has none for them
@@ -139,106 +133,41 @@ constexpr std::uint32_t architecture = 0; // not tried there
 /// Calls that no exercise needs. Those that change a file's mode, owner or date are here since Landlock has no rule for
 /// them, ioctl since it types on terminals, and what root may do to the machine in case the course is run by root.
 constexpr long refused[] = {
-#ifdef SYS_fork // newer architectures have only clone, and only the calls that end in "at"
-    SYS_fork,
-    SYS_vfork,
-    SYS_chmod,
-    SYS_chown,
-    SYS_lchown,
-    SYS_utime,
-    SYS_utimes,
-    SYS_futimesat,
+    // files; newer architectures have only the calls that end in "at"
+    SYS_fchmod, SYS_fchmodat, 452 /* fchmodat2 */, SYS_fchown, SYS_fchownat, SYS_utimensat, SYS_setxattr, SYS_lsetxattr,
+    SYS_fsetxattr, SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr, SYS_ioctl,
+#ifdef SYS_fork
+    SYS_chmod, SYS_chown, SYS_lchown, SYS_utime, SYS_utimes, SYS_futimesat,
+    // processes; the newer architectures have only clone
+    SYS_fork, SYS_vfork,
 #endif
-    SYS_fchmod,
-    SYS_fchmodat,
-    452 /* fchmodat2 */,
-    SYS_fchown,
-    SYS_fchownat,
-    SYS_utimensat,
-    SYS_setxattr,
-    SYS_lsetxattr,
-    SYS_fsetxattr,
-    SYS_removexattr,
-    SYS_lremovexattr,
-    SYS_fremovexattr,
-    SYS_ioctl, // files
-    SYS_setsid,
-    SYS_setpgid,
-    SYS_ptrace,
-    SYS_process_vm_readv,
-    SYS_process_vm_writev,
-    SYS_kcmp,
-    SYS_tkill,
-    SYS_rt_sigqueueinfo,
-    SYS_rt_tgsigqueueinfo,
-    424 /* pidfd_send_signal */,
-    434 /* pidfd_open */,
-    SYS_setpriority,
-    SYS_sched_setscheduler,
-    SYS_sched_setparam,
-    SYS_sched_setattr,
-    SYS_sched_setaffinity,
-    SYS_ioprio_set, // processes
-    SYS_shmget,
-    SYS_msgget,
-    SYS_semget,
-    SYS_mq_open,
-    SYS_memfd_create,
-    SYS_add_key,
-    SYS_request_key,
-    SYS_keyctl, // stays
-    SYS_socket,
-    SYS_socketpair,
-    425 /* io_uring_setup */,
-    SYS_bpf,
-    SYS_perf_event_open,
-    SYS_userfaultfd,
-    SYS_unshare,
-    SYS_setns,
-    SYS_mount,
-    SYS_umount2,
-    SYS_chroot,
-    SYS_pivot_root,
-    428 /* open_tree */,
-    429 /* move_mount */,
-    430 /* fsopen */,
-    431 /* fsconfig */,
-    432 /* fsmount */,
-    433 /* fspick */,
-    442 /* mount_setattr */,
-    SYS_open_by_handle_at,
-    SYS_fanotify_init, // the rest of the world
-    SYS_reboot,
-    SYS_sethostname,
-    SYS_setdomainname,
-    SYS_settimeofday,
-    SYS_clock_settime,
-    SYS_clock_adjtime,
-    SYS_adjtimex,
-    SYS_swapon,
-    SYS_swapoff,
-    SYS_init_module,
-    SYS_finit_module,
-    SYS_delete_module,
-    SYS_kexec_load,
+    SYS_setsid, SYS_setpgid, SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_kcmp, SYS_tkill,
+    SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo, 424 /* pidfd_send_signal */, 434 /* pidfd_open */, SYS_setpriority,
+    SYS_sched_setscheduler, SYS_sched_setparam, SYS_sched_setattr, SYS_sched_setaffinity, SYS_ioprio_set,
+    // what stays
+    SYS_shmget, SYS_msgget, SYS_semget, SYS_mq_open, SYS_memfd_create, SYS_add_key, SYS_request_key, SYS_keyctl,
+    // the rest of the world
+    SYS_socket, SYS_socketpair, 425 /* io_uring_setup */, SYS_bpf, SYS_perf_event_open, SYS_userfaultfd, SYS_unshare,
+    SYS_setns, SYS_mount, SYS_umount2, SYS_chroot, SYS_pivot_root, 428 /* open_tree */, 429 /* move_mount */,
+    430 /* fsopen */, 431 /* fsconfig */, 432 /* fsmount */, 433 /* fspick */, 442 /* mount_setattr */,
+    SYS_open_by_handle_at, SYS_fanotify_init,
+// the machine
 #ifdef SYS_kexec_file_load
     SYS_kexec_file_load,
 #endif
 #ifdef SYS_iopl
-    SYS_iopl,
-    SYS_ioperm,
+    SYS_iopl, SYS_ioperm,
 #endif
-    SYS_quotactl,
-    SYS_vhangup,
-    SYS_acct,
-    SYS_syslog, // the machine
-};
+    SYS_reboot, SYS_sethostname, SYS_setdomainname, SYS_settimeofday, SYS_clock_settime, SYS_clock_adjtime,
+    SYS_adjtimex, SYS_swapon, SYS_swapoff, SYS_init_module, SYS_finit_module, SYS_delete_module, SYS_kexec_load,
+    SYS_quotactl, SYS_vhangup, SYS_acct, SYS_syslog};
 
 class Filter {
   public:
     Filter() {
         add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch));
-        unless_equal(architecture, EPERM);
+        add(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0);
+        refuse(EPERM);
         load_call();
         constexpr std::uint32_t x32 = 0x40000000; // the same calls under other numbers
         add(BPF_JMP | BPF_JGE | BPF_K, x32, 0, 1);
@@ -255,19 +184,12 @@ class Filter {
         ((add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(values), 0, 1), refuse(EPERM)), ...);
         load_call();
     }
-    /// Allows a call only if this argument is one of two.
-    void allow_if(long call, unsigned argument, std::uint32_t one, std::uint32_t other) {
-        if_call(call, 5);
+    /// Allows a call only if this argument is one of these (test: BPF_JEQ), or has one of these bits (BPF_JSET).
+    template <class... Values> void allow_if(long call, unsigned argument, unsigned test, Values... values) {
+        unsigned left = sizeof...(values);
+        if_call(call, left + 3);
         load_argument(argument);
-        add(BPF_JMP | BPF_JEQ | BPF_K, one, 2, 0);
-        add(BPF_JMP | BPF_JEQ | BPF_K, other, 1, 0);
-        refuse(EPERM);
-        load_call();
-    }
-    void allow_if_set(long call, unsigned argument, std::uint32_t bit) {
-        if_call(call, 4);
-        load_argument(argument);
-        add(BPF_JMP | BPF_JSET | BPF_K, bit, 1, 0);
+        (add(BPF_JMP | test | BPF_K, static_cast<std::uint32_t>(values), left--, 0), ...);
         refuse(EPERM);
         load_call();
     }
@@ -289,10 +211,6 @@ class Filter {
     void if_call(long call, unsigned skip_otherwise) {
         add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, skip_otherwise);
     }
-    void unless_equal(std::uint32_t value, int error) {
-        add(BPF_JMP | BPF_JEQ | BPF_K, value, 1, 0);
-        refuse(error);
-    }
     void refuse(int error) { add(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error)); }
 
     std::array<sock_filter, 2 * std::size(refused) + 64> code{}; // no memory is asked for between fork and exec
@@ -304,10 +222,10 @@ bool refuse_calls() {
     Filter filter;
     for (const long call : refused) filter.refuse(call, EPERM);
     filter.refuse(435 /* clone3, whose flags no filter can see */, ENOSYS); // the C library then takes clone
-    filter.allow_if_set(SYS_clone, 0, CLONE_THREAD);
-    filter.allow_if(SYS_kill, 0, me, me);
-    filter.allow_if(SYS_tgkill, 0, me, me);
-    filter.allow_if(SYS_prlimit64, 0, 0, me);
+    filter.allow_if(SYS_clone, 0, BPF_JSET, CLONE_THREAD);
+    filter.allow_if(SYS_kill, 0, BPF_JEQ, me);
+    filter.allow_if(SYS_tgkill, 0, BPF_JEQ, me);
+    filter.allow_if(SYS_prlimit64, 0, BPF_JEQ, 0, me);
     filter.refuse_if(SYS_prctl, 0, PR_SET_PDEATHSIG);                // we die, and it lives
     filter.refuse_if(SYS_fcntl, 1, F_SETOWN, F_SETOWN_EX, F_SETSIG); // a pipe that sends signals
     return filter.install();
@@ -331,20 +249,16 @@ Places places_of(const std::filesystem::path &program) {
 }
 
 ShutIn::ShutIn(const Places &places, Protection wanted)
-    : rules{wanted.files && !sanitized ? make_rules(places) : -1},
+    : rules{wanted.files && !sanitized ? make_rules(places) : Descriptor{}},
       calls{wanted.calls && !sanitized && knows_filters()},
       privileges{wanted.privileges && !sanitized},
       descriptors{wanted.descriptors} {}
 
-ShutIn::~ShutIn() {
-    if (rules >= 0) ::close(rules);
-}
-
 bool ShutIn::shut(int last) const {
     if (descriptors) close_at_start(last + 1);
     if (privileges) drop_privileges();
-    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && (rules < 0 || ::syscall(restrict_self, rules, 0) == 0)
-           && (!calls || refuse_calls());
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0
+           && (rules < 0 || ::syscall(restrict_self, static_cast<int>(rules), 0) == 0) && (!calls || refuse_calls());
 }
 
 } // namespace course
@@ -356,7 +270,6 @@ namespace course {
 Protection protection_of_this_kernel() { return {false, false}; }
 Places places_of(const std::filesystem::path &) { return {}; }
 ShutIn::ShutIn(const Places &, Protection wanted) : descriptors{wanted.descriptors} {}
-ShutIn::~ShutIn() = default;
 bool ShutIn::shut(int last) const {
     if (descriptors) close_at_start(last + 1);
     return true;

@@ -3,6 +3,8 @@
 // No root is needed for it. Linux has it: Landlock since 5.13 (for files), seccomp since 3.5 (for calls). Elsewhere such a
 // process has its limits only.
 
+#include "ground/descriptor.hpp"
+
 #include <filesystem>
 #include <vector>
 
@@ -36,9 +38,6 @@ class ShutIn {
   public:
     /// @param wanted  tests leave one out, to see what it is good for
     ShutIn(const Places &places, Protection wanted);
-    ~ShutIn();
-    ShutIn(const ShutIn &) = delete;
-    ShutIn &operator=(const ShutIn &) = delete;
 
     /// From here on, and for every program that this process becomes.
     /// @param last  the highest of its own descriptors: those above are closed when the program starts
@@ -46,7 +45,7 @@ class ShutIn {
     [[nodiscard]] bool shut(int last) const;
 
   private:
-    int rules = -1; ///< Landlock's; -1: none
+    Descriptor rules; ///< Landlock's; none elsewhere
     bool calls = false, privileges = true, descriptors = true;
 };
 

@@ -1,26 +1,23 @@
 #include "verdict/tests/subject.hpp"
 
-#include "ground/asleep.hpp"
-#include "ground/complaint.hpp"
-#include "ground/hidden.hpp"
-#include "ground/limits.hpp"
+#include "ground/kernel.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
-#include <string>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
 
 #ifdef __linux__
 #include <sched.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #endif
 
@@ -31,16 +28,15 @@ namespace {
     throw MachineTrouble{std::string{what} + " (" + std::strerror(errno) + ")"};
 }
 
-std::array<int, 2> make_pipe() {
-    std::array<int, 2> ends{};
-    if (::pipe(ends.data()) != 0) give_up("cannot make a pipe");
-    for (int &end : ends) { // above the numbers that the subject's own are moved to; and nothing else may inherit them
-        const int high = ::fcntl(end, F_DUPFD_CLOEXEC, 10);
-        if (high < 0) give_up("cannot make a pipe");
-        ::close(end);
-        end = high;
-    }
-    return ends;
+int make_nameless() {
+#ifdef __linux__
+    return ::memfd_create("printed", MFD_CLOEXEC);
+#else
+    std::FILE *temporary = std::tmpfile();
+    const int file = temporary == nullptr ? -1 : ::fcntl(::fileno(temporary), F_DUPFD_CLOEXEC, 10);
+    if (temporary != nullptr) std::fclose(temporary);
+    return file;
+#endif
 }
 
 void set_limits() {
@@ -117,6 +113,44 @@ void reap() {
 
 } // namespace
 
+NamelessFile::NamelessFile() : file{make_nameless()} {
+    if (file < 0) give_up("what is printed cannot be kept");
+}
+
+void NamelessFile::append(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = ::write(file, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) give_up("what is printed cannot be kept");
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+std::string NamelessFile::text(std::size_t most) const {
+    struct stat about {};
+    if (::fstat(file, &about) != 0) give_up("what is printed cannot be kept");
+    std::string text(std::min(most, static_cast<std::size_t>(about.st_size)), '\0'); // no more: each byte is a write
+    std::size_t size = 0;
+    while (size < text.size()) {
+        const ssize_t got = ::pread(file, text.data() + size, text.size() - size, static_cast<off_t>(size));
+        if (got <= 0) break;
+        size += static_cast<std::size_t>(got);
+    }
+    text.resize(size);
+    return text;
+}
+
+std::array<Descriptor, 2> make_pipe() {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) give_up("cannot make a pipe");
+    std::array<Descriptor, 2> low{ends[0], ends[1]}, high;
+    for (const std::size_t i : {0u, 1u}) {
+        high[i] = ::fcntl(low[i], F_DUPFD_CLOEXEC, 10);
+        if (high[i] < 0) give_up("cannot make a pipe");
+    }
+    return high;
+}
+
 std::vector<int> cores() {
     std::vector<int> all;
 #ifdef __linux__
@@ -124,7 +158,7 @@ std::vector<int> cores() {
     if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0)
         for (int core = 0; core < CPU_SETSIZE; ++core)
             if (CPU_ISSET(static_cast<std::size_t>(core), &allowed)) all.push_back(core);
-    std::rotate(all.begin(), std::find(all.begin(), all.end(), ::sched_getcpu()), all.end());
+    std::rotate(all.begin(), std::ranges::find(all, ::sched_getcpu()), all.end());
 #endif
     if (all.empty()) all.push_back(-1);
     return all;
@@ -146,7 +180,7 @@ void prepare_for_subjects([[maybe_unused]] int core) {
 
 Subject::Subject(const std::filesystem::path &program, const std::string &answer, Protection protection) {
     const ShutIn shut_in{places_of(program), protection};
-    const auto requests = make_pipe(), replies = make_pipe(), trouble = make_pipe();
+    auto requests = make_pipe(), replies = make_pipe(), trouble = make_pipe();
     std::string chosen = "COURSE_ANSWER=" + answer;
     process = ::vfork(); // no copy of our memory is made; it is the child's, too, until it has become the subject
     if (process < 0) give_up("cannot start the student's process");
@@ -154,14 +188,13 @@ Subject::Subject(const std::filesystem::path &program, const std::string &answer
         become({program.c_str(), answer.empty() ? nullptr : chosen.data(), shut_in, protection.limits, requests[0],
                 replies[1], output.descriptor(), trouble[1]});
     group = process;
-    for (const int theirs : {requests[0], replies[1], trouble[1]}) ::close(theirs);
-    to = requests[1];
+    for (Descriptor *theirs : {&requests[0], &replies[1], &trouble[1]}) theirs->close();
+    to = std::move(requests[1]);
     ::fcntl(to, F_SETFL, O_NONBLOCK); // a subject that does not read shall not stop us
-    from = replies[0];
+    from = std::move(replies[0]);
     Trouble told{};
     ssize_t got = 0; // the end, when the program has started
     while ((got = ::read(trouble[0], &told, sizeof told)) < 0 && errno == EINTR) {}
-    ::close(trouble[0]);
     if (got <= 0) return;
     errno = told.error;
     give_up(told.what);
@@ -170,8 +203,6 @@ Subject::Subject(const std::filesystem::path &program, const std::string &answer
 Subject::~Subject() {
     if (process > 0) ::kill(process, SIGKILL);
     left_processes();
-    for (const int file : {to, from})
-        if (file >= 0) ::close(file);
 }
 
 bool Subject::send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments,
@@ -259,7 +290,7 @@ std::optional<Subject::Received> Subject::receive(const Allowance &allowance) {
 }
 
 std::optional<int> Subject::finish(const Allowance &allowance) {
-    if (to >= 0) ::close(std::exchange(to, -1)); // the server reads the end, and leaves
+    to.close(); // the server reads the end, and leaves
     int status = 0;
     bool gone = false; // its end of the pipe is closed: a moment later the process is, too
     const auto ended = [&](Clock::time_point until) {

@@ -1,8 +1,8 @@
 #pragma once
 // A student's process: started for one test case, talked to over two descriptors of its own, and never believed.
 
+#include "ground/descriptor.hpp"
 #include "verdict/shared/wire.hpp"
-#include "verdict/tests/nameless_file.hpp"
 #include "verdict/tests/shut_in.hpp"
 
 #include <chrono>
@@ -27,6 +27,25 @@ struct Allowance {
     double clock = 20; ///< [s] for one answer, by the clock: after that the process slept, or was never given a core
 };
 
+/// A file that no other process can find, as it has no name, and that goes with this object. A program that is started
+/// does not inherit it.
+class NamelessFile {
+  public:
+    /// @throws MachineTrouble if the machine has no room for one
+    NamelessFile();
+
+    int descriptor() const { return file; }
+    void append(std::string_view text);       ///< @throws MachineTrouble if there is no room
+    std::string text(std::size_t most) const; ///< its first `most` bytes
+
+  private:
+    Descriptor file;
+};
+
+/// Above the numbers that a subject's own descriptors are moved to, and inherited by nothing that is started.
+/// @throws MachineTrouble if the machine has no room for one
+std::array<Descriptor, 2> make_pipe();
+
 class Subject {
   public:
     /// Starts it, shut in and with everything it may use limited.
@@ -34,8 +53,6 @@ class Subject {
     /// @throws MachineTrouble if this machine cannot
     explicit Subject(const std::filesystem::path &program, const std::string &answer = {}, Protection protection = {});
     ~Subject(); ///< kills it and everything it started
-    Subject(const Subject &) = delete;
-    Subject &operator=(const Subject &) = delete;
 
     struct Received {
         wire::Header header;
@@ -72,7 +89,7 @@ class Subject {
 
     pid_t process = -1;
     pid_t group = -1;
-    int to = -1, from = -1;
+    Descriptor to, from;
     Clock::time_point started = Clock::now();
     Clock::time_point next_look = started; ///< at what the process does, while we wait
     double asleep = 0;                     ///< [s]

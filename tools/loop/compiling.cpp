@@ -1,4 +1,4 @@
-#include "loop/stopped.hpp"
+#include "loop/compiling.hpp"
 
 #include "ground/complaint.hpp"
 #include "ground/lines.hpp"
@@ -9,18 +9,15 @@
 #include <csignal>
 
 namespace course {
+namespace fs = std::filesystem;
 namespace {
-
-template <class List> bool contains_any(std::string_view text, const List &list) {
-    return std::any_of(list.begin(), list.end(), [&](const char *words) { return contains(text, words); });
-}
 
 /// Whether something is wrong with the code, whatever else happened: then a file cannot blame the machine by choosing
 /// the words of its errors.
 bool blames_the_code(std::string_view line) {
     constexpr std::array marks{": error: ", ": fatal error: ", ": Error: "};
     if (contains(line, "undefined reference to") || contains(line, "multiple definition of")) return true;
-    return std::any_of(marks.begin(), marks.end(), [&](std::string_view mark) {
+    return std::ranges::any_of(marks, [&](std::string_view mark) {
         const std::size_t at = line.find(mark);
         return at != line.npos && at > 0 && is_digit(line[at - 1]); // file:12: error:
     });
@@ -38,9 +35,30 @@ bool found_the_disk_full(std::string_view line) {
 }
 
 // The words of the C library for a signal, as the drivers of GCC and Clang print them.
-constexpr std::array ran_out_of_memory{"out of memory", "memory exhausted", "Cannot allocate memory", "std::bad_alloc"};
-constexpr std::array wrote_too_much{"File size limit exceeded", "File too large"};
-constexpr std::array killed{"Killed", "Terminated", "Hangup"};
+const Words ran_out_of_memory{"out of memory", "memory exhausted", "Cannot allocate memory", "std::bad_alloc"};
+const Words wrote_too_much{"File size limit exceeded", "File too large"};
+const Words killed{"Killed", "Terminated", "Hangup"};
+
+/// The files of a rule for make, which writes `\ ` for a blank, `\#` for # and `$$` for $, and ends lines with `\`.
+std::vector<std::string> files_of(std::string_view rule) {
+    std::vector<std::string> files(1);
+    const auto next = [&](std::size_t i) { return i + 1 < rule.size() ? rule[i + 1] : '\0'; };
+    rule.remove_prefix(std::min(rule.find(": "), rule.size()));
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+        const bool escaped =
+            (rule[i] == '\\' && (next(i) == ' ' || next(i) == '#')) || (rule[i] == '$' && next(i) == '$');
+        if (escaped) files.back() += rule[++i];
+        else if (rule[i] == ' ' || rule[i] == '\n' || (rule[i] == '\\' && next(i) == '\n')) files.emplace_back();
+        else files.back() += rule[i];
+    }
+    files.front().clear(); // the colon
+    std::erase(files, "");
+    return files;
+}
+
+bool is_below(const fs::path &file, const fs::path &folder) {
+    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
 
 } // namespace
 
@@ -50,10 +68,8 @@ std::string stopped_by_a_limit(const Finished &finished, const std::string &said
                "that isn't a file?";
     if (finished.code == 0) return {};
     const auto lines = lines_of(said);
-    const bool disk_full =
-        std::any_of(lines.begin(), lines.end(), [](const Line &line) { return found_the_disk_full(line.text); });
-    if (!disk_full
-        && std::any_of(lines.begin(), lines.end(), [](const Line &line) { return blames_the_code(line.text); }))
+    const bool disk_full = std::ranges::any_of(lines, [](const Line &line) { return found_the_disk_full(line.text); });
+    if (!disk_full && std::ranges::any_of(lines, [](const Line &line) { return blames_the_code(line.text); }))
         return {};
 
     const int signal = finished.code - 128;
@@ -68,12 +84,25 @@ std::string stopped_by_a_limit(const Finished &finished, const std::string &said
                + " GB of memory: does an array have gigabytes, or a template no end?";
     if (disk_full || contains(said, "No space left on device") || contains(said, "Disk quota exceeded"))
         throw MachineTrouble{"the compiler found the disk full; make some room and try again. Nothing was judged"};
-    if (signal == SIGKILL || signal == SIGTERM || signal == SIGHUP
-        || std::any_of(lines.begin(), lines.end(), [](const Line &line) {
-               return contains(line.text, " signal terminated program ") && contains_any(line.text, killed);
-           }))
+    if (signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || std::ranges::any_of(lines, [](const Line &line) {
+            return contains(line.text, " signal terminated program ") && contains_any(line.text, killed);
+        }))
         throw MachineTrouble{"the compiler was killed from outside: has the machine run out of memory? Close some "
                              "programs and try again. Nothing was judged"};
+    return {};
+}
+
+std::optional<fs::path> included_from_elsewhere(std::string_view rule, const fs::path &file, const fs::path &from,
+                                                const std::vector<fs::path> &allowed) {
+    std::error_code ignored;
+    std::vector<fs::path> folders;
+    for (const fs::path &folder : allowed) folders.push_back(fs::weakly_canonical(folder, ignored));
+    const fs::path own = fs::weakly_canonical(file, ignored);
+    for (const std::string &name : files_of(rule)) {
+        const fs::path read = fs::weakly_canonical(from / name, ignored);
+        const auto is_home = [&](const fs::path &folder) { return is_below(read, folder); };
+        if (read != own && std::ranges::none_of(folders, is_home)) return read;
+    }
     return {};
 }
 
