@@ -73,8 +73,7 @@ TEST_CASE("new writes every file of a section, its line and its entry, and chang
         else if (old->second != text) changed.insert(file);
     }
     CHECK_THAT(after.at("book.md"),
-               ContainsSubstring(
-                   "| stiffness | spring constant | [13](chapters/13_springs/README.md#how-hard-a-spring-pulls) |\n"));
+               ContainsSubstring("| stiffness | spring constant | [13](chapters/13_springs/README.md#a-spring) |\n"));
     CHECK(written == files_of_springs);
     CHECK(changed == std::set<std::string>{"CMakeLists.txt", "book.md"});
     CHECK(after.size() == before.size() + written.size());
@@ -86,7 +85,7 @@ TEST_CASE("new writes every file of a section, its line and its entry, and chang
                ContainsSubstring(
                    "| 12 | Time | to come |\n| 13 | [Springs and so on](chapters/13_springs/README.md) | |\n\n"));
     CHECK_THAT(after.at("chapters/13_springs/README.md"),
-               StartsWith("# 13 Springs and so on\n") && ContainsSubstring("$ ./course run 13 pulls --mine\n"));
+               StartsWith("# 13 Springs and so on\n") && ContainsSubstring("`./course plot 13 --mine`"));
     CHECK_THAT(after.at("chapters/13_springs/springs.hpp"),
                ContainsSubstring("namespace springs {")
                    && ContainsSubstring("COURSE_EXERCISE(\"13.1\", core, springs, pull"));
