@@ -135,13 +135,13 @@ const plain = (html) =>
 function documents({ name, title, html }) {
   return html.replace(/<h1>[^]*?<\/h1>/, '').split(/(?=<h[23] id=")/).map((part) => {
     const [heading, id, inside] = part.match(/^<h[23] id="([^"]*)">([^]*?)<a class="anchor".*<\/h[23]>/) ?? [''];
-    const other = /<p class="words" hidden>([^<]*)<\/p>/g; // what readers may type for what this part is about
+    const other = /<p class="words" hidden>([^<]*)<\/p>|<!-- also: ([^<>]*) -->/g; // what readers may type for what this part is about
     return {
       page: title,
       part: heading && plain(inside).trimEnd(),
       address: `${name}.html${heading && `#${id}`}`,
       text: plain(part.slice(heading.length).replace(other, '')),
-      words: [...part.matchAll(other)].map(([, one]) => one).join(' '),
+      words: [...part.matchAll(other)].map(([, asked, called]) => asked ?? called).join(' '),
     };
   }).filter(({ part, text }) => part || text);
 }

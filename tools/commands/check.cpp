@@ -293,7 +293,7 @@ class Check {
     void print_after(const Section &section) const {
         Progress known = progress(tree, section);
         const auto is_done = [&](const Standing &s) { return s.exercise.number == only->number; };
-        std::ranges::rotate(known.standings, std::ranges::find_if(known.standings, is_done));
+        std::rotate(known.standings.begin(), std::ranges::find_if(known.standings, is_done), known.standings.end());
         const auto open = known.first_open();
         if (options.file.empty() && open != known.standings.end()) print_next(open->exercise, open->state);
         else std::cout << "The whole section: ./course check " << section.short_number() << '\n';
