@@ -135,13 +135,14 @@ const plain = (html) =>
 function documents({ name, title, html }) {
   return html.replace(/<h1>[^]*?<\/h1>/, '').split(/(?=<h[23] id=")/).map((part) => {
     const [heading, id, inside] = part.match(/^<h[23] id="([^"]*)">([^]*?)<a class="anchor".*<\/h[23]>/) ?? [''];
-    const other = /<p class="words" hidden>([^<]*)<\/p>|<!-- also: ([^<>]*) -->/g; // what readers may type for what this part is about
+    const other = /<p class="words" hidden>([^<]*)<\/p>/g, also = /<!-- also: ([^<>]*) -->/g; // what readers may type for what this part is about, or for a term
     return {
       page: title,
       part: heading && plain(inside).trimEnd(),
       address: `${name}.html${heading && `#${id}`}`,
       text: plain(part.slice(heading.length).replace(other, '')),
-      words: [...part.matchAll(other)].map(([, asked, called]) => asked ?? called).join(' '),
+      words: [...part.matchAll(other)].map(([, one]) => one).join(' '),
+      also: [...part.matchAll(also)].map(([, one]) => one).join(' '),
     };
   }).filter(({ part, text }) => part || text);
 }
@@ -150,18 +151,19 @@ function searchIndex() {
   const found = pages.filter(({ kind }) => kind === 'chapter').flatMap(documents);
   for (const [space, inside] of Object.entries(names))
     for (const [name, { address, function: called }] of Object.entries(inside))
-      found.push({ page: `Interface: ${space}`, part: called ? `${name}()` : name, address, text: '', words: '' });
+      found.push({ page: `Interface: ${space}`, part: called ? `${name}()` : name, address, text: '', words: '', also: '' });
   // Words end where letters and digits do: `time_of_impact(motion` is four.
   lunr.tokenizer.separator = /[^\p{L}\p{N}]+/u;
   const index = lunr(function () {
     this.ref('number');
     this.field('part', { boost: 5 });
     this.field('words', { boost: 12 });
+    this.field('also');
     this.field('page', { boost: 2 });
     this.field('text');
     found.forEach((document, number) => this.add({ number, ...document }));
   });
-  const shown = found.map(({ words, ...document }) => document); // what only the index needs is not sent along
+  const shown = found.map(({ words, also, ...document }) => document); // what only the index needs is not sent along
   return `window.searchIndex = ${JSON.stringify({ documents: shown, index })};\n`;
 }
 
