@@ -127,6 +127,8 @@ TEST_CASE("a chapter in the voice is told of its habits, each with the last line
     CHECK(told(good + "## Further\n") == List{"7 the voice: 1 times a standing heading, where 0 are the most."});
     CHECK(told(good + "> ### What your function must do\n").size() == 1);
     CHECK(told(good + "That one is wanted.\n").size() == 1);
+    CHECK(told(good + "Which way? All the way.\nBy the way, a way.\n").empty());
+    CHECK(told(good + "A way, and another way.\n").size() == 1);
 
     // what is folded away, a listing, a formula or a comment is not heard
     const std::string begin = "begin, begin, begin\n";

@@ -60,13 +60,14 @@ struct Open {
 };
 
 Open open_part(std::string_view chapter) {
-    static const std::regex comment{"<!--.*?-->"}, hint{R"(<summary>(\d+\.\d+), a hint)"};
+    static const std::regex unheard = regex_of(R"(<!--.*?-->|\b(which|all the|by the|on its) way\b)"),
+                            hint{R"(<summary>(\d+\.\d+), a hint)"};
     Open open;
     int number = 0, depth = 0;
     bool in_listing = false;
     for (const Line &each : lines_of(take_out_formulas(chapter).text)) {
         ++number;
-        std::string line = std::regex_replace(std::string{each.text}, comment, "");
+        std::string line = std::regex_replace(std::string{each.text}, unheard, "");
         line.erase(0, std::min(line.find_first_not_of("> "), line.size()));
         const bool fence = line.starts_with("```");
         const bool visible = depth == 0 && !fence && !in_listing && !contains(line, "<details");
