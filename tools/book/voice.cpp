@@ -65,7 +65,8 @@ Open open_part(std::string_view chapter) {
     Open open;
     int number = 0, depth = 0;
     bool in_listing = false;
-    for (const Line &each : lines_of(take_out_formulas(chapter).text)) {
+    const std::string text = take_out_formulas(chapter).text;
+    for (const Line &each : lines_of(text)) {
         ++number;
         std::string line = std::regex_replace(std::string{each.text}, unheard, "");
         line.erase(0, std::min(line.find_first_not_of("> "), line.size()));
