@@ -144,7 +144,8 @@ TEST_CASE("the counts of tests, and each `got`, that a chapter names are those o
         if (std::regex_match(line, found, red)) CHECK(tests.find('"' + found[1].str() + '"') != std::string::npos);
         for (std::sregex_iterator at{line.begin(), line.end(), count}, end; at != end; ++at)
             if (at->str(2) == tests_of(exercise)) named.insert(exercise + ", " + at->str());
-        const bool in_list = line.starts_with("> - `") || line.starts_with("- `"); // below "If another `got` stands …:", or "still red?"
+        const bool in_list =
+            line.starts_with("> - `") || line.starts_with("- `"); // below "If another `got` stands …:", or "still red?"
         if (!in_list && line.find("`got`") == line.npos && line.find("`gave`") == line.npos) continue;
         for (std::sregex_iterator at{line.begin(), line.end(), code}, end; at != end; ++at)
             if (at->str(1).find_first_of("0123456789") != line.npos) named.insert(exercise + ", got " + at->str(1));

@@ -207,8 +207,8 @@ TEST_CASE("a fold says whether it holds a hint or our solution") {
     const std::string hints =
         book.page("<details>\n<summary>7.1, a hint: it is $x$</summary>\n\nz\n</details>\n\n" + other
                   + "<details><summary>7.1, a hint: it is red</summary>\n\nz\n</details>\n");
-    CHECK_THAT(hints, ContainsSubstring("<details class=\"hint\">\n<summary>Hint 1: it is " + formula_x(3)
-                                        + "</summary>"));
+    CHECK_THAT(hints,
+               ContainsSubstring("<details class=\"hint\">\n<summary>Hint 1: it is " + formula_x(3) + "</summary>"));
     CHECK_THAT(hints, ContainsSubstring("<details class=\"hint\"><summary>Hint 2: it is red</summary>")
                           && ContainsSubstring("<summary>Hint 1: it is not</summary>"));
     CHECK_THAT(book.page("<details><summary>Our solution of 7.1</summary>\n\nz\n</details>\n"),
