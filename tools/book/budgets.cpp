@@ -14,11 +14,6 @@
 namespace course {
 namespace {
 
-/// A line without what a quote puts before it.
-std::string_view unquoted(std::string_view line) {
-    return line.substr(std::min(line.find_first_not_of("> "), line.size()));
-}
-
 /// The words of a line as they are read; a formula is one word.
 int words_in(const std::string &line) {
     std::istringstream words{take_out_formulas(line).text};
@@ -39,28 +34,18 @@ bool is_task(std::string_view line) {
 /// Reads a chapter from line to line.
 class Meter {
   public:
-    explicit Meter(std::string_view text) : lines{lines_of(text)} {
-        for (Fence &fence : read_chapter(text, {}).fences) fences.emplace(fence.line, std::move(fence));
-    }
+    explicit Meter(std::string_view text_) : chapter{text_} {}
 
     std::vector<Budget> read() {
-        for (int number = 1; number <= static_cast<int>(lines.size()); ++number) {
-            if (const auto fence = fences.find(number); fence != fences.end()) {
-                listing(fence->second);
-                number = fence->second.end;
-                continue;
-            }
-            line(unquoted(lines[static_cast<std::size_t>(number) - 1].text), number);
-        }
+        walk(
+            chapter, [this](std::string_view text, int number, bool folded) { line(text, number, folded); },
+            [this](const Fence &fence, bool folded) { listing(fence, folded); });
         end_reading();
         return budgets();
     }
 
   private:
-    void line(std::string_view text, int number) {
-        if (text.starts_with("<details")) ++folds;
-        const bool folded = folds > 0;
-        if (contains(text, "</details>")) --folds;
+    void line(std::string_view text, int number, bool folded) {
         if (folded || text.empty()) return;
         if (text.starts_with("## ")) outputs = 0;
         if (is_task(text)) {
@@ -90,8 +75,8 @@ class Meter {
         words_since = 0;
     }
 
-    void listing(const Fence &fence) {
-        if (folds > 0) return;
+    void listing(const Fence &fence, bool folded) {
+        if (folded) return;
         const int length = static_cast<int>(fence.content.size());
         listings += length;
         worst(longest_listing, length, fence.line);
@@ -110,7 +95,7 @@ class Meter {
     }
 
     std::vector<Budget> budgets() const {
-        const int all = static_cast<int>(lines.size());
+        const int all = static_cast<int>(lines_of(chapter).size());
         const auto share = [](int part, int whole) { return whole == 0 ? 0 : (100 * part + whole - 1) / whole; };
         return {
             {"first box", "% of the chapter before its first \"Your turn\" box", 20,
@@ -136,9 +121,8 @@ class Meter {
     }
     int words_total() const { return longest_reading.value; } // nothing to do: all of it is one reading
 
-    std::vector<Line> lines;
-    std::map<int, Fence> fences; ///< by the line of their opening
-    int folds = 0, prose = 0, listings = 0, outputs = 0, first_box = 0, first_task = 0;
+    std::string_view chapter;
+    int prose = 0, listings = 0, outputs = 0, first_box = 0, first_task = 0;
     int words_since = 0, words_before = 0, reading_from = 1;
     Most longest_listing, longest_output, longest_reading, longest_part, longest_core, tests;
 };

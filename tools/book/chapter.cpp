@@ -3,7 +3,9 @@
 #include "book/markdown.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
+#include "ground/text.hpp"
 
+#include <algorithm>
 #include <regex>
 #include <set>
 
@@ -154,6 +156,26 @@ Chapter read_chapter(std::string_view text, const std::filesystem::path &file) {
     FenceReader{text, file, chapter}.read(document.get());
     if (chapter.broken.empty()) find_open_folds(document.get(), file, chapter);
     return chapter;
+}
+
+void walk(std::string_view chapter, const std::function<void(std::string_view, int, bool)> &hear,
+          const std::function<void(const Fence &, bool)> &see) {
+    const std::vector<Fence> fences = read_chapter(chapter, {}).fences;
+    const std::vector<Line> lines = lines_of(chapter);
+    auto fence = fences.begin();
+    int folds = 0;
+    for (int number = 1; number <= static_cast<int>(lines.size()); ++number) {
+        if (fence != fences.end() && fence->line == number) {
+            see(*fence, folds > 0);
+            number = fence++->end;
+            continue;
+        }
+        std::string_view line = lines[static_cast<std::size_t>(number) - 1].text;
+        line.remove_prefix(std::min(line.find_first_not_of("> "), line.size()));
+        if (line.starts_with("<details")) ++folds;
+        hear(line, number, folds > 0);
+        if (contains(line, "</details>")) --folds;
+    }
 }
 
 std::vector<Hint> hints(std::string_view whole) {

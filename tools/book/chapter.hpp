@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,11 @@ struct Fence {
     std::string language;             ///< "cpp", "console": the rest of the opening line
     std::vector<std::string> content; ///< without what a quote or a list puts before each line
 };
+
+/// Goes through a chapter: hears each line, without what a quote puts before it, and each listing as a whole, and whether
+/// they are folded away. A fold's first line and its last are.
+void walk(std::string_view chapter, const std::function<void(std::string_view line, int number, bool folded)> &hear,
+          const std::function<void(const Fence &listing, bool folded)> &see);
 
 /// How many of a fence's signs a line begins with, after blanks.
 std::size_t run_of(char sign, std::string_view line);

@@ -1,7 +1,7 @@
 #include "book/voice.hpp"
 
+#include "book/chapter.hpp"
 #include "book/markdown.hpp"
-#include "ground/lines.hpp"
 #include "ground/text.hpp"
 
 #include <algorithm>
@@ -63,24 +63,18 @@ Open open_part(std::string_view chapter) {
     static const std::regex unheard = regex_of(R"(<!--.*?-->|\b(which|all the|by the|on its) way\b)"),
                             hint{R"(<summary>(\d+\.\d+), a hint)"};
     Open open;
-    int number = 0, depth = 0;
-    bool in_listing = false;
-    const std::string text = take_out_formulas(chapter).text;
-    for (const Line &each : lines_of(text)) {
-        ++number;
-        std::string line = std::regex_replace(std::string{each.text}, unheard, "");
-        line.erase(0, std::min(line.find_first_not_of("> "), line.size()));
-        const bool fence = line.starts_with("```");
-        const bool visible = depth == 0 && !fence && !in_listing && !contains(line, "<details");
-        if (fence) in_listing = !in_listing;
-        if (contains(line, "<details")) {
-            ++depth;
-            std::smatch found;
-            open.folds.insert(std::regex_search(line, found, hint) ? found[1].str() : std::to_string(number) + ':');
-        }
-        if (contains(line, "</details>")) --depth;
-        if (visible && !line.empty()) open.lines.emplace_back(number, line);
-    }
+    walk(
+        take_out_formulas(chapter).text,
+        [&](std::string_view line, int number, bool folded) {
+            std::match_results<std::string_view::const_iterator> found;
+            if (line.starts_with("<details"))
+                open.folds.insert(std::regex_search(line.begin(), line.end(), found, hint)
+                                      ? found[1].str()
+                                      : std::to_string(number) + ':');
+            const std::string heard = folded ? "" : std::regex_replace(std::string{line}, unheard, "");
+            if (!heard.empty()) open.lines.emplace_back(number, heard);
+        },
+        [](const Fence &, bool) {});
     return open;
 }
 
