@@ -6,6 +6,7 @@ import os from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import hands from '../../tools/play/hands.cjs';
 import stills from '../../tools/play/stills.cjs';
 
 const about = { title: 'A&B', low: [0, 0], high: [10, 5] };
@@ -69,6 +70,14 @@ test('every kept picture is light, has no script, stays still if it should, and 
     assert.ok(film.includes('@media (prefers-reduced-motion: reduce) { g { animation: none !important } }'), `${name} has nothing that moves`);
     assert.equal(still(film), seenIn(film, 0, count), name);
     well(film);
+  }
+});
+
+test('a hand that helps has its place in the chapter', () => {
+  for (const [section, starts] of Object.entries(hands)) {
+    const chapter = fs.readFileSync(fileURLToPath(new URL(`../../chapters/${section}/README.md`, import.meta.url)), 'utf8');
+    const places = [...chapter.matchAll(/^<!-- demo: [a-z]\w*(?: mine)?(?:, ([^|\n]*\S))? \|/gm)].map(([, start]) => start ?? '');
+    for (const start of Object.keys(starts)) assert.ok(places.includes(start), `${section} has no place "${start}"`);
   }
 });
 
