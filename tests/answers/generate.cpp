@@ -11,7 +11,7 @@
 //
 // An entry says which lines of the solution go (-), which come (+), and, where more is needed to find the place, which
 // stay ( ). A blank line ends a change; an answer may have several. Indentation and comments are not compared.
-// With `7.2 meet_leaves_the_ends_open, 8 of 13, got t = 0.5: ...` exactly so many of the tests must pass, and the first
+// With `7.2 meet_leaves_the_ends_open, 8 of 13, yours t = 0.5: ...` exactly so many of the tests must pass, and the first
 // that does not must show that answer: a chapter says so. One of the two may be left out.
 
 #include <algorithm>
@@ -108,12 +108,13 @@ using Change = std::vector<std::pair<char, Line>>;
 
 struct Answer {
     Line head;
-    std::string exercise, name, verdict; ///< if that matters: "8 of 13, got t = 0.5"
+    std::string exercise, name, verdict; ///< if that matters: "8 of 13, yours t = 0.5"
     std::vector<Change> changes;
 };
 
 std::vector<Answer> read_differences(const fs::path &file) {
-    static const std::regex head{R"((\d+\.\d+) ([a-z][a-z0-9_]*)(?:, (\d+ of \d+|(?:\d+ of \d+, )?got [^:]+))?: (.+))"};
+    static const std::regex head{
+        R"((\d+\.\d+) ([a-z][a-z0-9_]*)(?:, (\d+ of \d+|(?:\d+ of \d+, )?yours [^:]+))?: (.+))"};
     std::vector<Answer> answers;
     bool open = false; // a change that further lines belong to
     for (const Line &line : read(file)) {

@@ -79,7 +79,7 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
 +++i;
  return i;
 
-7.1 ends_twice, 8 of 13, got [0]: a line that has come is not the one that goes
+7.1 ends_twice, 8 of 13, yours [0]: a line that has come is not the one that goes
  int i = 0;
 +return i;
 
@@ -104,7 +104,7 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
           == "right_solution_7_1 7.1 all\n"
              "right_solution_7_2 7.2 all\n"
              "wrong_begins_twice 7.1 red\n"
-             "wrong_ends_twice 7.1 8 of 13, got [0]\n"
+             "wrong_ends_twice 7.1 8 of 13, yours [0]\n"
              "wrong_starts_at_one 7.1 red\n"
              "wrong_two_is_one 7.2 red\n");
 }

@@ -122,7 +122,8 @@ TEST_CASE("the verdicts that chapter 1 shows for the first tries of 1.3 and 1.4 
     CHECK(is_in_order(lines_in_box(chapter, "1.4"), verdict));
 }
 
-TEST_CASE("the counts of tests, and each `got`, that a chapter names are those of its wrong answers; each ✓ has all") {
+TEST_CASE(
+    "the counts of tests, and each `yours`, that a chapter names are those of its wrong answers; each ✓ has all") {
     const std::string section = GENERATE(from_range(all_chapters()));
     const std::string tests = course::read_file(root / "tests" / (section + ".cpp"));
     const auto tests_of = [&](const std::string &exercise) {
@@ -144,15 +145,15 @@ TEST_CASE("the counts of tests, and each `got`, that a chapter names are those o
         if (std::regex_match(line, found, red)) CHECK(tests.find('"' + found[1].str() + '"') != std::string::npos);
         for (std::sregex_iterator at{line.begin(), line.end(), count}, end; at != end; ++at)
             if (at->str(2) == tests_of(exercise)) named.insert(exercise + ", " + at->str());
-        const bool in_list =
-            line.starts_with("> - `") || line.starts_with("- `"); // below "If another `got` stands …:", or "still red?"
-        if (!in_list && line.find("`got`") == line.npos && line.find("`gave`") == line.npos) continue;
+        const bool in_list = line.starts_with("> - `")
+                             || line.starts_with("- `"); // below "If another `yours` stands …:", or "still red?"
+        if (!in_list && line.find("`yours`") == line.npos && line.find("`returned`") == line.npos) continue;
         for (std::sregex_iterator at{line.begin(), line.end(), code}, end; at != end; ++at)
-            if (at->str(1).find_first_of("0123456789") != line.npos) named.insert(exercise + ", got " + at->str(1));
+            if (at->str(1).find_first_of("0123456789") != line.npos) named.insert(exercise + ", yours " + at->str(1));
     }
 
     const std::string wrong = course::read_file(root / "tests/wrong" / (section + ".diff"));
-    const std::regex head{R"(\n(\d+\.\d+) \w+(?:, (\d+ of \d+))?(?:, (got [^:\n]+))?: )"};
+    const std::regex head{R"(\n(\d+\.\d+) \w+(?:, (\d+ of \d+))?(?:, (yours [^:\n]+))?: )"};
     for (std::sregex_iterator at{wrong.begin(), wrong.end(), head}, end; at != end; ++at)
         for (const std::size_t part : {2u, 3u})
             if ((*at)[part].matched) held.insert(at->str(1) + ", " + at->str(part));

@@ -112,7 +112,7 @@ TEST_CASE("the first field that differs is named, with its unit") {
     other.inner[0].place.x() = 0.2;
     const auto found = mismatch::find<Outer>({}, other, outer, 1e-9);
     REQUIRE(found);
-    CHECK(found->got == "inner[0].place = (0.2, -2) m");
+    CHECK(found->yours == "inner[0].place = (0.2, -2) m");
     CHECK(found->whole == describe(outer));
     CHECK(mismatch::find<std::vector<Inner>>({}, other.inner, outer.inner, 0)->whole
           == "[0] = {place (1, -2) m, count 3}");
@@ -137,11 +137,11 @@ TEST_CASE("IsNear is absolute below 1, relative above it, and never true of NaN"
     CHECK_FALSE(mismatch::find<double>({}, 2, 1, 0)->not_a_number);
 }
 
-TEST_CASE("got and want are told apart at as many digits as that takes") {
+TEST_CASE("yours and expected are told apart at as many digits as that takes") {
     const auto found = mismatch::find<double>({}, 1 + 1e-14, 1, 1e-15);
     REQUIRE(found);
-    CHECK(found->got == "1.00000000000001");
-    CHECK(found->want == "1");
+    CHECK(found->yours == "1.00000000000001");
+    CHECK(found->expected == "1");
 }
 
 namespace {
@@ -197,15 +197,16 @@ TEST_CASE("what a test has computed is named in the verdict, with its unit") {
     CHECK(shown_for([] {
               return is_near(Vector2d{0.2, 0}, Vector2d{0, 0}, 1e-12, split_label("sum of all velocities [m/s]"));
           })
-          == "sum of all velocities:\ngot   (0.2, 0) m/s\nwant  (0, 0) m/s ± 1e-12\n");
+          == "sum of all velocities:\nyours     (0.2, 0) m/s\nexpected  (0, 0) m/s ± 1e-12\n");
     CHECK(shown_for([] { return is_near(false, true, 0, split_label("both ends lie on one side")); })
-          == "both ends lie on one side:\ngot   false\nwant  true\n");
+          == "both ends lie on one side:\nyours     false\nexpected  true\n");
     CHECK(shown_for([] { return is_near(outer, Outer{}, 0, split_label("the last one")); })
-          == "the last one:\nright {time 0 s, inner [], known nothing}\ngot   time = 1.5 s\nwant  time = 0 s\n");
+          == "the last one:\nexpected  {time 0 s, inner [], known nothing}\nyours     time = 1.5 s\nexpected  time = 0 "
+             "s\n");
     CHECK(shown_for([] {
               return has_size(std::vector{1, 2, 3}, 1, split_label("slots that changed"));
           })
-          == "slots that changed:\ngot   3 elements: [1, 2, 3]\nwant  1 element\n");
+          == "slots that changed:\nyours     3 elements: [1, 2, 3]\nexpected  1 element\n");
 }
 
 TEST_CASE("an answer that is infinite is said to be divided by zero, unless that is what was wanted") {
@@ -214,8 +215,8 @@ TEST_CASE("an answer that is infinite is said to be divided by zero, unless that
     };
     CHECK(time(INFINITY, 2).starts_with("Your answer is infinite. Was something divided by zero?"));
     CHECK(time(-INFINITY, 2).starts_with("Your answer is infinite"));
-    CHECK(time(INFINITY, -INFINITY) == "time:\ngot   infinity s\nwant  -infinity s\n");
-    CHECK(time(3, 2) == "time:\ngot   3 s\nwant  2 s\n");
+    CHECK(time(INFINITY, -INFINITY) == "time:\nyours     infinity s\nexpected  -infinity s\n");
+    CHECK(time(3, 2) == "time:\nyours     3 s\nexpected  2 s\n");
 }
 
 TEST_CASE("a refusal of a number that the call was not given is known from one of its input") {
@@ -261,7 +262,7 @@ TEST_CASE("all input that should have been refused is listed in one verdict, wha
     CHECK(verdict.kind == Kind::wrong);
     CHECK(explain(from_line(to_line(verdict)).value(), 0)
           == "Your code accepted input that it must refuse with std::invalid_argument:\n  dt is negative\n"
-             "  start.x = infinity, not a number, -infinity\nsee   a.cpp:3\n");
+             "  start.x = infinity, not a number, -infinity\nsee       a.cpp:3\n");
 }
 
 TEST_CASE("each number of a call's arguments has its turn, with its name") {
@@ -283,8 +284,8 @@ TEST_CASE("an order that does not hold is said with its bound, and told apart at
     const auto speed = [&](double got) {
         return shown_for([&] { return is_ordered(got, 3, at_most, split_label("speed along x [m/s]")); });
     };
-    CHECK(speed(3.2) == "speed along x:\ngot   3.2 m/s\nwant  at most 3 m/s\n");
-    CHECK(speed(3 + 1e-14).find("got   3.00000000000001 m/s\n") != std::string::npos);
+    CHECK(speed(3.2) == "speed along x:\nyours     3.2 m/s\nexpected  at most 3 m/s\n");
+    CHECK(speed(3 + 1e-14).find("yours     3.00000000000001 m/s\n") != std::string::npos);
     CHECK(speed(NAN).find("\"not a number\"") != std::string::npos);
     CHECK(is_ordered(3.0, 3, at_most, split_label("speed")));
 }
@@ -295,10 +296,10 @@ TEST_CASE("an answer that is not a number is said to be none, also where nothing
     };
     const std::string reason = "it comes from 0/0, ";
     CHECK(time(NAN, {}).find(reason) != std::string::npos);
-    CHECK(time(NAN, {}).ends_with("\ngot   not a number\nwant  nothing\n"));
+    CHECK(time(NAN, {}).ends_with("\nyours     not a number\nexpected  nothing\n"));
     CHECK(time(NAN, 2).find(reason) != std::string::npos);
     CHECK(time({}, 2).find(reason) == std::string::npos);
-    CHECK(time(2, {}) == "time of impact:\ngot   2 s\nwant  nothing\n");
+    CHECK(time(2, {}) == "time of impact:\nyours     2 s\nexpected  nothing\n");
     const auto point = [](const Vector2d &got) {
         return shown_for(
             [&] { return is_near(std::optional{got}, std::optional<Vector2d>{}, 0, split_label("centre [m]")); });
@@ -554,8 +555,8 @@ TEST_CASE("a verdict survives its way through JSON") {
                     .kind = Kind::left_process,
                     .sentence = "what happened",
                     .call = Call{"meet", {"first = 1"}, 3, "{g, h}"},
-                    .got = "g",
-                    .want = "w",
+                    .yours = "g",
+                    .expected = "w",
                     .tolerance = "1e-9",
                     .whole = "{w, x}",
                     .file = "t.cpp",
@@ -568,12 +569,13 @@ TEST_CASE("a verdict survives its way through JSON") {
     CHECK(back.kind == verdict.kind);
     CHECK(back.needs == verdict.needs);
     CHECK(explain(verdict, 2).find("meet() with   (call 4 of this test)") != std::string::npos);
-    CHECK(explain(verdict, 2).find("gave  {g, h}\n") != std::string::npos);
-    verdict.got = verdict.call->answer; // then it need not be said twice
-    CHECK(explain(verdict, 2).find("gave") == std::string::npos);
+    CHECK(explain(verdict, 2).find("returned  {g, h}\n") != std::string::npos);
+    verdict.yours = verdict.call->answer; // then it need not be said twice
+    CHECK(explain(verdict, 2).find("returned") == std::string::npos);
     verdict.label = "speed"; // of something that only looks like the answer
     const auto named = from_line(to_line(verdict)).value();
-    CHECK(explain(named, 2).find("gave  {g, h}\n  speed:\n  right {w, x}\n  got   {g, h}\n") != std::string::npos);
+    CHECK(explain(named, 2).find("returned  {g, h}\n  speed:\n  expected  {w, x}\n  yours     {g, h}\n")
+          != std::string::npos);
 }
 
 TEST_CASE("a struct of structs that is wider than a screen has a line for each part, and nothing else is broken") {
@@ -583,10 +585,10 @@ TEST_CASE("a struct of structs that is wider than a screen has a line for each p
     Verdict verdict;
     verdict.call = Call{"step_all", {"before = " + wide, list, "all = " + numbers, "dt = 2 s"}, 0, wide};
     CHECK(explain(verdict, 2)
-          == "  call  step_all() with\n          before = {" + part("first") + ",\n                    "
-                 + part("second") + ",\n                    " + part("third") + "}\n          " + list
-                 + "\n          all = " + numbers + "\n          dt = 2 s\n  gave  {" + part("first") + ",\n         "
-                 + part("second") + ",\n         " + part("third") + "}\n");
+          == "  call      step_all() with\n              before = {" + part("first") + ",\n                        "
+                 + part("second") + ",\n                        " + part("third") + "}\n              " + list
+                 + "\n              all = " + numbers + "\n              dt = 2 s\n  returned  {" + part("first")
+                 + ",\n             " + part("second") + ",\n             " + part("third") + "}\n");
     verdict.call->arguments = {"now = {" + part("a") + ", b {1}}"}; // short enough
     CHECK(explain(verdict, 2).find("now = {" + part("a") + ", b {1}}\n") != std::string::npos);
 }
@@ -596,8 +598,8 @@ TEST_CASE("JUnit files are XML whatever a student prints, and count what failed"
                                                                    .test = "<b> & \"quotes\"",
                                                                    .kind = Kind::wrong,
                                                                    .sentence = "]]> </failure>",
-                                                                   .got = "1",
-                                                                   .want = "2",
+                                                                   .yours = "1",
+                                                                   .expected = "2",
                                                                    .file = "t.cpp",
                                                                    .line = 3,
                                                                    .printed = {"\u00e4"}};
@@ -653,7 +655,7 @@ TEST_CASE("JUnit files are XML whatever a student prints, and count what failed"
     CHECK(message("<b> & \"quotes\"", "failure") == "]]> </failure>");
     CHECK(message("ours", "error") == "]]> </failure>");
     CHECK(message("later", "skipped") == "]]> </failure>");
-    CHECK(message("computed", "failure") == "speed: got 1, want 2");
+    CHECK(message("computed", "failure") == "speed: 1 instead of 2");
     CHECK(message("accepts", "failure") == "It accepted: dt < 0; x = ??");
     CHECK(message("forgotten", "error").starts_with("This test has no verdict"));
 

@@ -87,7 +87,7 @@ std::vector<Finding> out_of_voice(std::string_view chapter, const std::filesyste
         word = regex_of(R"([A-Za-z][\w'’-]*)"),
         contraction = regex_of(
             R"(\b(\w+n['’]t|\w+['’](re|ll|ve|d|m)|(it|that|here|there|what|let|he|she|who|how|where)['’]s)\b)"),
-        wrong_answer = regex_of(R"(^- `|`got`|`gave`|\d of \d+\*|If it (says|is) )");
+        wrong_answer = regex_of(R"(^- `|`yours`|`returned`|\d of \d+\*|If it (says|is) )");
     const Open open = open_part(chapter);
     int words = 0, contractions = 0, about_wrong_answers = 0;
     for (const auto &[number, line] : open.lines) {

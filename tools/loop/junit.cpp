@@ -38,7 +38,7 @@ std::string message(const Verdict &verdict) {
     text += verdict.sentence;
     for (const std::string &input : verdict.accepted) text += (input == verdict.accepted.front() ? " " : "; ") + input;
     if (!text.empty()) return text;
-    return (verdict.label.empty() ? "" : verdict.label + ": ") + "got " + verdict.got + ", want " + verdict.want
+    return (verdict.label.empty() ? "" : verdict.label + ": ") + verdict.yours + " instead of " + verdict.expected
            + (verdict.tolerance.empty() ? "" : " ± " + verdict.tolerance);
 }
 

@@ -85,8 +85,8 @@ template <> struct nlohmann::adl_serializer<std::optional<course::Call>> {
 
 namespace course {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Verdict, exercise, test, kind, sentence, call, accepted, label, got, want, tolerance,
-                                   whole, file, line, printed, printed_more, needs)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Verdict, exercise, test, kind, sentence, call, accepted, label, yours, expected,
+                                   tolerance, whole, file, line, printed, printed_more, needs)
 
 std::string to_line(const Verdict &verdict) {
     return nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
@@ -107,17 +107,17 @@ std::string explain(const Verdict &v, int indent) {
     for (const auto &input : v.accepted) say("  " + input);
     const bool nothing_to_see = v.kind == Kind::not_started || v.kind == Kind::missing; // no input is to blame
     if (v.call && !nothing_to_see) {
-        say("call  " + v.call->function + "()" + (v.call->arguments.empty() ? "" : " with")
+        say("call      " + v.call->function + "()" + (v.call->arguments.empty() ? "" : " with")
             + (v.call->before == 0 ? "" : "   (call " + std::to_string(v.call->before + 1) + " of this test)"));
-        for (const auto &argument : v.call->arguments) say("        " + in_lines(argument, margin.size() + 8));
-        if (!v.call->answer.empty() && (v.call->answer != v.got || !v.label.empty()))
-            say("gave  " + in_lines(v.call->answer, margin.size() + 6));
+        for (const auto &argument : v.call->arguments) say("            " + in_lines(argument, margin.size() + 12));
+        if (!v.call->answer.empty() && (v.call->answer != v.yours || !v.label.empty()))
+            say("returned  " + in_lines(v.call->answer, margin.size() + 10));
     }
     if (!v.label.empty()) say(v.label + ':');
-    if (!v.whole.empty()) say("right " + in_lines(v.whole, margin.size() + 6));
-    if (!v.got.empty()) say("got   " + v.got);
-    if (!v.want.empty()) say("want  " + v.want + (v.tolerance.empty() ? "" : " ± " + v.tolerance));
-    if (!v.file.empty() && !nothing_to_see) say("see   " + v.file + ':' + std::to_string(v.line));
+    if (!v.whole.empty()) say("expected  " + in_lines(v.whole, margin.size() + 10));
+    if (!v.yours.empty()) say("yours     " + v.yours);
+    if (!v.expected.empty()) say("expected  " + v.expected + (v.tolerance.empty() ? "" : " ± " + v.tolerance));
+    if (!v.file.empty() && !nothing_to_see) say("see       " + v.file + ':' + std::to_string(v.line));
     if (!v.printed.empty()) {
         say("It printed:");
         for (const auto &line : v.printed) say("  | " + line);

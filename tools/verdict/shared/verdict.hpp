@@ -44,12 +44,12 @@ struct Verdict {
     std::string exercise = {}; ///< "7.2"
     std::string test = {};     ///< the claim
     Kind kind = Kind::passed;
-    std::string sentence = {}; ///< what happened, to the student; empty where got and want say it
+    std::string sentence = {}; ///< what happened, to the student; empty where yours and expected say it
     std::optional<Call> call = {};
     std::vector<std::string> accepted = {}; ///< inputs to be refused: "dt is negative", "motion.start.x = infinity"
-    std::string label = {}; ///< what got and want are about, where that is not the answer itself: "speed along x"
-    std::string got = {}, want = {}, tolerance = {};
-    std::string whole = {}; ///< the whole struct that is wanted, where got and want are a field of it
+    std::string label = {}; ///< what yours and expected are about, where that is not the answer itself: "speed along x"
+    std::string yours = {}, expected = {}, tolerance = {};
+    std::string whole = {}; ///< the whole struct that is wanted, where yours and expected are a field of it
     std::string file = {};  ///< of the check that failed, or of the error
     int line = 0;
     std::vector<std::string> printed = {}; ///< the first lines of what the case printed

@@ -47,9 +47,9 @@ void refuse_nameless();
 
 /// What a matcher found, in the words of a verdict; see note_mismatch.
 struct Mismatch {
-    std::string label;     ///< what was compared: "sum of all velocities"; empty for the answer of the last call
-    std::string got, want; ///< with the path to the field that differs: "point.x = 3 m"
-    std::string tolerance; ///< "1e-12", or empty where there is none
+    std::string label;           ///< what was compared: "sum of all velocities"; empty for the answer of the last call
+    std::string yours, expected; ///< with the path to the field that differs: "point.x = 3 m"
+    std::string tolerance;       ///< "1e-12", or empty where there is none
     bool not_a_number = false;
     std::string whole = {}; ///< all of the struct that is wanted, where one field of it differs
 };

@@ -80,7 +80,7 @@ class Listener : public Catch::EventListenerBase {
             return "Your code accepted input that the header says it refuses with std::invalid_argument.";
         case Catch::ResultWas::ThrewException: return thrown(std::string{result.getMessage()});
         case Catch::ResultWas::ExpressionFailed:
-            if (std::string{result.getTestMacroName()}.ends_with("_THAT")) return {}; // got and want say it
+            if (std::string{result.getTestMacroName()}.ends_with("_THAT")) return {}; // yours and expected say it
             return "This does not hold: " + std::string{result.getExpression()}
                    + (result.getExpandedExpression() == result.getExpression()
                           ? ""
@@ -255,25 +255,25 @@ std::string passed_of_all() {
     return std::to_string(passed) + " of " + std::to_string(verdicts.size());
 }
 
-/// Whether the first verdict that is red shows this answer, as `got` or as what the call `gave`, whatever its unit.
+/// Whether the first verdict that is red shows this answer, as `yours` or as what the call `returned`, whatever its unit.
 bool first_shows(const std::string &answer) {
     const auto red = std::ranges::find_if_not(verdicts, &Verdict::passed);
     if (red == verdicts.end()) return false;
     const auto is_it = [&](const std::string &text) { return (text + ' ').starts_with(answer + ' '); };
-    return is_it(red->got) || (red->call && is_it(red->call->answer));
+    return is_it(red->yours) || (red->call && is_it(red->call->answer));
 }
 
 /// Whether the verdicts are the ones that CI wants of this subject: all passed, none started, one that is red, or just so
-/// many passed, and the first that is red shows some answer: "8 of 13, got t = 0.5".
+/// many passed, and the first that is red shows some answer: "8 of 13, yours t = 0.5".
 bool as_expected(std::string_view expect) {
     const auto no_verdict = [](const Verdict &v) { return v.kind == Kind::no_verdict; };
     if (verdicts.empty() || std::ranges::any_of(verdicts, no_verdict)) return false;
     if (expect == "none") return nothing_started();
     if (expect == "all") return std::ranges::all_of(verdicts, &Verdict::passed);
     if (std::ranges::any_of(verdicts, untouched)) return false;
-    if (const std::size_t got = expect.find("got "); got != expect.npos)
-        return first_shows(std::string{expect.substr(got + 4)})
-               && (got == 0 || expect.substr(0, got) == passed_of_all() + ", ");
+    if (const std::size_t at = expect.find("yours "); at != expect.npos)
+        return first_shows(std::string{expect.substr(at + 6)})
+               && (at == 0 || expect.substr(0, at) == passed_of_all() + ", ");
     if (expect != "red") return passed_of_all() == expect;
     return !std::ranges::all_of(verdicts, &Verdict::passed);
 }
@@ -286,7 +286,7 @@ std::string in_words(const Verdict &verdict) {
 }
 
 /// Whether it is enough that one verdict is red.
-bool wants_red(std::string_view expect) { return expect == "red" || expect.starts_with("got "); }
+bool wants_red(std::string_view expect) { return expect == "red" || expect.starts_with("yours "); }
 
 /// How long a subject is waited for whose verdicts are known. The machine may be slow; but a wrong one may well hang, and
 /// will be no less wrong after a minute. Where a count is expected, what a student sees as too slow must be too slow.
@@ -360,7 +360,7 @@ int main(int argc, char **argv) try {
         | Opt(exercise, "7.2")["--exercise"]("only the tests of this one")
         | Opt(expect, "verdicts")["--expect"](
             "exit with 0 if these come out: all (passed), none (started), red, or so many: \"8 of 13\", "
-            "\"8 of 13, got 0.5\"")
+            "\"8 of 13, yours 0.5\"")
         | Opt(all_cases)["--all-cases"]("every generated case, instead of a hundredth")
         | Opt(answers, "list")["--answers"]("judge the answers that this file lists, which `subject` holds")
         | Opt(list)["--catalogue"]("list the exercises as JSON, and leave");

@@ -1,5 +1,5 @@
 #pragma once
-// Compares a value with the one wanted, and keeps where they part: field, got, want, tolerance.
+// Compares a value with the one wanted, and keeps where they part: field, yours, expected, tolerance.
 
 #include "verdict/tests/channel.hpp"
 #include "verdict/tests/describe.hpp"
@@ -119,7 +119,7 @@ template <class T> bool is_ordered(const T &got, double bound, const Order &orde
     if (order.holds(got, bound)) return true;
     auto found = mismatch::differ<double>({{}, unit}, got, bound, 0);
     found.label = label.name;
-    found.want = std::string{order.words} + ' ' + found.want;
+    found.expected = std::string{order.words} + ' ' + found.expected;
     found.not_a_number = std::isnan(double(got));
     note_mismatch(found);
     return false;

@@ -309,12 +309,12 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
     if (verdict.file.empty()) std::tie(verdict.file, verdict.line) = std::tie(file, line);
     if (!accepted.empty()) return; // the verdict is about these
     if (verdict.passed() && noted) {
-        std::tie(verdict.label, verdict.got, verdict.want, verdict.whole, verdict.tolerance) =
-            std::tie(noted->label, noted->got, noted->want, noted->whole, noted->tolerance);
-        if (sentence.empty() && has_strange_number(noted->got))
+        std::tie(verdict.label, verdict.yours, verdict.expected, verdict.whole, verdict.tolerance) =
+            std::tie(noted->label, noted->yours, noted->expected, noted->whole, noted->tolerance);
+        if (sentence.empty() && has_strange_number(noted->yours))
             sentence =
                 "A strange number. Was a variable never given a value? Write `double sum = 0;`, not `double sum;`.";
-        if (sentence.empty() && contains(noted->got, "infinity") && !contains(noted->want, "infinity"))
+        if (sentence.empty() && contains(noted->yours, "infinity") && !contains(noted->expected, "infinity"))
             sentence = "Your answer is infinite. Was something divided by zero? 1 / 2 is 0, too, as both are whole "
                        "numbers. Or did a "
                        "search start at infinity and find nothing?";
