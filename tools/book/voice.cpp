@@ -39,7 +39,7 @@ constexpr Habit habits[]{
      R"(^#+ (What you have built|What your function must do|What the program shows now|How it was judged|Further)$)",
      0},
 };
-constexpr int most_words = 5000, most_folds = 25, most_about_wrong_answers = 12;
+constexpr int most_words = 4500, most_folds = 25, most_about_wrong_answers = 12;
 constexpr double least_contractions = 6; // in a thousand words
 
 std::regex regex_of(const char *pattern) { return std::regex{pattern, std::regex::icase | std::regex::optimize}; }
