@@ -17,6 +17,9 @@ struct Leave {
 /// Brings the site up to date by the build; site.cpp has it.
 void bring_up_site(const Tree &tree);
 
+/// Makes the archives of a release in the build folder, of what is committed; release.cpp has it.
+void release(const Tree &tree);
+
 /// Hands a file, or a place in one ("page.html#here"), to whatever program is meant for it.
 /// @return whether there is one, and a screen to show it on
 bool show(const std::string &address);

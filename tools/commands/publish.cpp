@@ -33,6 +33,9 @@ not published, and a published one that has lost its script. The SVGs are not co
 gnuplot draws the same figure in other bytes. A kept demo must be, byte for byte, what its sources
 give; its picture may differ by a tenth of a pixel.
 
+--release checks the same, and then makes three archives in build/default/release: the sources, the site, and
+the stills of the demos. Their names have the version that ./course --version shows.
+
 Example: ./course publish --check)";
 
 // Demos
@@ -113,16 +116,20 @@ void check_all(const Tree &tree, const std::vector<Section> &sections) {
 
 void add_publish(CLI::App &app, const Tree &tree) {
     const auto words = std::make_shared<std::string>();
-    const auto check = std::make_shared<bool>();
+    const auto check = std::make_shared<bool>(), releases = std::make_shared<bool>();
     CLI::App *command = app.add_subcommand("publish", "Keep the drawn figures in plots/, where the chapters show them");
     command->footer(about_publish);
     command->add_option("section", *words, "its number, name or file; all without it");
     command->add_flag("--check", *check, "only say what differs");
-    command->callback([&tree, words, check] {
+    command->add_flag("--release", *releases, "make the archives of a release")->excludes("section");
+    command->callback([&tree, words, check, releases] {
         const auto sections = words->empty() ? tree.sections() : std::vector{tree.section(*words)};
-        const Lock lock{tree};
-        for (const Section &section : sections) draw_figures(tree, section);
-        *check ? check_all(tree, sections) : publish_all(tree, sections);
+        {
+            const Lock lock{tree};
+            for (const Section &section : sections) draw_figures(tree, section);
+            *check || *releases ? check_all(tree, sections) : publish_all(tree, sections);
+        }
+        if (*releases) release(tree);
     });
 }
 

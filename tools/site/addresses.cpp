@@ -19,8 +19,9 @@ Addresses::Addresses(const Tree &tree_)
         const std::vector<fs::path> own = page_of(tree, section).code;
         code.insert(code.end(), own.begin(), own.end());
     }
-    for (const fs::path &file : files_in(tree.root, ".md"))
-        if (file.filename() != "book.md") markdown.push_back(file);
+    for (const fs::path &folder : {tree.root, tree.root / "docs"})
+        for (const fs::path &file : files_in(folder, ".md"))
+            if (file.filename() != "book.md" && file.filename() != "front.md") markdown.push_back(file);
 }
 
 std::string page_name(const Tree &tree, const fs::path &file) {

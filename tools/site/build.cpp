@@ -20,7 +20,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-/// The front page, the parts of book.md, the chapters, the other files beside book.md, the page with all demos, and code.
+/// The front page, the parts of book.md, the chapters, the other texts of its folder and of docs, the page with all demos, and code.
 std::vector<SitePage> our_pages(const Addresses &addresses) {
     const Tree &tree = addresses.tree;
     const fs::path book = tree.root / "book.md";

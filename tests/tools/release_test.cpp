@@ -1,0 +1,68 @@
+// `course publish --release`: what is in its archives, and what it's not made of.
+
+#include "commands/commands.hpp"
+#include "small_course.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace course;
+using Catch::Matchers::ContainsSubstring, Catch::Matchers::MessageMatches;
+
+namespace {
+
+/// A small course in a repository, all of it committed, with a site that's built already.
+struct Repository : SmallCourse {
+    Repository() {
+        write("CMakeLists.txt", "project(x VERSION 1.2.3)\n");
+        write("CHANGELOG.md", "# Changes\n\n## 1.2.3\n\n- All of it.\n");
+        write("demos/07_wall_meeting.svg", "<svg/>\n");
+        write("demos/07_wall_meeting.js", "\n");
+        write(".gitignore", "/build/\n");
+        write("build/default/site/index.html", "<p>\n");
+        git({"init", "--quiet"});
+        commit();
+        write("bin/cmake", "#!/bin/sh\n[ \"$1\" = --build ] || exec /usr/bin/cmake \"$@\"\n");
+        std::filesystem::permissions(tree.root / "bin/cmake", std::filesystem::perms::owner_all);
+        commit();
+        ::setenv("PATH", ((tree.root / "bin").string() + ":" + before).c_str(), 1);
+    }
+    ~Repository() { ::setenv("PATH", before.c_str(), 1); }
+
+    void git(std::vector<std::string> words) const {
+        words.insert(words.begin(), {"git", "-C", tree.root.string(), "-c", "user.name=x", "-c", "user.email=x"});
+        REQUIRE(run(words).code == 0);
+    }
+    void commit() const {
+        git({"add", "--all"});
+        git({"commit", "--quiet", "--message", "all of it"});
+    }
+    std::string listed(const std::string &archive) const {
+        return run({"/usr/bin/cmake", "-E", "tar", "tf", (tree.build / "release" / archive).string()}).out;
+    }
+    std::string before = std::getenv("PATH");
+};
+
+} // namespace
+
+TEST_CASE("a release has the sources, the site and the stills, and its version in their names") {
+    const Repository repository;
+    release(repository.tree);
+    const std::string sources = repository.listed("frame-by-frame-1.2.3.tar.gz");
+    CHECK_THAT(sources, ContainsSubstring("frame-by-frame-1.2.3/solutions/07_wall_meeting.cpp\n"));
+    CHECK_THAT(sources, !ContainsSubstring("build/default"));
+    CHECK(repository.listed("frame-by-frame-1.2.3-site.zip") == "site/\nsite/index.html\n");
+    CHECK(repository.listed("frame-by-frame-1.2.3-stills.zip") == "demos/07_wall_meeting.svg\n");
+}
+
+TEST_CASE("a release of which CHANGELOG says nothing, or with a change that isn't committed, is refused") {
+    const Repository repository;
+    repository.write("solutions/07_wall_meeting.cpp", "// changed\n");
+    CHECK_THROWS_MATCHES(release(repository.tree), Complaint,
+                         MessageMatches(ContainsSubstring(" M solutions/07_wall")));
+    repository.write("CMakeLists.txt", "project(x VERSION 1.2.4)\n");
+    repository.commit();
+    CHECK_THROWS_MATCHES(release(repository.tree), Complaint, MessageMatches(ContainsSubstring("\"## 1.2.4\"")));
+    CHECK_FALSE(repository.has("build/default/release"));
+}
