@@ -41,7 +41,7 @@ std::string explain_renamed(const std::vector<std::string> &names, const std::ve
     if (said.empty()) return "";
     std::string sentence = said.front() + " now";
     for (std::size_t i = 1; i < said.size(); ++i) sentence += ", " + said[i];
-    return sentence + ": rename " + (said.size() == 1 ? "it" : "them") + " in your file (see CHANGELOG).";
+    return sentence + ": rename " + (said.size() == 1 ? "it" : "them") + " in your file.";
 }
 
 } // namespace course
