@@ -159,3 +159,20 @@ TEST_CASE(
             if ((*at)[part].matched) held.insert(at->str(1) + ", " + at->str(part));
     CHECK(named == held);
 }
+
+TEST_CASE("what a chapter says of its peers in one number is no less than any difference that's kept") {
+    static const std::regex says{R"(differ by less than ([\d.e-]+),)"};
+    int said = 0;
+    for (const std::string &section : all_chapters()) {
+        const std::string chapter = course::read_file(root / "chapters" / section / "README.md");
+        std::smatch found;
+        if (!std::regex_search(chapter, found, says)) continue;
+        ++said;
+        INFO(section);
+        std::istringstream kept{course::read_file(root / "tests/peers" / (section + ".txt"))};
+        std::string line;
+        std::getline(kept, line); // its title
+        while (std::getline(kept, line)) CHECK(std::stod(line) < std::stod(found[1]));
+    }
+    CHECK(said > 0);
+}
