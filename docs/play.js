@@ -65,13 +65,13 @@
       }
     }
     const imports = {
-      play: { thrown, endless: () => stop((who) => `${who} gave no answer: look for a loop that does not end.`) },
+      play: { thrown, endless: () => stop((who) => `${who} gave no answer: look for a loop that never ends.`) },
       exercises: {}, env: {},
       wasi_snapshot_preview1: new Proxy({}, { get: () => () => 52 }), // "not supported": nobody reads what is printed
     };
     for (const { module: from, name } of WebAssembly.Module.imports(module)) {
       if (from === 'exercises') imports.exercises[name] = (...values) => call(name, values);
-      if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which does not exist in a page.`);
+      if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which doesn't exist in a page.`);
     }
     exports = (await WebAssembly.instantiate(module, imports)).exports;
     if (yours)
@@ -95,7 +95,7 @@
       sentence(error) {
         const inner = /\byours (\d+\.\d+ \w+)/.exec(error.stack)?.[1] ?? running.at(-1), who = inner ?? nobody;
         running = [];
-        if (error instanceof NotStarted) return `${who} is not started: ${error.message}.`;
+        if (error instanceof NotStarted) return `${who} isn't started: ${error.message}.`;
         if (error instanceof Stopped) return error.said(who);
         if (error instanceof RangeError || exports.__stack_pointer.value < 4096) return `${who} called itself, again and again, until the stack was full. When does it stop?`;
         return `${who} crashed: ${error.message}.`;

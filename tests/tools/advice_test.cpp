@@ -88,7 +88,7 @@ TEST_CASE("what GCC says of a vector whose parts are gone is said in words") {
     const std::string parts = " + offsetof(Eigen::Matrix<double, 2, 1>, <unnamed>))’ may be used uninitialized\n";
     CHECK(find_warnings(plain_output(place + "‘*(__m128d*)((char*)&<unnamed>" + parts), file, "11.cpp")
           == std::vector<std::string>{
-              "11.cpp:97: This vector's parts may be gone by now: if it is declared with auto, write Vec2 instead."});
+              "11.cpp:97: This vector's parts may be gone by now: if it's declared with auto, write Vec2 instead."});
     CHECK(find_warnings(plain_output(place + "‘*(__m128d*)((char*)&v" + parts), file, "11.cpp")
               .at(0)
               .ends_with("uninitialized"));

@@ -155,9 +155,9 @@ TEST_CASE("a slip of the pen is answered in one sentence with the nearest word, 
         {{"reset", "7", "list"}, "`reset` does not know what to do with `list`"},
         {{"run"}, "section is required; see ./course run --help"},
         {{"run", "reflexion"}, "Did you mean `06_reflection`?"},
-        {{"hint", "7.9"}, "there is no exercise 7.9; section 7 has 7.1, 7.2"},
+        {{"hint", "7.9"}, "there's no exercise 7.9; section 7 has 7.1, 7.2"},
         {{"hint", "7"}, "which exercise of section 7? It has 7.1, 7.2"},
-        {{"hint", "secnod"}, "there is no exercise `secnod`. Did you mean `second`?"},
+        {{"hint", "secnod"}, "there's no exercise `secnod`. Did you mean `second`?"},
         {{"solution", "9.1"}, "there is no section `9.1`"},
         {{"run", "8"}, "section 8, n–t collisions, is still to come"},
         {{"check", "08.1"}, "section 8, n–t collisions, is still to come"},
@@ -503,7 +503,7 @@ TEST_CASE("a section that is not built yet is listed as such, and a broken catal
     CHECK(listed.code == 0);
     CHECK_THAT(listed.out, StartsWith("6 Reflection: not built yet\n") && ContainsSubstring("7.1   core")
                                && ContainsSubstring("Next: ./course, which builds it"));
-    CHECK_THAT(course({"hint", "6.1"}).err, ContainsSubstring("06_reflection is not built yet: type ./course"));
+    CHECK_THAT(course({"hint", "6.1"}).err, ContainsSubstring("06_reflection isn't built yet: type ./course"));
     CHECK(course({"hint", "second"}).code == 0);
 
     course.write(course.tree.build / "catalogue" / "06_reflection.json",

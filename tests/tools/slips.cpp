@@ -14,22 +14,22 @@ using course::Vec2;
 struct Spark { Vec2 position; double age{}; };
 
 std::vector<Spark> changed_pool(const std::vector<Spark> &pool, const Spark &spark) {
-    pool.push_back(spark);                     // It is const, so it cannot be changed: copy it, and change the copy.
-    pool.pop_back();                           // It is const, so it cannot be changed: copy it, and change the copy.
-    pool[0] = spark;                           // It is const, so it cannot be changed: copy it, and change the copy.
-    pool[0].age = 1;                           // It is const, so it cannot be changed: copy it, and change the copy.
-    pool[0].age += 1;                          // It is const, so it cannot be changed: copy it, and change the copy.
-    pool[0].position = Vec2{1, 2};             // It is const, so it cannot be changed: copy it, and change the copy.
-    pool[0].position += Vec2{1, 2};            // It is const, so it cannot be changed: copy it, and change the copy.
-    for (Spark &each : pool) each.age = 1;     // It is const, so it cannot be changed: copy it, and change the copy.
+    pool.push_back(spark);                     // It's const, so you can't change it: copy it, and change the copy.
+    pool.pop_back();                           // It's const, so you can't change it: copy it, and change the copy.
+    pool[0] = spark;                           // It's const, so you can't change it: copy it, and change the copy.
+    pool[0].age = 1;                           // It's const, so you can't change it: copy it, and change the copy.
+    pool[0].age += 1;                          // It's const, so you can't change it: copy it, and change the copy.
+    pool[0].position = Vec2{1, 2};             // It's const, so you can't change it: copy it, and change the copy.
+    pool[0].position += Vec2{1, 2};            // It's const, so you can't change it: copy it, and change the copy.
+    for (Spark &each : pool) each.age = 1;     // It's const, so you can't change it: copy it, and change the copy.
     return pool;
 }
 void changed_parameter(const Spark &spark, const Vec2 &v, const double t) {
-    spark.age = 1;                             // It is const, so it cannot be changed: copy it, and change the copy.
-    spark = Spark{};                           // It is const, so it cannot be changed: copy it, and change the copy.
-    v.x() = 3;                                 // It is const, so it cannot be changed: copy it, and change the copy.
-    v *= 2;                                    // It is const, so it cannot be changed: copy it, and change the copy.
-    t = 3;                                     // It is const, so it cannot be changed: copy it, and change the copy.
+    spark.age = 1;                             // It's const, so you can't change it: copy it, and change the copy.
+    spark = Spark{};                           // It's const, so you can't change it: copy it, and change the copy.
+    v.x() = 3;                                 // It's const, so you can't change it: copy it, and change the copy.
+    v *= 2;                                    // It's const, so you can't change it: copy it, and change the copy.
+    t = 3;                                     // It's const, so you can't change it: copy it, and change the copy.
 }
 Vec2 times_braces(double x, double y) {
     Vec2 a = 2 * {x, y};                       // Write Vec2 before the braces: 2 * Vec2{x, y}.
@@ -99,8 +99,8 @@ double semicolons(double x, double y) {
     return a
 }
 double operands(Vec2 a, Vec2 b, double t) {
-    t = t ^ 2;                                 // ^ is not a power: write (t * t), with the brackets.
-    a = a ^ 2;                                 // ^ is not a power: write (t * t), with the brackets.
+    t = t ^ 2;                                 // ^ isn't a power: write (t * t), with the brackets.
+    a = a ^ 2;                                 // ^ isn't a power: write (t * t), with the brackets.
     t = a - b.norm();                          // Only the last one is measured. Put brackets around all of it: (a - b).norm().
     if (a - b.squaredNorm() < 1) return 1;     // Only the last one is measured. Put brackets around all of it: (a - b).norm().
     const std::vector<Vec2> centres{a, b};
@@ -111,7 +111,7 @@ double operands(Vec2 a, Vec2 b, double t) {
     if (a < b) return 1;                       // No vector is larger than another: compare their components, or their lengths.
     a = a / b;                                 // No vector can be divided by a vector: divide by its length, a / a.norm().
     if (1 < a) return 1;                       // One of them is a number, the other a vector: its components are a.x() and a.y(), its length is a.norm().
-    t = a;                                     // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+    t = a;                                     // A Vec2 isn't a number: its components are a.x() and a.y(), its length is a.norm().
     Vec2 c = t;                                // A Vec2 has two components: write Vec2{x, y}.
     t = a.x * 2;                               // A call needs parentheses: a.x(), not a.x.
     t = a.x;                                   // A call needs parentheses: a.x(), not a.x.
@@ -212,7 +212,7 @@ double compared_with_one_sign(const Spark &spark, const double age) {
     if (age = 0) return 1;                     // = gives a value; to compare, write ==.
     if (age < 0 || spark.age + age = 0) return 1;  // = gives a value; to compare, write ==.
     while (spark.age = age) return 1;          // = gives a value; to compare, write ==.
-    if (age >= 0) age = 1;                     // It is const, so it cannot be changed: copy it, and change the copy.
+    if (age >= 0) age = 1;                     // It's const, so you can't change it: copy it, and change the copy.
     spark.age + age = 3;                       // nothing
     return 0;
 }
@@ -228,8 +228,8 @@ Vec2 powers_and_lengths(const Vec2 &a, const Vec2 &b, const Spark &spark, double
     const double reach = a.length();           // The length of a Vec2 is a.norm().
     const double turn = 2 * std::pi;           // Write std::numbers::pi, and #include <numbers> at the top of your file.
     const double twice = 2t;                   // Is a * missing? A product needs it: 2 * t, 2 * (a + b).
-    const double square = t²;                  // ² is not C++: write (t * t), with the brackets.
-    const double cube = t ** 3;                // ** is not a power: write (t * t), with the brackets.
+    const double square = t²;                  // ² isn't C++: write (t * t), with the brackets.
+    const double cube = t ** 3;                // ** isn't a power: write (t * t), with the brackets.
     if t < 1 return a;                         // An if needs parentheses: if (t < 1) …
     two_of(spark, a);                          // A Spark is wanted here: put its fields in braces, in the order of the header.
     two_of(two_of(spark, spark), spark);       // A Spark is wanted here: put its fields in braces, in the order of the header.
@@ -303,7 +303,7 @@ Vec2 forgotten_variable(const Disc &disc) {
     return turned_twice(disc.velocity) + y(2); // If turned_twice is a function of yours, put it above the one that calls it.
 }
 Vec2 function_in_a_function(const Vec2 &v) {
-    Vec2 turned_within(const Vec2 &w) {        // A function cannot stand inside another one: put it above. If it is not meant to be inside, a } is missing above this line.
+    Vec2 turned_within(const Vec2 &w) {        // A function can't stand inside another one: put it above. If it isn't meant to be inside, a } is missing above this line.
         return w;
     }
     return v;
@@ -333,20 +333,20 @@ std::vector<Pair> grid_of_pairs(const std::vector<Vec2> &points) {
 }
 int keys(const Pair &pair) {
     std::map<Pair, int> by_pair;
-    std::unordered_map<std::pair<int, int>, int> hashed; // A std::unordered_map cannot have such a key: a std::map can.
+    std::unordered_map<std::pair<int, int>, int> hashed; // A std::unordered_map can't have such a key: a std::map can.
     by_pair[pair] = 1;                         // What is sorted, or is a map's key, must have an order: numbers have one, and so has std::pair<int, int>.
     return 0;
 }
 Parts two_parts(const Vec2 &v, const Vec2 &n) {
-    const double unit = (v - n).normalized();  // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+    const double unit = (v - n).normalized();  // A Vec2 isn't a number: its components are a.x() and a.y(), its length is a.norm().
     if (parts(v) <= parts(n)) return {unit, 2}; // A Parts is a struct: use its fields, one at a time.
     const Vec2 gap = v.position - n;           // That is a vector already: its components are a.x() and a.y().
     const Vec2 other = gap.x() > 0 ? {1, 0} : gap; // Write the type before the braces: Vec2{1, 0}.
     return n;                                  // A Parts is wanted here: put its fields in braces, in the order of the header.
 }
 std::optional<double> half_of_it(const Vec2 &v) {
-    if (v.x() > 0) return v;                   // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
-    return v / 2;                              // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+    if (v.x() > 0) return v;                   // A Vec2 isn't a number: its components are a.x() and a.y(), its length is a.norm().
+    return v / 2;                              // A Vec2 isn't a number: its components are a.x() and a.y(), its length is a.norm().
 }
 Vec2 made_of_vectors(const Vec2 &a, const Vec2 &b) {
     const Vec2 way = {a, b};                   // A Vec2 is made of two numbers, Vec2{x, y}, and not of two vectors: the vector from a to b is b - a.
@@ -421,8 +421,8 @@ std::vector<Pair> lists(const std::vector<Vec2> &centres, const std::vector<Spar
     pairs.append({1, 2});                      // To add to a list, write list.push_back(a).
     pairs.push_back(centres[0]);               // A Pair is wanted here: put its fields in braces, in the order of the header.
     const int many = centres.length;           // How many elements a list has is list.size().
-    const double x = centres.x();              // That is a list: one element of it is list[i], the first is list[0].
-    const double age = pool.age;               // That is a list: one element of it is list[i], the first is list[0].
+    const double x = centres.x();              // That's a list: one element of it is list[i], the first is list[0].
+    const double age = pool.age;               // That's a list: one element of it is list[i], the first is list[0].
     pool.shuffle();                            // nothing
     numbers.x();                               // nothing
     return pairs;
@@ -444,7 +444,7 @@ std::optional<double> signs_and_questions(Vec2 n, const Vec2 &m, double t, doubl
     if (t > 3); return t;                      // The ; behind the parentheses ends the if: remove it.
     if (t > 4) return "nothing";               // To answer nothing, write return {};
     if (t > 5) return 'nothing';               // To answer nothing, write return {};
-    if (t > 6) return -n;                      // A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().
+    if (t > 6) return -n;                      // A Vec2 isn't a number: its components are a.x() and a.y(), its length is a.norm().
     if (t > 7) return -t +/- x;                // ± stands for two values: write + for one of them, and - for the other.
     return -t ± x;                             // ± stands for two values: write + for one of them, and - for the other.
 }
@@ -472,7 +472,7 @@ std::vector<Vec2> an_arm(const Vec2 &base, const Spark &spark) {
 struct Stick { double length{}; };
 double sticks_and_pairs(const std::vector<Stick> &sticks, const std::vector<Vec2> &points, Vec2 a, const Stick &stick) {
     const double b = 2 * length;               // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
-    const double c = 2 * sticks.length;        // That is the whole list: one element of it is list[i], and how many it has is list.size().
+    const double c = 2 * sticks.length;        // That's the whole list: one element of it is list[i], and how many it has is list.size().
     const Vec2 last = points.last();           // The last element of a list is list.back().
     a = a + (stick.length, 0.0);               // Two numbers make a vector in braces: Vec2{a, b}, not (a, b).
     a = (stick.length, 0.0);                   // Two numbers make a vector in braces: Vec2{a, b}, not (a, b).

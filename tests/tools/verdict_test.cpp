@@ -748,7 +748,7 @@ TEST_CASE("the first error is a compiler's before a linker's, and a linker's say
     CHECK(first_error("/usr/bin/ld: main.o: in function `trace()':\n"
                       "main.cpp:(.text+0x1): undefined reference to `lines::rise(double)'\n"
                       "collect2: error: ld returned 1 exit status\n")
-          == "lines::rise(double) is not defined; has its name or its signature changed?");
+          == "lines::rise(double) isn't defined; did its name or its signature change?");
     CHECK(first_error("[1/2] x\na.cpp:1:2: warning: w\na.cpp:2:2: error: e\n") == "a.cpp:2:2: error: e");
     CHECK(first_error("[1/2] x\na.cpp:2:2: Fehler: e\n") == "a.cpp:2:2: Fehler: e");
     CHECK(first_error("ninja: nothing to do\n") == "");
@@ -825,7 +825,7 @@ TEST_CASE("an error in a file that a student only uses is told where the student
 
 TEST_CASE("the slips that are made most are named beside the compiler's words") {
     CHECK(advice({"no match for 'operator^' (operand types are 'double' and 'int')", "", "", ""})
-          == "^ is not a power: write (t * t), with the brackets.");
+          == "^ isn't a power: write (t * t), with the brackets.");
     CHECK(advice({"suggest parentheses around assignment used as truth value", "", "", ""})
           == "= gives a value; to compare, write ==.");
     CHECK(advice({"something else", "", "", ""}).empty());

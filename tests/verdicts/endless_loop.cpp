@@ -1,4 +1,4 @@
-// A loop that does not end.
+// A loop that never ends.
 #include "rest.hpp"
 
 namespace segment_intersection {

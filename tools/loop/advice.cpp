@@ -41,7 +41,7 @@ const std::vector<Slip> slips{
      "fields one by one, as start.position, start.velocity.",
      {"call to 'require_number"}},
     {compare_it, {"assignment used as truth value", "result of an assignment as a condition"}},
-    {"A function cannot stand inside another one: put it above. If it is not meant to be inside, a } is missing above "
+    {"A function can't stand inside another one: put it above. If it isn't meant to be inside, a } is missing above "
      "this line.",
      {"function-definition is not allowed here", "function definition is not allowed here"}},
     {missing_brace, {"expected '}' before 'else'"}},

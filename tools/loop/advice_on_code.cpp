@@ -94,10 +94,10 @@ std::string about_missing_star(const Said &said) {
 /// t², t ** 2
 std::string about_power(const Said &said) {
     if (contains(said.words, "²") || contains(said.words, "<U+00B2>"))
-        return "² is not C++: write (t * t), with the brackets.";
+        return "² isn't C++: write (t * t), with the brackets.";
     const bool dereferences =
         contains(said.words, "type argument of unary '*'") || contains(said.words, "indirection requires pointer");
-    return dereferences && contains(said.code, "**") ? "** is not a power: write (t * t), with the brackets." : "";
+    return dereferences && contains(said.code, "**") ? "** isn't a power: write (t * t), with the brackets." : "";
 }
 
 /// -b ± c, -b +/- c

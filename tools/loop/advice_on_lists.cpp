@@ -10,10 +10,10 @@ namespace {
 
 constexpr const char *colon_for_in =
     "A loop over a list has a colon: for (const Vec2 &v : list), or for (int i : list).";
-constexpr const char *one_element = "That is a list: one element of it is list[i], the first is list[0].";
+constexpr const char *one_element = "That's a list: one element of it is list[i], the first is list[0].";
 constexpr const char *count_them = "How many elements a list has is list.size().";
 constexpr const char *element_or_size =
-    "That is the whole list: one element of it is list[i], and how many it has is list.size().";
+    "That's the whole list: one element of it is list[i], and how many it has is list.size().";
 constexpr const char *last_one = "The last element of a list is list.back().";
 constexpr const char *to_add = "To add to a list, write list.push_back(a).";
 constexpr const char *close_angle = "Each < of a type needs its >: is one missing?";
@@ -71,7 +71,7 @@ constexpr const char *list_in_map =
     "goes through one.";
 constexpr const char *ordered_key =
     "What is sorted, or is a map's key, must have an order: numbers have one, and so has std::pair<int, int>.";
-constexpr const char *not_hashed = "A std::unordered_map cannot have such a key: a std::map can.";
+constexpr const char *not_hashed = "A std::unordered_map can't have such a key: a std::map can.";
 
 constexpr const char *square_brackets = "The brackets of a map are square: grid[{1, 2}].";
 constexpr const char *pair_as_key = "A map has one key and one value: std::map<std::pair<int, int>, std::vector<int>>.";

@@ -183,7 +183,7 @@ std::string about_operands(const Said &said) {
     const bool gcc = contains(said.words, "operand types are '") || contains(said.words, "invalid operands of types '");
     if (!gcc && !contains(said.words, "invalid operands to binary expression (")) return {};
     if (contains(said.words, "operator^") || (!gcc && contains(said.code, "^")))
-        return "^ is not a power: write (t * t), with the brackets.";
+        return "^ isn't a power: write (t * t), with the brackets.";
     const std::size_t caret = said.caret.find('^'); // below the operator
     const std::string at_caret = caret < said.code.size() ? said.code.substr(caret, 1) : "";
     if (contains(said.words, "operator%") || at_caret == "%") return "% is for whole numbers: make both an int.";
@@ -245,7 +245,7 @@ std::string about_conversion(const Said &said) {
     if (is_optional(from) && !is_optional(to))
         return "It may be nothing: ask first, if (found), and then write *found.";
     if (is_vector(from) && (is_number(to) || contains(to, "std::optional<double>")))
-        return "A Vec2 is not a number: its components are a.x() and a.y(), its length is a.norm().";
+        return "A Vec2 isn't a number: its components are a.x() and a.y(), its length is a.norm().";
     if (is_number(from) && is_vector(to)) {
         if (contains(said.code, ".norm();")) return "a.norm() is a number; a / a.norm() is a vector of length 1.";
         if (has_pair_in_parentheses(said.code)) return pair_in_braces;

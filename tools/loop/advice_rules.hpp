@@ -42,7 +42,7 @@ std::string advice_on_names(const Said &said);
 inline constexpr const char *missing_star = "Is a * missing? A product needs it: 2 * t, 2 * (a + b).";
 inline constexpr const char *write_pi = "Write std::numbers::pi, and #include <numbers> at the top of your file.";
 inline constexpr const char *length_of_vector = "The length of a Vec2 is a.norm().";
-inline constexpr const char *copy_it = "It is const, so it cannot be changed: copy it, and change the copy.";
+inline constexpr const char *copy_it = "It's const, so you can't change it: copy it, and change the copy.";
 inline constexpr const char *two_components = "A Vec2 has two components: write Vec2{x, y}.";
 inline constexpr const char *call_it = "A call needs parentheses: a.x(), not a.x.";
 inline constexpr const char *no_call = "A field has no parentheses: write a.position, not a.position().";

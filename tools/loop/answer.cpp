@@ -136,8 +136,7 @@ std::optional<Verdict> diagnose_section(std::string_view text, const std::string
 }
 
 std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
-    const std::string back =
-        " `./course reset " + number + "` brings the stub back, and keeps a copy of what is there.";
+    const std::string back = " `./course reset " + number + "` brings the stub back, and keeps a copy of what's there.";
     if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
         return Verdict{.kind = Kind::empty, .sentence = name + " is empty." + back};
     const auto because = [&](const std::string &what) {
@@ -147,7 +146,7 @@ std::optional<Verdict> diagnose_text(std::string_view text, const std::string &n
     if (const std::string encoding = wide_encoding(text); !encoding.empty())
         return because(" is saved as " + encoding + ": save it as UTF-8 in your editor.");
     if (text.find('\0') != text.npos)
-        return because(" is not a text file: has a compiled file been saved over it?" + back);
+        return because(" isn't a text file: did you save a compiled file over it?" + back);
     if (asks_for_files(text))
         return Verdict{.kind = Kind::does_not_compile,
                        .sentence =

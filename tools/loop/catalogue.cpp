@@ -13,7 +13,7 @@ namespace {
 template <class Element, class Read>
 std::vector<Element> read_list(const Tree &tree, const Section &section, const char *name, Read read) {
     const std::filesystem::path file = tree.catalogue(section);
-    if (!is_built(tree, section)) throw Complaint{section.name + " is not built yet: type ./course, which builds all"};
+    if (!is_built(tree, section)) throw Complaint{section.name + " isn't built yet: type ./course, which builds all"};
     const auto found = nlohmann::json::parse(read_file(file), nullptr, false);
     std::vector<Element> result;
     try {
@@ -36,7 +36,7 @@ FoundExercise by_number(const Tree &tree, const std::string &number) {
     const std::vector<Exercise> exercises = catalogue(tree, section);
     for (const Exercise &e : exercises)
         if (e.number == number) return {section, e};
-    throw Complaint{"there is no exercise " + number + "; section " + section.short_number() + " has "
+    throw Complaint{"there's no exercise " + number + "; section " + section.short_number() + " has "
                     + numbers(exercises)};
 }
 
@@ -49,7 +49,7 @@ FoundExercise by_function(const Tree &tree, const std::string &word) {
             functions.push_back(e.function);
         }
     }
-    throw Complaint{"there is no exercise `" + word + "`." + did_you_mean(word, functions)
+    throw Complaint{"there's no exercise `" + word + "`." + did_you_mean(word, functions)
                     + " An exercise is named by its number, as 7.2, or its function; `./course list` shows them all"};
 }
 

@@ -136,7 +136,7 @@ bool could_not_open(std::string_view words) {
 std::string explained(const Said &said) {
     if (could_not_open(said.words)) return explain_unopened();
     if (said.words.starts_with("'*(__m128d*)") && contains(said.words, "&<unnamed>")) // GCC looks into Eigen
-        return "This vector's parts may be gone by now: if it is declared with auto, write Vec2 instead.";
+        return "This vector's parts may be gone by now: if it's declared with auto, write Vec2 instead.";
     Said known = said;
     std::string &words = known.words;
     const std::size_t guess = words.find("; did you mean '");
@@ -286,8 +286,8 @@ Verdict diagnose_linker(std::string_view printed, const std::string &name, const
                        + number + " --mine` runs the section's program with your code.");
     if (twice)
         return because('`' + *twice
-                       + "` is defined twice, in your file and in the course: remove yours, or give it a name that is "
-                         "not taken.");
+                       + "` is defined twice, in your file and in the course: remove yours, or give it a name that "
+                         "isn't taken.");
     if (missing.empty())
         return because("The linker stopped: " + plain_line(text.substr(0, text.find('\n')), longest_name));
     std::string names;
@@ -303,7 +303,7 @@ std::string first_error(const std::string &printed) {
         if (const std::size_t at = line.find(undefined); at != line.npos && line.ends_with('\'')) {
             const std::string_view quoted = line.substr(at + undefined.size()); // `name' or 'name'
             return std::string{quoted.substr(1, quoted.size() - 2)}
-                   + " is not defined; has its name or its signature changed?";
+                   + " isn't defined; did its name or its signature change?";
         }
     for (const char *mark : {"multiple definition of", "error: "})
         for (const auto &[line, end] : lines)

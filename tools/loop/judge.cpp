@@ -218,12 +218,12 @@ std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std
         const auto its = std::stable_partition(told.begin(), told.end(), std::not_fn(is_its));
         const auto count = told.end() - its;
         verdicts.push_back(count == 1 ? *its
-                                      : none(test, count == 0 ? "This test did not say what it found."
+                                      : none(test, count == 0 ? "This test didn't say what it found."
                                                               : "This test said more than once what it found."));
         told.erase(its, told.end());
     }
     for (const Verdict &other : told)
-        verdicts.push_back(none({other.exercise, other.test}, "This test is not in the section's list of tests."));
+        verdicts.push_back(none({other.exercise, other.test}, "This test isn't in the section's list of tests."));
     return verdicts;
 }
 

@@ -63,7 +63,7 @@ namespace {
 std::string student_trouble(const Section &section, const Finished &finished, double deadline) {
     const std::string check = "`./course check " + section.short_number() + "`";
     if (finished.timed_out)
-        return "your program was stopped after " + std::to_string(std::lround(deadline)) + " s, it would not end; "
+        return "your program was stopped after " + std::to_string(std::lround(deadline)) + " s, it wouldn't end; "
                + check + " says which function it is in";
     if (finished.code > 128)
         return "your program " + meaning_of_signal(finished.code - 128) + "; " + check + " says in which function";
@@ -73,7 +73,7 @@ std::string student_trouble(const Section &section, const Finished &finished, do
                "answered; "
                + check + " shows what is wrong";
     if (is_only_unfinished(finished))
-        return "some parts of the program need functions that are not started; " + check + " shows which";
+        return "some parts of the program need functions that aren't started; " + check + " shows which";
     const std::string said = last_line(finished.err);
     return "your program stopped with exit code " + std::to_string(finished.code)
            + (said.empty() ? " and printed no error" : ", and the last line it printed was \"" + said + "\"") + "; "
@@ -105,7 +105,7 @@ Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs:
     if (built.code != 0)
         return {false,
                 {},
-                student ? "your program cannot be built: " + student_error(tree, section, printed)
+                student ? "your program can't be built: " + student_error(tree, section, printed)
                         : "the program of " + section.name + " cannot be built: " + first_error(printed)};
     Finished finished;
     if (student) {

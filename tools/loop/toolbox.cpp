@@ -23,7 +23,7 @@ std::vector<std::string> Compiler::command(const Tree &tree, const Section &sect
 
 Toolbox toolbox(const Tree &tree, const Section &section) {
     const fs::path file = tree.build / "course.json";
-    if (!fs::exists(file)) throw Complaint{"the course is not built yet: type ./course, which builds all of it."};
+    if (!fs::exists(file)) throw Complaint{"the course isn't built yet: type ./course, which builds all of it."};
     try {
         const auto json = nlohmann::json::parse(read_file(file));
         const auto compiler = [](const auto &its) {
@@ -122,7 +122,7 @@ void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &t
         if (is_cut(file)) fs::remove(file); // or it would be newer than what it is made from
     const auto built = build_target(tree, section.name + "_loop");
     if (built.code != 0)
-        throw Complaint{"the course's own files do not build; `cmake --build " + tree.build.string() + "` shows why."};
+        throw Complaint{"the course's own files don't build; `cmake --build " + tree.build.string() + "` shows why."};
     write_file(stamp, "");
     fs::last_write_time(stamp, fs::file_time_type::clock::now());
 }

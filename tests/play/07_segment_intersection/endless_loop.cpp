@@ -1,4 +1,4 @@
-// the page says: 7.4 move_and_bounce gave no answer: look for a loop that does not end.
+// the page says: 7.4 move_and_bounce gave no answer: look for a loop that never ends.
 #include "segment_intersection.hpp"
 
 namespace segment_intersection {

@@ -131,14 +131,14 @@ std::string meaning_of_signal(int signal) {
     switch (signal) {
     case SIGSEGV:
     case SIGBUS:
-        return "crashed: it used memory that is not its own; an index beyond the end, a null pointer, or a function "
-               "that calls itself for ever";
+        return "crashed: it used memory that isn't its own; an index beyond the end, a null pointer, or a function "
+               "that calls itself forever";
     case SIGABRT: return "was stopped by an uncaught exception, a failed assertion or a call of abort()";
     case SIGFPE: return "crashed: it divided a whole number by zero";
     case SIGILL:
         return "crashed: it came to the end of a function without `return`, or to an instruction that this machine "
                "lacks";
-    case SIGXFSZ: return "wrote too much, and was stopped; does it write in a loop that does not end?";
+    case SIGXFSZ: return "wrote too much, and was stopped; does it write in a loop that never ends?";
     case SIGKILL: return "was killed from outside: it used up its memory or its time";
     default: return "crashed (signal " + std::to_string(signal) + ", " + ::strsignal(signal) + ')';
     }

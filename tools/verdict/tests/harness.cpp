@@ -81,7 +81,7 @@ class Listener : public Catch::EventListenerBase {
         case Catch::ResultWas::ThrewException: return thrown(std::string{result.getMessage()});
         case Catch::ResultWas::ExpressionFailed:
             if (std::string{result.getTestMacroName()}.ends_with("_THAT")) return {}; // yours and expected say it
-            return "This does not hold: " + std::string{result.getExpression()}
+            return "This doesn't hold: " + std::string{result.getExpression()}
                    + (result.getExpandedExpression() == result.getExpression()
                           ? ""
                           : ", that is " + result.getExpandedExpression());
@@ -89,7 +89,7 @@ class Listener : public Catch::EventListenerBase {
         }
     }
     static std::string thrown(const std::string &what) {
-        if (what == "bad optional access") return "Your code answered \"nothing\" where there is something.";
+        if (what == "bad optional access") return "Your code answered \"nothing\" where there's something.";
         return "Your code refused this input with std::invalid_argument (" + what + "), but the header accepts it."
                + (session()->is_computed(what) ? " That number isn't in the input: your code computed it. Did it then "
                                                  "call a function that refuses it?"
@@ -122,7 +122,7 @@ void add_missing_verdicts(const Part &part) {
         verdicts.push_back({.exercise = exercise_of(*test),
                             .test = test->name,
                             .kind = Kind::no_verdict,
-                            .sentence = "This test did not run: our mistake, not yours."});
+                            .sentence = "This test didn't run: our mistake, not yours."});
         tell(verdicts.back());
     }
 }

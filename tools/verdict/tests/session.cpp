@@ -19,7 +19,7 @@ constexpr const char *too_busy =
     "this machine is so busy that your code got too little of the processor to answer; try "
     "again when less is going on. Nothing was judged";
 constexpr const char *no_answer = "Something other than your function's result came back. Does your code start another "
-                                  "process, or write to a file descriptor that it has not opened?";
+                                  "process, or write to a file descriptor that it didn't open?";
 
 std::string leave_sentence(int code, bool before_main) {
     return "Your code ended the program"
@@ -30,13 +30,13 @@ std::string leave_sentence(int code, bool before_main) {
 std::string fault_sentence(std::uint64_t address, wire::Crash why) {
     if (why == wire::Crash::floating_trap)
         return "Your code turned on floating-point traps, and one went off. Take out `feenableexcept`: then you see "
-               "where an infinite number comes from, or one that is none.";
+               "where infinity, or a number that isn't one, comes from.";
     if (why == wire::Crash::full_stack)
         return "Your code crashed: a function called itself, again and again, until the stack was full. When does it "
                "stop?";
     if (address < 4096) return "Your code crashed: it used a null pointer, or an empty vector's elements.";
-    return "Your code crashed: it used memory that is not its own. An index beyond the end? A reference to something "
-           "that is gone?";
+    return "Your code crashed: it used memory that isn't its own. An index beyond the end? A reference to something "
+           "that's gone?";
 }
 
 /// Whether an answer has a number so large or so small that no calculation of this course gives it: what a variable
@@ -61,7 +61,7 @@ std::optional<double> as_number(std::string_view text) {
 /// "…, but is -nan", as course::require says it.
 std::string in_words(std::string refusal) {
     for (const std::string_view nan : {" but is -nan", " but is nan"})
-        if (refusal.ends_with(nan)) return refusal.erase(refusal.size() - nan.size()) + " but is not a number";
+        if (refusal.ends_with(nan)) return refusal.erase(refusal.size() - nan.size()) + " but isn't a number";
     return refusal;
 }
 
@@ -109,9 +109,8 @@ Allowance Session::allowance() const {
 
 void Session::refuse_nameless() {
     if (last_exercise != nullptr && verdict.passed()) // before the first call a test looks at its own numbers
-        over(Kind::no_verdict,
-             "This check compares something that the test has computed, and does not name it: a mistake "
-             "of ours, not of yours.");
+        over(Kind::no_verdict, "This check compares something that the test computed, and doesn't name it: a mistake "
+                               "of ours, not of yours.");
 }
 
 void Session::accept(const std::string &input, const std::string &value) {
@@ -165,7 +164,7 @@ void Session::judge_end(int status, bool before_main) {
     const std::string where = before_main ? "Before the first test, in the constructor of a global variable: " : "";
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ)
         note_verdict(Kind::printed_too_much, where + "Your code printed more than " + std::to_string(print_limit >> 20)
-                                                 + " MB and was stopped: does it print in a loop that does not end?");
+                                                 + " MB and was stopped: does it print in a loop that never ends?");
     else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
         note_verdict(Kind::too_long, where + "Your code used two minutes of computing time.");
     else if (WIFSIGNALED(status))
@@ -240,7 +239,7 @@ void Session::over_not_started(const std::string &hint, std::string_view functio
         for (const ExerciseLine *other : exercise_lines())
             if (other->function == function) verdict.needs = std::string{other->number} + ' ' + std::string{function};
     over(Kind::not_started,
-         (verdict.needs.empty() ? "Not started." : "It calls " + verdict.needs + ", which is not started.")
+         (verdict.needs.empty() ? "Not started." : "It calls " + verdict.needs + ", which isn't started.")
              + " Where to begin: " + as_sentence(hint));
 }
 
@@ -362,7 +361,7 @@ Verdict Session::end(bool asserted_something) {
         if (!status && subject->silence == Subject::Silence::starved)
             note_verdict(Kind::no_verdict, machine_trouble = too_busy);
         else if (!status)
-            note_verdict(Kind::too_long, "Your code answered, but its process did not end: has it started a thread?");
+            note_verdict(Kind::too_long, "Your code answered, but its process didn't end: did it start a thread?");
         else if (!WIFEXITED(*status)) judge_end(*status, false);
         else if (subject->said_more()) {
             last_result.clear();
