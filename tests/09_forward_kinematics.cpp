@@ -1045,6 +1045,14 @@ TEST_CASE("holds a hand that's on the ground, and lets it go up and over", "[9.7
                IsNear(-pi - 2 * std::asin(0.6), in_angle));
 }
 
+//> On the ground but for rounding
+TEST_CASE("holds a joint on the left whose height is 0 but for rounding", "[9.7]") {
+    const std::vector<Link> links{{1.8991019796208011, -0.58986670438353661},
+                                  {1.8004549573577864, -2.2755968140702709},
+                                  {2.5752097221673198, -0.81084344568161798}};
+    CHECK_THAT(turn_above_ground({0, 1.5472402503657643}, links, 0, 0.4), IsNear(0.0, in_angle));
+}
+
 //> Asked again
 TEST_CASE("stays where it stopped when you ask again, and may go back up", "[9.7]") {
     Dice dice;
@@ -1053,6 +1061,9 @@ TEST_CASE("stays where it stopped when you ask again, and may go back up", "[9.7
         const int joint = dice.whole(0, int(links.size()) - 1);
         const double by = dice.sign() * 10;
         const double turned = turn_above_ground(base, links, joint, by);
+        for (int step = 1; step <= 20; ++step) // or else what comes is about an arm that's in the ground
+            CHECK_THAT(lowest(heights(base, links, joint, turned * step / 20)),
+                       IsAtLeast(-1.1e-5).of("height of the lowest joint on the way [m]"));
         if (turned == by) continue; // it touches nothing
         links[joint].angle += turned;
         CHECK_THAT(lowest(heights(base, links, joint, by / 1e5)), IsBelow(1e-8).of("height, one step farther [m]"));

@@ -73,7 +73,7 @@ struct Handles {
 //> One frame of the digger
 /// The site one frame later. First everything moves: a handle pushed all the way drives at 2 m/s, or turns its joint at
 /// 0.8 rad/s. Then a closed bucket pulls a stone within 0.3 m of its teeth, which are at its end, to the teeth, and holds
-/// it there until it opens. A stone that isn't held comes down at 4 m/s, and lies on the ground.
+/// it there until it opens. Last, a stone that isn't held comes down at 4 m/s, and lies on the ground.
 /// @param dt  [s], 0 to 1
 /// @throws std::invalid_argument if a handle is beyond ±1, if dt isn't from 0 to 1, or a number is not within ±1e5.
 Site next_frame(Site now, const Handles &handles, double dt);

@@ -123,7 +123,7 @@ TEST_CASE("a mistake in a difference is an error, which names the place and what
         {"-    return i;\n", 1, "neither the head of an answer"},
         {"7.1 a: b\n-    return i;\nreturn 2;\n", 3, "neither the head of an answer"},
         {"7.1 no title\n", 1, "neither the head of an answer"},
-        {"7.3 a: b\n-int two() { return 2; }\n", 1, "there's no exercise 7.3 in this section"},
+        {"7.3 a: b\n-int two() { return 2; }\n", 1, "there is no exercise 7.3 in this section"},
         {"7.1 a: b\n-return i;\n\n7.2 a: b\n-int two() { return 2; }\n", 4, "an answer of this name already"},
     }));
     CAPTURE(text);

@@ -8,7 +8,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 using namespace course;
-using Catch::Matchers::ContainsSubstring, Catch::Matchers::MessageMatches;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -59,10 +59,9 @@ TEST_CASE("a release has the sources, the site and the stills, and its version i
 TEST_CASE("a release of which CHANGELOG says nothing, or with a change that isn't committed, is refused") {
     const Repository repository;
     repository.write("solutions/07_wall_meeting.cpp", "// changed\n");
-    CHECK_THROWS_MATCHES(release(repository.tree), Complaint,
-                         MessageMatches(ContainsSubstring(" M solutions/07_wall")));
+    CHECK_THROWS_WITH(release(repository.tree), ContainsSubstring(" M solutions/07_wall"));
     repository.write("CMakeLists.txt", "project(x VERSION 1.2.4)\n");
     repository.commit();
-    CHECK_THROWS_MATCHES(release(repository.tree), Complaint, MessageMatches(ContainsSubstring("\"## 1.2.4\"")));
+    CHECK_THROWS_WITH(release(repository.tree), ContainsSubstring("\"## 1.2.4\""));
     CHECK_FALSE(repository.has("build/default/release"));
 }

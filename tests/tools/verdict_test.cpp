@@ -225,7 +225,7 @@ TEST_CASE("a refusal of a number that the call was not given is known from one o
         CHECK_FALSE(own.is_computed("x must be large, but is 5"));
         CHECK(own.is_computed("x must be large, but is -5"));
         CHECK(own.is_computed("x must be large, but is 0"));
-        CHECK(own.is_computed("x must be large, but is not a number"));
+        CHECK(own.is_computed("x must be large, but isn't a number"));
         CHECK_FALSE(own.is_computed("x must be large"));
     });
     const auto of = [&](const std::vector<std::string> &arguments) {
@@ -390,7 +390,7 @@ TEST_CASE("a refusal of what is not a number says so in words") {
     };
     for (const char *nan : {"nan", "-nan"})
         CHECK(refusal_of("each number must lie within ±1e5, but is " + std::string{nan})
-              == "each number must lie within ±1e5, but is not a number");
+              == "each number must lie within ±1e5, but isn't a number");
     CHECK(refusal_of("dt must be positive, but is -1") == "dt must be positive, but is -1");
     CHECK(refusal_of("no nan") == "no nan");
 }

@@ -23,7 +23,7 @@ std::string version_of(const Tree &tree) {
     return found[1];
 }
 
-std::string ask(const std::vector<std::string> &command, const fs::path &folder) {
+std::string printed_by(const std::vector<std::string> &command, const fs::path &folder) {
     const Finished done = run(command, {.folder = folder});
     if (done.code != 0) throw Complaint{command[0] + ' ' + command[1] + " failed: " + done.err};
     return done.out;
@@ -34,7 +34,7 @@ void require_ready(const Tree &tree, const std::string &version) {
     if (!contains(read_file(tree.root / "CHANGELOG.md"), "\n## " + version + '\n'))
         throw Complaint{"CHANGELOG.md has no heading \"## " + version
                         + "\": say what a reader gets, or change the version in CMakeLists.txt"};
-    if (const std::string changed = ask({"git", "status", "--porcelain"}, tree.root); !changed.empty())
+    if (const std::string changed = printed_by({"git", "status", "--porcelain"}, tree.root); !changed.empty())
         throw Complaint{"commit first, since a release is made of what is committed:\n" + changed};
 }
 
@@ -49,13 +49,13 @@ void release(const Tree &tree) {
     fs::remove_all(folder);
     fs::create_directories(folder);
     const auto file = [&](const char *rest) { return (folder / (name + rest)).string(); };
-    ask({"git", "archive", "--prefix=" + name + '/', "--output=" + file(".tar.gz"), "HEAD"}, tree.root);
-    ask({"cmake", "-E", "tar", "cf", file("-site.zip"), "--format=zip", site_folder(tree).filename().string()},
-        site_folder(tree).parent_path());
+    printed_by({"git", "archive", "--prefix=" + name + '/', "--output=" + file(".tar.gz"), "HEAD"}, tree.root);
+    printed_by({"cmake", "-E", "tar", "cf", file("-site.zip"), "--format=zip", site_folder(tree).filename().string()},
+               site_folder(tree).parent_path());
     std::vector<std::string> stills{"cmake", "-E", "tar", "cf", file("-stills.zip"), "--format=zip"};
     for (const fs::directory_entry &each : fs::directory_iterator{tree.root / "demos"})
         if (each.path().extension() == ".svg") stills.push_back("demos/" + each.path().filename().string());
-    ask(stills, tree.root);
+    printed_by(stills, tree.root);
     for (const char *rest : {".tar.gz", "-site.zip", "-stills.zip"})
         std::cout << fmt::format("{}, {:.1f} MB\n", tree.shown(file(rest)), double(fs::file_size(file(rest))) / 1e6);
 }

@@ -320,8 +320,8 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
         if (noted->not_a_number) {
             kind = Kind::not_a_number;
             sentence =
-                "Your answer is \"not a number\": it comes from 0/0, from infinity - infinity, from the root of a "
-                "negative number, or from a Vec2 that was given no value.";
+                "Your answer is \"not a number\": it comes from 0/0, infinity - infinity, the root of a negative "
+                "number, an arcsine or arccosine beyond 1, or a Vec2 without a value.";
         }
     }
     note_verdict(kind, std::move(sentence));
