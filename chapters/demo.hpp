@@ -16,8 +16,16 @@
 namespace demo {
 using course::Vec2;
 
-/// By name, as in plots/style.gp: the page knows how each looks on light and on dark.
-enum class Colour { ink, dim, line, blue, orange, green, amber, violet, pink };
+/// By name, as in plots/style.gp: the page knows how each looks on light and on dark. Wood and earth are for bodies.
+enum class Colour { ink, dim, line, blue, orange, green, amber, violet, pink, wood, earth };
+
+/// What a shape is made of. Solid: lit from the upper left, with an edge and a soft shadow, so that discs are balls,
+/// lines are bars and areas are painted bodies. Glow: with a halo of its colour, as a spark or a lamp has one.
+enum class Material { flat, solid, glow };
+
+/// Where it all happens. Felt is a billiard table's, and night is dark, on a light page, too: what's drawn there has the
+/// colours of a dark page. A yard has a sky, and ground below.
+enum class Stage { paper, felt, yard, night };
 
 /// A slider; or, if it has `options`, a choice among them, whose value is the number of the one that is chosen, from 0.
 struct Control {
@@ -42,8 +50,9 @@ struct About {
 
 /// When the picture is taken that stands for the demo on paper, on a forge and in a browser without JavaScript.
 struct Still {
-    double time;            ///< after the start [s]
-    std::string_view key{}; ///< one of the demo's own, pressed at the start
+    double time;                               ///< after the start [s]
+    std::string_view key{};                    ///< one of the demo's own, pressed at the start
+    std::vector<std::string_view> only_with{}; ///< as a Control's: only there it's pressed
 };
 
 /// What somebody does in one frame.
@@ -76,10 +85,12 @@ inline int steps_due(double &spare, const Input &in, double length) {
 struct Shape {
     enum Kind { discs, line, area, arrow, words, handle } kind;
     Colour colour;
-    double size;     ///< discs: the radius [m]; lines, arrows: the width [px], negative: dotted
+    double size;     ///< discs: the radius [m]; lines, arrows: the width [px], negative: dotted and flat. Where the
+                     ///< material isn't flat, it's the width in a picture of 640 px, and grows with that
     double strength; ///< 1: opaque
     std::vector<Vec2> points;
     std::string text{};
+    Material material{Material::flat};
 };
 struct Readout {
     std::string_view name, unit;
@@ -90,5 +101,8 @@ struct Readout {
 struct Picture {
     std::vector<Shape> shapes{};
     std::vector<Readout> readouts{};
+    Stage stage{Stage::paper};
+    Vec2 low{0, 0}, high{0, 0}; ///< the part of the world that's seen in this mode [m]; if they're the same: About's
+    double ground{0};           ///< how high a yard's ground is [m]
 };
 } // namespace demo

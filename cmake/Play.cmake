@@ -23,7 +23,8 @@ endif()
 
 add_custom_target(demo-tests)
 add_test(NAME demos.stills COMMAND ${NODE} --test ${PROJECT_SOURCE_DIR}/tests/play/stills.test.mjs)
-set_tests_properties(demos.stills PROPERTIES LABELS slow)
+add_test(NAME demos.colours COMMAND ${NODE} --test ${PROJECT_SOURCE_DIR}/tests/play/colours.test.mjs)
+set_tests_properties(demos.stills demos.colours PROPERTIES LABELS slow)
 
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(COURSE_WASM_FLAGS --target=wasm32-wasi -std=c++20 -Os ${COURSE_CODE_FLAGS}

@@ -1,10 +1,13 @@
 // Demos: each <figure class="play" data-demo="07_segment_intersection"> becomes a picture that one can play with.
-// Its world is C++, compiled to WebAssembly: ours, or the reader's. This file shows it, and tells it what the reader does; docs/draw.js draws.
+// Its world is C++, compiled to WebAssembly: ours, or the reader's. This file shows it, and tells it what the reader does; docs/draw.js draws,
+// and docs/hands.js plays until the reader does.
 (function () {
   'use strict';
-  const { colours, reader, aboutOf, frameOf, viewOf } = demoPicture;
+  const { colours, reader, aboutOf, frameOf, viewOf, finger } = demoPicture;
   const branches = 3e7; // in one frame, about a tenth of a second: more counts as an endless loop
   const nobody = 'The demo'; // stopped outside of the reader's functions
+  const beat = 1 / 64; // of a hand that helps [s]
+  const film = 250; // how many of them it plays, before it starts again
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   const playable = (self.playable ??= {});
   const make = (name, attributes, ...inside) => {
@@ -112,6 +115,8 @@
     const mine = () => playable[`${name}/mine`], trouble = () => playable[`${name}/trouble`];
     let world, about, picture, running = !still.matches, visible = false, failed = false, last = 0, waiting = false, starts = 0;
     let whose = 'mine' in figure.dataset && (mine() || trouble()) ? 'yours' : 'ours';
+    const helps = demoHands[name]?.[figure.dataset.start ?? ''];
+    let ghost = helps && !still.matches ? 0 : null; // how many beats it has played, until the reader does
     const hand = { x: 0, y: 0, inside: false, pressed: false, handle: -1, chosen: -1, key: -1 };
     const canvas = make('canvas', { tabIndex: 0 }), pen = canvas.getContext('2d');
     canvas.setAttribute('role', 'img');
@@ -126,11 +131,11 @@
     const answers = make('p', { className: 'answers' });
     const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
     const caption = figure.querySelector('figcaption');
-    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), make('div', { className: 'rows' }, buttons, choose), answers, keys);
-    figure.replaceChildren(make('div', { className: 'board' }, seen, make('div', {}, controls, readouts)));
+    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), readouts, make('div', { className: 'rows' }, buttons, choose), answers, keys);
+    figure.replaceChildren(make('div', { className: 'board' }, seen, controls));
     if (caption) figure.prepend(caption);
     const ownKeys = []; // the demo's own: what is shown for each
-    const values = []; // of the controls: they outlive a restart
+    const values = [], first = [], dials = []; // of the controls: they outlive a restart; as the place has them; what shows them
 
     function fail(words) {
       failed = true;
@@ -161,7 +166,8 @@
       const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours');
       if (start !== starts) return; // another one has overtaken this one
       world = fresh;
-      Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false });
+      letGo();
+      if (ghost !== null) ghost = 0;
       attempt(() => (about = world.begin()));
       if (controls.childElementCount === 0) describe();
       attempt(() => values.forEach((value, i) => world.control(i, value)));
@@ -184,15 +190,17 @@
     // Everything that about says, as elements; once
     function describe() {
       canvas.setAttribute('aria-label', about.title);
-      canvas.style.aspectRatio = (about.high[0] - about.low[0]) / (about.high[1] - about.low[1]);
       for (const setting of figure.dataset.start?.split(', ') ?? []) begins(...setting.split(': '));
       about.controls.forEach((control, i) => {
-        values[i] = control.value;
-        controls.append(control.options.length > 0 ? choice(control, i) : slider(control, i));
+        values[i] = first[i] = control.value;
+        const made = control.options.length > 0 ? choice(control, i) : slider(control, i);
+        controls.append(i === 0 && choosesGames(control) ? make('details', {}, make('summary', { textContent: 'More games' }), made) : made);
       });
       about.keys.forEach(({ meaning }, i) => (ownKeys[i] = [button(meaning, () => press(i))], buttons.append(...ownKeys[i])));
       showWhatCounts();
     }
+    // A place is for one game, and the others are folded away. A choice is one of games if what else there is depends on it.
+    const choosesGames = ({ options }) => [...about.controls, ...about.keys].some(({ onlyWith }) => onlyWith.some((each) => options.includes(each)));
     // What changes nothing in the mode that is chosen is not shown.
     const counts = ({ onlyWith }) => onlyWith.length === 0 || about.controls.some(({ options }, i) => onlyWith.includes(options[values[i]]));
     function showWhatCounts() {
@@ -216,6 +224,7 @@
       const decimals = Math.max(0, Math.ceil(-Math.log10(each) - 1e-9));
       const show = () => (shown.textContent = `${Number(input.value).toFixed(decimals)} ${unit}`.replace('-', '−'));
       input.oninput = () => (show(), set(i, Number(input.value)));
+      dials[i] = (now) => (input.value = now, show());
       show();
       return make('label', {}, make('span', { textContent: title }), input, shown);
     }
@@ -228,13 +237,22 @@
       return group;
     }
 
-    function frame(dt, one_step = false) {
-      if (!world || failed) return;
+    // The world goes on by so much, and is as it was if that went wrong.
+    function advance(dt, one_step = false) {
+      if (!world || failed) return null;
       const seen = attempt(() => world.frame(Math.min(dt, 0.1), one_step, hand));
       hand.pressed = false;
       hand.key = -1;
-      if (!seen) return;
-      picture = seen.shapes;
+      return seen;
+    }
+    function frame(dt, one_step) {
+      const seen = advance(dt, one_step);
+      if (seen) show(seen);
+    }
+    function show(seen) {
+      picture = seen;
+      const { low, high } = seen, shape = String((high[0] - low[0]) / (high[1] - low[1]));
+      if (canvas.style.aspectRatio !== shape) canvas.style.aspectRatio = shape;
       if (seen.readouts.map(({ name: title }) => title).join() !== [...readouts.querySelectorAll('dt')].map((each) => each.textContent).join())
         readouts.replaceChildren(...seen.readouts.map(({ name: title, unit }) => make('div', {}, make('dt', { textContent: title }), make('dd', {}, make('b'), ` ${unit}`))));
       readouts.querySelectorAll('b').forEach((shown, i) => (shown.textContent = digits(seen.readouts[i].value, seen.readouts[i].decimals)));
@@ -249,23 +267,70 @@
       if (answers.textContent !== told) answers.textContent = told;
     }
 
-    const view = () => viewOf(about, canvas.clientWidth);
-    let palette = null, font; // as the page's style says, looked up when that may have changed
+    // A hand that helps: it plays beat by beat, so that each time it comes out the same, and hands over to the reader.
+    function letGo() {
+      Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false });
+      delete hand.ghost;
+    }
+    function beginAgain() {
+      ghost &&= 0;
+      spare = 0;
+      attempt(() => world.begin());
+      first.forEach((value, i) => turn(i, value));
+    }
+    function turn(i, value) {
+      values[i] = value;
+      dials[i]?.(value);
+      attempt(() => world.control(i, value));
+    }
+    let spare = 0; // of the time it has had [s]
+    function haunt(dt) {
+      let seen = null;
+      if (!world) return;
+      for (spare += Math.min(dt, 0.1); spare >= beat && !failed; spare -= beat) {
+        if (ghost === film) beginAgain();
+        const { at, handle = -1, press: pressed, ...chosen } = helps(ghost++ * beat);
+        Object.assign(hand, { x: at?.[0] ?? 0, y: at?.[1] ?? 0, inside: Boolean(at), handle, ghost: at, key: about.keys.findIndex(({ key }) => key === pressed) });
+        about.controls.forEach(({ name: title }, i) => title in chosen && turn(i, chosen[title]));
+        seen = advance(beat) ?? seen;
+      }
+      if (seen && !failed) show(seen);
+    }
+    // Whoever grabs a handle goes on from there; all others begin anew.
+    function takeOver(event) {
+      if (ghost === null) return;
+      ghost = null;
+      if (!world || failed) return;
+      const grabs = event.type === 'pointerdown' && event.target === canvas && near(event).handle >= 0;
+      letGo();
+      if (grabs) first.forEach((value, i) => turn(i, value));
+      else beginAgain();
+      frame(0);
+    }
+    for (const kind of ['pointerdown', 'keydown', 'focusin']) figure.addEventListener(kind, takeOver, true);
+
+    const view = () => viewOf(picture, canvas.clientWidth);
+    let palettes = null, font; // as the page's style says, looked up when that may have changed
     function look() {
       const probe = figure.appendChild(make('i'));
       probe.style.forcedColorAdjust = 'none'; // a picture keeps its colours: they mean something
-      palette = Object.fromEntries([...colours, 'paper'].map((each) => (probe.style.color = `var(--${each})`, [each, getComputedStyle(probe).color])));
+      const colour = (words) => (probe.style.color = words, getComputedStyle(probe).color);
+      const all = () => Object.fromEntries([...colours, 'paper'].map((each) => [each, colour(`var(--${each})`)]));
+      const page = all(), theme = colour('light-dark(#000, #fff)') === colour('#fff') ? 1 : 0;
+      probe.style.colorScheme = 'dark';
+      palettes = { page, dark: all(), of: (pair) => pair[theme] };
       font = `14px ${getComputedStyle(probe).fontFamily}`;
       probe.remove();
     }
     function draw() {
       if (!picture || !canvas.clientWidth) return;
-      if (!palette) look();
+      if (!palettes) look();
       const width = Math.round(canvas.clientWidth * devicePixelRatio), height = Math.round(canvas.clientHeight * devicePixelRatio);
       if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
       pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
       pen.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
-      demoPicture.draw(pen, picture, view(), palette, {
+      const seen = hand.ghost ? { ...picture, shapes: [...picture.shapes, finger(hand.ghost, view(), 13, 0.45)] } : picture;
+      demoPicture.draw(pen, seen, view(), palettes, {
         font,
         strength: failed ? 0.35 : 1,
         held: (index) => index === hand.handle || index === hand.chosen,
@@ -287,7 +352,8 @@
     function tick(now) {
       waiting = false;
       if (!running || failed || !visible) return (last = 0);
-      frame(last ? Math.max(0, now - last) / 1000 : 0);
+      const dt = last ? Math.max(0, now - last) / 1000 : 0;
+      ghost === null ? frame(dt) : haunt(dt);
       last = now;
       run(true);
     }
@@ -302,15 +368,15 @@
       hand.key = key;
       rest();
     }
-    const handles = () => (picture ?? []).filter(({ kind }) => kind === 'handle').flatMap(({ points }) => points);
+    const handles = () => (picture?.shapes ?? []).filter(({ kind }) => kind === 'handle').flatMap(({ points }) => points);
     function near({ clientX, clientY, pointerType }) {
       const box = canvas.getBoundingClientRect(), x = clientX - box.left, y = clientY - box.top, { scale, onto } = view();
       const away = handles().map((point) => Math.hypot(onto(point)[0] - x, onto(point)[1] - y)), least = Math.min(...away);
-      return { x: about.low[0] + x / scale, y: about.high[1] - y / scale, handle: least < (pointerType === 'mouse' ? 14 : 26) ? away.indexOf(least) : -1 };
+      return { x: picture.low[0] + x / scale, y: picture.high[1] - y / scale, handle: least < (pointerType === 'mouse' ? 14 : 26) ? away.indexOf(least) : -1 };
     }
     let tap = false; // a finger is on the picture, and may yet scroll the page: it presses when it is lifted
     canvas.addEventListener('pointerdown', (event) => {
-      if (!about || event.button !== 0) return;
+      if (!picture || event.button !== 0) return;
       const at = near(event);
       tap = event.pointerType === 'touch' && at.handle < 0;
       Object.assign(hand, at, { chosen: -1, pressed: !tap, inside: true });
@@ -318,7 +384,7 @@
       rest();
     });
     canvas.addEventListener('pointermove', (event) => {
-      if (!about) return;
+      if (!picture || ghost !== null) return;
       const { x, y, handle: nearest } = near(event);
       Object.assign(hand, { x, y, inside: event.pointerType === 'mouse' || event.buttons > 0 });
       canvas.style.cursor = hand.handle >= 0 ? 'grabbing' : nearest >= 0 ? 'grab' : '';
@@ -335,7 +401,7 @@
     // A finger scrolls the page, unless it begins on a handle.
     canvas.addEventListener('touchstart', (event) => {
       const [{ clientX, clientY }] = event.changedTouches;
-      if (about && near({ clientX, clientY, pointerType: 'touch' }).handle >= 0) event.preventDefault();
+      if (picture && near({ clientX, clientY, pointerType: 'touch' }).handle >= 0) event.preventDefault();
     }, { passive: false });
     canvas.addEventListener('keydown', (event) => {
       if (!about || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -347,7 +413,7 @@
       else if (event.key === 'r') restart();
       else if (event.key === 'h') hand.chosen = (hand.chosen + 2) % (handles().length + 1) - 1, failed || draw();
       else if (way && hand.chosen >= 0) {
-        const [x, y] = handles()[hand.chosen], far = (about.high[0] - about.low[0]) / 60;
+        const [x, y] = handles()[hand.chosen], far = (picture.high[0] - picture.low[0]) / 60;
         Object.assign(hand, { x: x + way[0] * far, y: y + way[1] * far, handle: hand.chosen });
         frame(0);
         hand.handle = -1;
@@ -357,7 +423,7 @@
 
     new IntersectionObserver((changes) => (visible = changes.at(-1).isIntersecting) && run(running)).observe(canvas);
     new ResizeObserver(draw).observe(canvas);
-    const restyle = () => (palette = null, draw());
+    const restyle = () => (palettes = null, draw());
     new MutationObserver(restyle).observe(document.documentElement, { attributeFilter: ['data-theme'] });
     addEventListener('beforeprint', () => (figure.style.colorScheme = 'light', restyle()));
     addEventListener('afterprint', () => (figure.style.colorScheme = '', restyle()));

@@ -2,10 +2,12 @@
 
 #include "game.hpp"
 
+#include <string>
+
 //> The demo
 namespace play {
 using namespace nt_collisions;
-using demo::Colour, demo::Input, demo::Shape;
+using demo::Colour, demo::Input, demo::Material, demo::Shape;
 
 enum Game { you_guess, contact, equal_balls, masses, break_shot, fast, crowd, thousand };
 
@@ -21,8 +23,8 @@ std::vector<std::string_view> in_games(std::initializer_list<Game> which) {
 
 const demo::About about{
     "Balls on a table that meet: two of them, fifteen, a crowd, and a thousand.",
-    {-8.5, -5},
-    {8.5, 5},
+    {-8.9, -5.75},
+    {8.9, 5.75},
     {demo::choice("The game", games, you_guess),
      {"off centre", "m", -0.9, 0.9, 0.1, 0.6, {}, in_games({equal_balls, masses, fast})},
      {"velocity of B", "m/s", -4, 4, 1, 0, {}, in_games({equal_balls, masses})},
@@ -35,9 +37,10 @@ const demo::About about{
     {{"f", "Roll", in_games({you_guess, break_shot})},
      {"o", "Overlap", in_games({equal_balls})},
      {"n", "Drop ten more", in_games({crowd})},
+     {"s", "New", in_games({you_guess})},
      {"u", "Turn left", in_games({contact})},
      {"d", "Turn right", in_games({contact})}}};
-const demo::Still still{1.6, "f"};
+const demo::Still still{1.6, "f", in_games({break_shot})};
 
 const Box table{{-8, -4.5}, {8, 4.5}};
 constexpr double small = 0.3; // the radius of the balls of the break shot [m]
@@ -47,6 +50,9 @@ struct State {
     Ball a, b;
     Vec2 from[2], meets[2];        ///< where a and b began, and met [m]
     Vec2 guess[2]{{2, 0}, {2, 0}}; ///< which way a and b will go
+    Vec2 guessed_at{0.8, 0.6};     ///< from a to b where they meet
+    int round = 0;                 ///< of the guess
+    std::vector<Vec2> misses;      ///< of the last five guesses: of a and of b [rad]
     Vec2 to_b{0.8, 0.6};           ///< from a to b, which touch; its length is 1
     Vec2 velocity{5, 0};           ///< of a at the contact [m/s]
     Vec2 aim{2.5, 0.2};            ///< of the break shot: its velocity is five times that
@@ -119,13 +125,32 @@ void gather(State &now) {
     }
 }
 
+/// From one vector to the other, anticlockwise [rad].
+double angle_from(const Vec2 &a, const Vec2 &b) { return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)); }
+
+/// Another contact to guess at: in the first round the chapter's own.
+void new_guess(State &now) {
+    unsigned seed = 40u * unsigned(++now.round);
+    random(seed);
+    const double angle = random(seed);
+    now.guessed_at = {std::cos(angle), std::sin(angle)};
+    now.guess[0] = now.guess[1] = {2, 0};
+    now.rolling = false;
+}
+
+/// The balls have met, and how far off both guesses are stays.
+void mark_guess(State &now) {
+    now.misses.push_back({angle_from(now.a.velocity, now.guess[0]), angle_from(now.b.velocity, now.guess[1])});
+    if (now.misses.size() > 5) now.misses.erase(now.misses.begin());
+}
+
 /// The game begins once more.
 void start(State &now, const Input &in) {
     now.met = false;
     now.frames = 0;
     now.trail.clear();
     const double off = in["off centre"], along = std::sqrt(1 - off * off);
-    if (now.game == you_guess) place(now, {0.8, 0.6}, 1, {{0, 0}, {5, 0}, 0, 1}, {{0, 0}, {0, 0}, 0, 1}, 60);
+    if (now.game == you_guess) place(now, now.guessed_at, 1, {{0, 0}, {5, 0}, 0, 1}, {{0, 0}, {0, 0}, 0, 1}, 60);
     if (now.game == equal_balls || now.game == masses) {
         const bool equal = now.game == equal_balls;
         place(now, {along, off}, 1, {{0, 0}, {5, 0}, 0, equal ? 1 : in["mass of A"]},
@@ -161,6 +186,7 @@ void step_two(State &now, const Input &in) {
         now.met = true;
         now.meets[0] = meets[0];
         now.meets[1] = meets[1];
+        if (now.game == you_guess) mark_guess(now);
     }
     ++now.frames;
     const bool gone = !is_seen(a) && (now.game == you_guess || !is_seen(b) || now.frames > 150);
@@ -191,7 +217,7 @@ void step(State &now, const Input &in) {
 void drag(State &now, const Input &in) {
     const Vec2 there = in.pointer.cwiseMax(table.low).cwiseMin(table.high);
     if (now.game == you_guess) {
-        const Vec2 to = there - (in.handle == 0 ? Vec2{-0.8, -0.6} : Vec2{0, 0});
+        const Vec2 to = there - (in.handle == 0 ? Vec2{-now.guessed_at} : Vec2{0, 0});
         if (to.norm() > 0.1) now.guess[in.handle] = 2 * to.normalized();
     }
     if (now.game == contact && in.handle == 0 && there.norm() > 0.1) now.to_b = there.normalized();
@@ -210,6 +236,10 @@ void press(State &now, const Input &in) {
         now.rolling = true;
         if (now.game == break_shot) now.balls[0].velocity = 5 * now.aim;
         if (now.game == break_shot) now.begun = energy_of(now.balls[0]);
+    }
+    if (in.key == "s") {
+        new_guess(now);
+        start(now, in);
     }
     if (in.key == "o") { // two balls that have got into each other, and part
         start(now, in);
@@ -239,11 +269,21 @@ State next(State now, const Input &in) {
 
 // ------------------------------------------------------------------------------------------------------ the picture
 
-void add(demo::Picture &seen, Shape::Kind kind, Colour colour, double size, std::initializer_list<Vec2> points,
-         double strength = 1) {
+/// What's seen of the world in each game [m].
+const Vec2 windows[][2]{{{-6.7, -3.9}, {5.3, 3.9}},   {{-6, -3.9}, {6, 3.9}},       {{-7.4, -4.8}, {7.4, 4.8}},
+                        {{-7.4, -4.8}, {7.4, 4.8}},   {{-8.9, -5.75}, {8.9, 5.75}}, {{-8.2, -5.3}, {8.2, 5.3}},
+                        {{-8.9, -5.75}, {8.9, 5.75}}, {{-8.9, -5.75}, {8.9, 5.75}}};
+
+Shape &add(demo::Picture &seen, Shape::Kind kind, Colour colour, double size, const std::vector<Vec2> &points,
+           double strength = 1) {
     seen.shapes.push_back({kind, colour, size, strength, points});
+    return seen.shapes.back();
 }
-void add_words(demo::Picture &seen, const Vec2 &at, const char *words, Colour colour = Colour::ink) {
+void add_solid(demo::Picture &seen, Shape::Kind kind, Colour colour, double size, const std::vector<Vec2> &points,
+               double strength = 1) {
+    add(seen, kind, colour, size, points, strength).material = Material::solid;
+}
+void add_words(demo::Picture &seen, const Vec2 &at, const std::string &words, Colour colour = Colour::ink) {
     seen.shapes.push_back({Shape::words, colour, 0, 1, {at}, words});
 }
 /// Without the last digits, which are rounding, and without a negative zero.
@@ -251,22 +291,34 @@ void say(demo::Picture &seen, const char *name, const char *unit, double value, 
     seen.readouts.push_back({name, unit, std::round(value * 1e6) / 1e6 + 0.0, decimals});
 }
 /// From one vector to the other [°].
-double angle_between(const Vec2 &a, const Vec2 &b) {
-    return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b)) * 57.295779513082321;
-}
+double angle_between(const Vec2 &a, const Vec2 &b) { return std::abs(angle_from(a, b)) * 57.295779513082321; }
 void add_arrow(demo::Picture &seen, Colour colour, double width, const Vec2 &from, const Vec2 &arrow) {
     if (arrow.norm() > 0.02) add(seen, Shape::arrow, colour, width, {from, from + arrow});
 }
+/// Four sides of the table, so far from its cloth and so wide, with corners that are cut at 45°.
+void add_rails(demo::Picture &seen, Colour colour, double away, double width, double strength) {
+    const Vec2 signs[]{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    for (int i = 0; i < 4; ++i) {
+        std::vector<Vec2> corners;
+        for (const double out : {away, away + width})
+            for (const int k : {i, (i + 1) % 4}) corners.push_back(signs[k].cwiseProduct(table.high + Vec2{out, out}));
+        std::swap(corners[2], corners[3]);
+        add_solid(seen, Shape::area, colour, 0, corners, strength);
+    }
+}
+/// Rails of wood, with inlays, and cushions in front of them.
 void add_table(demo::Picture &seen) {
-    const auto &[low, high] = table;
-    add(seen, Shape::line, Colour::ink, 3, {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low});
+    add_rails(seen, Colour::green, 0, 0.3, 0.5);
+    add_rails(seen, Colour::wood, 0.3, 1, 1);
+    for (const double x : {-6, -4, -2, 2, 4, 6})
+        for (const double y : {-5.25, 5.25}) add(seen, Shape::discs, Colour::amber, 0.07, {{x, y}}, 0.8);
 }
 
 void draw_contact(demo::Picture &seen, const State &now) {
     constexpr double scale = 0.7; // [s]
     const Vec2 n = now.to_b, t{-n.y(), n.x()}, a{0, 0}, b = 2 * n, tip = scale * now.velocity;
-    add(seen, Shape::discs, Colour::orange, 1, {a}, 0.4);
-    add(seen, Shape::discs, Colour::blue, 1, {b}, 0.4);
+    add_solid(seen, Shape::discs, Colour::orange, 1, {a}, 0.75);
+    add_solid(seen, Shape::discs, Colour::blue, 1, {b}, 0.75);
     add(seen, Shape::line, Colour::dim, -1.5, {-9 * n, 9 * n});
     add(seen, Shape::line, Colour::dim, -1.5, {-9 * t, 9 * t});
     add_words(seen, 4.2 * n + 0.45 * t, "n", Colour::dim);
@@ -283,28 +335,44 @@ void draw_contact(demo::Picture &seen, const State &now) {
     say(seen, "speed", "m/s", now.velocity.norm());
 }
 
+/// How far off, and the last five guesses: around where each ball went, as holes around the middle of a target.
+void draw_misses(demo::Picture &seen, const State &now, int i, const Vec2 &at, Colour colour) {
+    const Vec2 went = 2 * (i == 0 ? now.a : now.b).velocity.normalized();
+    for (const Vec2 &each : now.misses) {
+        const double c = std::cos(each[i]), s = std::sin(each[i]);
+        add(seen, Shape::discs, colour, 0.1, {at + Vec2{c * went.x() - s * went.y(), s * went.x() + c * went.y()}},
+            0.7);
+    }
+    const int off = int(std::round(angle_between(now.guess[i], went)));
+    add_words(seen, at + now.guess[i] + Vec2{0.3, i == 0 ? -0.4 : 0.1}, std::to_string(off) + "° off", colour);
+}
+
+void draw_guesses(demo::Picture &seen, const State &now, const Colour colours[]) {
+    const Vec2 at[]{-now.guessed_at, {0, 0}};
+    add_solid(seen, Shape::discs, Colour::orange, 0.5, {at[0]}, 0.35);
+    for (int i : {0, 1}) {
+        add_arrow(seen, colours[i], -2, at[i], now.guess[i]);
+        if (now.met) draw_misses(seen, now, i, at[i], colours[i]);
+        else add_words(seen, at[i] + now.guess[i] + Vec2{0.3, i == 0 ? -0.4 : 0.1}, i == 0 ? "A?" : "B?", colours[i]);
+        add(seen, Shape::handle, colours[i], 0, {at[i] + now.guess[i]});
+    }
+}
+
 void draw_two(demo::Picture &seen, const State &now) {
     const Ball *balls[]{&now.a, &now.b};
     const Colour colours[]{Colour::orange, Colour::blue};
-    if (now.game == you_guess) {
-        const Vec2 at[]{{-0.8, -0.6}, {0, 0}};
-        add(seen, Shape::discs, Colour::orange, 0.5, {at[0]}, 0.25);
-        for (int i : {0, 1}) add_arrow(seen, colours[i], -2, at[i], now.guess[i]);
-        add_words(seen, at[0] + now.guess[0] + Vec2{0.3, -0.4}, "A?", colours[0]);
-        add_words(seen, now.guess[1] + Vec2{0.3, 0.1}, "B?", colours[1]);
-        for (int i : {0, 1}) add(seen, Shape::handle, colours[i], 0, {at[i] + now.guess[i]});
-    }
-    for (const Vec2 &at : now.trail) add(seen, Shape::discs, Colour::orange, now.a.radius, {at}, 0.2);
+    if (now.game == you_guess) draw_guesses(seen, now, colours);
+    for (const Vec2 &at : now.trail) add_solid(seen, Shape::discs, Colour::orange, now.a.radius, {at}, 0.3);
     if (now.met) {
         const Vec2 n = now.meets[1] - now.meets[0];
-        for (int i : {0, 1}) add(seen, Shape::discs, colours[i], now.a.radius, {now.meets[i]}, 0.2);
+        for (int i : {0, 1}) add_solid(seen, Shape::discs, colours[i], now.a.radius, {now.meets[i]}, 0.3);
         add(seen, Shape::line, Colour::dim, -1.5, {now.meets[0] - n, now.meets[1] + n});
     }
     for (int i : {0, 1}) {
         const Ball &ball = *balls[i];
         const Vec2 turn = now.met ? now.meets[i] : ball.position;
         if (now.game != fast) add(seen, Shape::line, colours[i], 1.5, {now.from[i], turn, ball.position}, 0.6);
-        add(seen, Shape::discs, colours[i], ball.radius, {ball.position});
+        add_solid(seen, Shape::discs, colours[i], ball.radius, {ball.position});
         if (now.game != fast) add_arrow(seen, Colour::ink, 2, ball.position, 0.3 * ball.velocity);
         add_words(seen, ball.position + Vec2{-0.15, ball.radius + 0.25}, i == 0 ? "A" : "B");
     }
@@ -322,20 +390,36 @@ void draw_two(demo::Picture &seen, const State &now) {
         say(seen, "angle between", "°", angle_between(now.a.velocity, now.b.velocity), 1);
 }
 
-void draw_balls(demo::Picture &seen, const State &now, Colour colour) {
-    add_table(seen);
+/// The first one, and all others in these colours.
+void draw_balls(demo::Picture &seen, const State &now, Colour first, std::initializer_list<Colour> others) {
     const double radius = now.balls[0].radius;
-    seen.shapes.push_back({Shape::discs, colour, radius, 1, centres_of(now.balls)});
-    add(seen, Shape::discs, Colour::orange, radius, {now.balls[0].position});
+    const std::vector<Vec2> centres = centres_of(now.balls);
+    std::size_t which = 0;
+    for (const Colour colour : others) {
+        std::vector<Vec2> here;
+        for (std::size_t i = 1 + which++; i < centres.size(); i += others.size()) here.push_back(centres[i]);
+        add_solid(seen, Shape::discs, colour, radius, here);
+    }
+    add_solid(seen, Shape::discs, first, radius, {centres[0]});
+}
+
+void draw_shot(demo::Picture &seen, const State &now) {
+    draw_balls(seen, now, Colour::ink, {Colour::amber, Colour::orange, Colour::blue, Colour::violet, Colour::pink});
+    if (now.rolling) return;
+    const Vec2 at = now.balls[0].position, back = now.aim.normalized() * -1;
+    add_solid(seen, Shape::line, Colour::wood, 7, {at + (0.5 + 0.4 * now.aim.norm()) * back, at + 6 * back});
+    add_arrow(seen, Colour::orange, 3, at, now.aim);
+    add(seen, Shape::handle, Colour::orange, 0, {at + now.aim});
 }
 
 void draw_grid(demo::Picture &seen, const State &now) {
     const std::vector<Vec2> centres = centres_of(now.balls);
+    add_table(seen);
     const double cell = 2 * now.balls[0].radius;
     for (double x = table.low.x(); x < table.high.x(); x += cell)
-        add(seen, Shape::line, Colour::line, 1, {{x, table.low.y()}, {x, table.high.y()}});
+        add(seen, Shape::line, Colour::dim, 1, {{x, table.low.y()}, {x, table.high.y()}}, 0.25);
     for (double y = table.low.y(); y < table.high.y(); y += cell)
-        add(seen, Shape::line, Colour::line, 1, {{table.low.x(), y}, {table.high.x(), y}});
+        add(seen, Shape::line, Colour::dim, 1, {{table.low.x(), y}, {table.high.x(), y}}, 0.25);
     const auto cell_of = [&](const Vec2 &at) {
         return Vec2{std::floor((at.x() - table.low.x()) / cell), std::floor((at.y() - table.low.y()) / cell)};
     };
@@ -347,7 +431,7 @@ void draw_grid(demo::Picture &seen, const State &now) {
         const Vec2 away = cell_of(at) - mine;
         around += std::abs(away.x()) < 1.5 && std::abs(away.y()) < 1.5;
     }
-    draw_balls(seen, now, Colour::blue);
+    draw_balls(seen, now, Colour::orange, {Colour::blue});
     const double count = double(centres.size());
     say(seen, "pairs in all", "", count * (count - 1) / 2, 0);
     say(seen, "close pairs", "", double(close_pairs(centres, cell).size()), 0);
@@ -360,7 +444,7 @@ void draw_crowd(demo::Picture &seen, const State &now) {
     for (std::size_t i = 0; i < now.discs.size(); ++i) {
         const Disc &it = now.discs[i];
         const Colour colour = i == 0 ? Colour::ink : it.inverse_mass < 1 ? Colour::violet : Colour::blue;
-        add(seen, Shape::discs, colour, it.radius, {it.position}, 0.7);
+        add_solid(seen, Shape::discs, colour, it.radius, {it.position}, 0.9);
         for (std::size_t k = 0; k < i; ++k)
             deepest = std::max(deepest, it.radius + now.discs[k].radius - (it.position - now.discs[k].position).norm());
     }
@@ -371,6 +455,8 @@ void draw_crowd(demo::Picture &seen, const State &now) {
 
 demo::Picture draw(const State &now, const Input &) {
     demo::Picture seen;
+    seen.stage = demo::Stage::felt;
+    seen.low = windows[now.game][0], seen.high = windows[now.game][1];
     if (now.game == contact) {
         draw_contact(seen, now);
     } else if (now.game == crowd) {
@@ -378,11 +464,8 @@ demo::Picture draw(const State &now, const Input &) {
     } else if (now.game == thousand) {
         draw_grid(seen, now);
     } else if (now.game == break_shot) {
-        draw_balls(seen, now, Colour::green);
-        if (!now.rolling) {
-            add_arrow(seen, Colour::orange, 3, now.balls[0].position, now.aim);
-            add(seen, Shape::handle, Colour::orange, 0, {now.balls[0].position + now.aim});
-        }
+        add_table(seen);
+        draw_shot(seen, now);
     } else {
         draw_two(seen, now);
     }

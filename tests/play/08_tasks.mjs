@@ -16,6 +16,14 @@ const frames = (game, chosen, keys) => demo.readouts(demo.values({ 'The game': g
   near(seen['A off by'], 0, 0.01);
   near(seen['B off by'], 0, 0.01);
 }
+{ // *New* is another contact, and the last five guesses stay as dots, for each of the balls
+  const round = ['f', ...Array(119).fill(''), 's'], pictures = demo.pictures(demo.values({}), Array(7).fill(round).flat());
+  const after = (turn) => pictures[121 * turn + 119], dots = ({ shapes }) => shapes.filter(({ kind, size }) => kind === 'discs' && size === 0.1).length;
+  assert.deepEqual([0, 1, 4, 5, 6].map((turn) => dots(after(turn))), [2, 4, 10, 10, 10]);
+  const contacts = [0, 1, 2, 3, 4, 5, 6].map((turn) => after(turn).readouts.find(({ name }) => name === 'B, up').value);
+  near(contacts[0], 2.4, 1e-6);
+  assert.equal(new Set(contacts).size, 7);
+}
 { // B straight ahead, above, behind, and where both components are the same
   const turned = (x, y) => last({ 'The game': 'contact that turns (8.1)' }, [[0, x, y], ...seconds(1).slice(1)]);
   near(turned(3, 0).normal, 5);

@@ -13,6 +13,17 @@ const place = (row) => [row['hand, to the right'], row['hand, up']];
   near(place(after('you guess', {}, 'f'))[0], 3.116);
   near(place(after('you guess', {}, 'f'))[1], 3.432);
 }
+{ // *New* bolts another arm to the table, which stays in the picture; the last five guesses stay as dots
+  const shown = Array.from({ length: 40 }, () => ['f', 'n']).flat(), pictures = demo.pictures(demo.values({}), shown);
+  const answers = pictures.filter((_, i) => i % 2 === 0).map(({ readouts }) => readouts.map(({ value }) => value));
+  near(answers[0][0], 3.116);
+  assert.ok(new Set(answers.map(String)).size > 30);
+  for (const [x, y] of answers) assert.ok(x > 0 && x < 5 && y > 0 && y < 4, `${x}, ${y}`);
+  const dots = ({ shapes }) => shapes.filter(({ kind, colour, material }) => kind === 'discs' && colour === 'amber' && material === 'glow').length;
+  assert.deepEqual([0, 2, 4, 6, 8, 10, 78].map((i) => dots(pictures[i])), [1, 2, 3, 4, 5, 5, 5]);
+  assert.ok(pictures[0].shapes.some(({ text }) => text === '3 m at 30°, then 2 m, bent by 45°'));
+  for (const { shapes } of pictures.filter((_, i) => i % 2 === 1)) assert.ok(shapes.some(({ text }) => text === 'hand?'));
+}
 for (const rate of [4, 5]) { // one loop for each turn of the second motor: there the hand is closest to the origin
   rows('an arm that draws (9.1)', { 'second motor': rate }, seconds(9)).forEach((row, second) => {
     near(Math.hypot(...place(row)), Math.sqrt(13 + 12 * Math.cos(rate * (second + 1))), 1e-5);

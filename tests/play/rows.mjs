@@ -24,13 +24,17 @@ export function player(native) {
   const demo = {
     /// Its controls as they are at first, but for these.
     values: (chosen) => about.controls.map(({ name, value, options }) => (name in chosen ? (options.length > 0 ? options.indexOf(chosen[name]) : chosen[name]) : value)),
+    /// The picture after each of these keys, as in `readouts`.
+    pictures(values, keys) {
+      const at = (key) => about.keys.findIndex((each) => each.key === key);
+      const input = (key) => (Array.isArray(key) ? [key[1], key[2], 1, 1, key[0], -1] : [0, 0, 0, 0, -1, at(key)]);
+      return run([], keys.map((key) => `${line([1 / 60, 0, ...input(key)], values)}\n`).join('')).map((row) => frameOf(reader(printedRow(row))));
+    },
     /// A frame for each of these keys, with '' for none, of 1/60 s; the readouts after the last one in each second.
     /// In the place of a key, [handle, x, y] drags a handle there.
     readouts(values, keys) {
-      const at = (key) => about.keys.findIndex((each) => each.key === key);
-      const input = (key) => (Array.isArray(key) ? [key[1], key[2], 1, 1, key[0], -1] : [0, 0, 0, 0, -1, at(key)]);
-      const rows = run([], keys.map((key) => `${line([1 / 60, 0, ...input(key)], values)}\n`).join(''));
-      return rows.filter((_, frame) => frame % 60 === 59).map((row) => Object.fromEntries(frameOf(reader(printedRow(row))).readouts.map(({ name, value }) => [name, value])));
+      const shown = demo.pictures(values, keys).filter((_, frame) => frame % 60 === 59);
+      return shown.map(({ readouts }) => Object.fromEntries(readouts.map(({ name, value }) => [name, value])));
     },
     /// The last ones of these readouts, with these controls.
     last: (chosen, keys) => demo.readouts(demo.values(chosen), keys).at(-1),

@@ -6,14 +6,17 @@ import os from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import hands from '../../tools/play/hands.cjs';
+import '../../docs/hands.js';
 import stills from '../../tools/play/stills.cjs';
 
 const about = { title: 'A&B', low: [0, 0], high: [10, 5] };
-const shape = (kind, colour, points, more = {}) => ({ kind, colour, size: 0, strength: 1, points, text: '', ...more });
+const hands = globalThis.demoHands;
+const shape = (kind, colour, points, more = {}) => ({ kind, colour, size: 0, strength: 1, points, text: '', material: 'flat', ...more });
+const picture = (shapes, stage = 'paper') => ({ stage, ground: 0, low: about.low, high: about.high, shapes });
+const filmOf = (pictures, ...more) => stills.filmOf(about, pictures.map((each) => (Array.isArray(each) ? picture(each) : each)), ...more);
 
 test('a picture is its shapes in the colours of figures, without its handles', () => {
-  const has = (shapes, ...parts) => parts.forEach((part) => assert.ok(stills.filmOf(about, [shapes]).includes(part), `${part} in ${stills.filmOf(about, [shapes])}`));
+  const has = (shapes, ...parts) => parts.forEach((part) => assert.ok(filmOf([shapes]).includes(part), `${part} in ${filmOf([shapes])}`));
   has([], 'width="640" height="320"', '<title>A&amp;B</title>');
   has([shape('line', 'blue', [[0, 0], [10, 5]], { size: -2 })], '.c0{stroke:#2563eb;fill:none;stroke-width:2;stroke-dasharray:1 6}', '.c0{stroke:#6ea8fe}', '<path class="c0" d="M0 320l640-320"/>');
   has([shape('line', 'orange', [[0, 0], [10, 0]])], '{stroke:#d9480f;fill:none;stroke-width:2}', 'd="M0 320h640"');
@@ -23,15 +26,44 @@ test('a picture is its shapes in the colours of figures, without its handles', (
   has([shape('arrow', 'amber', [[1, 1], [2, 1]], { size: 2 })], 'd="M64 256h64l-7.7 4.6m7.7-4.6l-7.7-4.6"/>');
   has([shape('words', 'ink', [[1, 1]], { text: '<' })], '<text class="c0" x="64" y="256">&lt;</text>');
   has([shape('line', 'ink', [...Array(20)].map((_, i) => [i / 2, 0]))], 'd="M0 320h608"/>'); // twenty points on a line are two
-  assert.ok(!stills.filmOf(about, [[shape('handle', 'pink', [[3, 3]])]]).includes('#c02672'));
-  assert.doesNotMatch(stills.filmOf(about, [[shape('line', 'ink', [[0, 0], [1, 1]])], [shape('line', 'ink', [[0, 0], [1, 1]])]]), /class="f|keyframes/);
+  assert.ok(!filmOf([[shape('handle', 'pink', [[3, 3]])]]).includes('#c02672'));
+  assert.doesNotMatch(filmOf([[shape('line', 'ink', [[0, 0], [1, 1]])], [shape('line', 'ink', [[0, 0], [1, 1]])]]), /class="f|keyframes/);
+});
+
+test('what is solid or glows has the same shades on each machine, and a path of many balls stays short', () => {
+  const made = (material, kind, colour, points, more = {}) => shape(kind, colour, points, { material, ...more });
+  const balls = filmOf([[made('solid', 'discs', 'blue', [[1, 1], [2, 2], [3, 2]], { size: 0.5 })]]);
+  assert.match(balls, /<marker id="m\d" [^>]*><circle [^>]*\/><circle r="32" fill="url\(#g\d\)"\/><\/marker>/);
+  assert.match(balls, /\.c0\{fill:none;marker-start:url\(#m\d\);marker-mid:url\(#m\d\)\}/);
+  assert.ok(balls.includes('d="M64 256l64-64h64h0"'), balls); // no marker at its end, which is there twice
+  const bar = filmOf([[made('solid', 'line', 'dim', [[0, 0], [4, 1], [8, 2.5], [9, 4.5]], { size: 10 })]]);
+  assert.equal(bar.match(/<use class="c\d" href="#p0"\/>/g).length, 4, 'four strokes, one path');
+  assert.match(bar, /transform:translate\(3\.4px,4\.2px\)/); // its shadow
+  assert.match(filmOf([[made('solid', 'area', 'amber', [[0, 0], [4, 0], [4, 3]])]]), /fill:url\(#g\d\);stroke:#7a5d18;stroke-width:1\.3/);
+  assert.equal(filmOf([[made('glow', 'line', 'pink', [[0, 0], [4, 1]], { size: 3 })]]).match(/stroke-opacity/g).length, 2, 'a halo of two strokes');
+  assert.ok(filmOf([[made('solid', 'line', 'ink', [[0, 0], [10, 5]], { size: -2 })]]).includes('stroke-dasharray:1 6'), 'dots are flat');
+  for (const film of [balls, bar]) well(film), assert.doesNotMatch(film, /NaN|undefined/);
+});
+
+test('a stage lies below all, and a dark one has the colours of a dark page on a light one, too', () => {
+  const words = [shape('words', 'ink', [[1, 1]], { text: 'a' })];
+  for (const stage of ['felt', 'night']) {
+    const film = filmOf([picture(words, stage)]);
+    assert.match(film, /\.c\d\{fill:#e3e8f0;stroke:/, stage);
+    assert.ok(!film.includes('#1d2430'), stage);
+    assert.ok(film.indexOf('M0 0h640v320h-640z') < film.indexOf('<text'));
+  }
+  const yard = filmOf([picture(words, 'yard'), picture([], 'yard')]);
+  assert.match(yard, /\.c\d\{fill:#1d2430;stroke:/);
+  assert.match(yard, /prefers-color-scheme: dark/);
 });
 
 // What is seen in a frame of a film, or when nothing may move: elements without a time, and groups whose time it is.
-const seenIn = (film, frame, count) => [...film.matchAll(/^(?:<g class="f(\d+) b(\d+)( h)?">(.*)<\/g>|<(?:path|text) .*)$/gm)]
+const drawn = (film) => film.replace(/<defs>.*<\/defs>\n/s, '');
+const seenIn = (film, frame, count) => [...drawn(film).matchAll(/^(?:<g class="f(\d+) b(\d+)( h)?">(.*)<\/g>|<(?:path|text|use) .*)$/gm)]
   .filter(([, frames, begin]) => !frames || (frame - begin + count) % count < frames)
   .map(([all, , , , inside]) => (inside ?? all).replaceAll('/>', '/>\n').replaceAll('</text>', '</text>\n').trim()).join('\n');
-const still = (film) => film.replaceAll(/<g class="[^"]* h">.*<\/g>\n/g, '').replaceAll(/<\/?(?:g|svg)[^>]*>/g, '').replace(/^.*<\/style>/s, '').replaceAll('/>', '/>\n').replaceAll('</text>', '</text>\n').replaceAll('\n\n', '\n').trim();
+const still = (film) => drawn(film).replaceAll(/<g class="[^"]* h">.*<\/g>\n/g, '').replaceAll(/<\/?(?:g|svg)[^>]*>/g, '').replace(/^.*<\/style>/s, '').replaceAll('/>', '/>\n').replaceAll('</text>', '</text>\n').replaceAll('\n\n', '\n').trim();
 const well = (svg) => {
   const open = [];
   for (const [, end, name, alone] of svg.replace(/^<\?.*\?>/, '').matchAll(/<(\/?)(\w+)(?: [\w:-]+="[^"<]*")*(\/?)>/g)) end ? assert.equal(open.pop(), name) : alone || open.push(name);
@@ -43,15 +75,15 @@ test('a film has what stays once, and of the rest in each frame what that frame 
   const wall = shape('line', 'dim', [[0, 0], [10, 0]]), ball = (x) => shape('discs', 'orange', [[x, 1]], { size: 0.5 });
   const way = (count) => shape('line', 'blue', [...Array(count + 9)].map((_, i) => [i / 4, (i % 2) / 4]));
   const pictures = [...Array(10)].map((_, i) => [wall, way(i), ball(i), ...(i > 5 ? [shape('words', 'ink', [[1, 3]], { text: 'late' })] : [])]);
-  const film = stills.filmOf(about, pictures, 3, [10, 8, 1]);
+  const film = filmOf(pictures, 3, [10, 8, 1]);
   well(film);
   for (const once of ['h640"', 'late</text>', 'M0 320l16-16']) assert.equal(film.split(once).length, 2, once); // also the beginning of the way
   assert.match(film, /\.f1\{animation:f1 1\.25s step-end infinite\}/);
   assert.match(film, /\.b7\{animation-delay:-0\.375s\}/);
   assert.ok(film.includes('@media (prefers-reduced-motion: reduce) { g { animation: none !important } }'));
   assert.equal(still(film), seenIn(film, 0, 10));
-  pictures.forEach((picture, i) => { // each piece of each picture
-    const seen = seenIn(film, (i - 3 + 10) % 10, 10), alone = stills.filmOf(about, [picture]);
+  pictures.forEach((each, i) => { // each piece of each picture
+    const seen = seenIn(film, (i - 3 + 10) % 10, 10), alone = filmOf([each]);
     assert.ok(seen.includes(`"M${64 * i} 256h0"`), seen);
     assert.equal(seen.includes('late'), i > 5);
     const length = (text) => [...text.matchAll(/l(-?[\d.]+)/g)].reduce((sum, [, x]) => sum + Number(x), 0);
@@ -66,7 +98,7 @@ test('every kept picture is light, has no script, stays still if it should, and 
   for (const name of names) {
     const film = fs.readFileSync(path.join(folder, name), 'utf8'), [, frames, part] = /keyframes f(\d+) .* (\S+)% /.exec(film) ?? [], count = (100 * frames) / part;
     assert.ok(film.length <= 60 * 1024, name);
-    assert.doesNotMatch(film, /<script|<animate|javascript:|href|\son\w+=|NaN|undefined/i, name);
+    assert.doesNotMatch(film, /<script|<animate|javascript:|href(?!="#p\d+")|\son\w+=|NaN|undefined/i, name);
     assert.ok(film.includes('@media (prefers-reduced-motion: reduce) { g { animation: none !important } }'), `${name} has nothing that moves`);
     assert.equal(still(film), seenIn(film, 0, count), name);
     well(film);
@@ -98,7 +130,7 @@ test('one is kept for each start, and none without a place; with --check nothing
 const [, , , start] = process.argv, words = (text) => [text.length, ...Buffer.from(text)];
 if (start === 'wind: 9') console.error('there is no control wind'), process.exit(1);
 if (start !== undefined) console.log([...words('a ball'), 0, 0, 10, 5, 1, ...words('a'), 0, 0, 9, 1, 0, 0, 0, 0].join(' ') + '\\n0.5 -1 ' + (start.split(': ')[1] ?? 0));
-else for (const line of require('fs').readFileSync(0, 'utf8').trim().split('\\n')) console.log([1, 4, 0, 0, 1, 1, 1, 1, ...words(line.split(' ')[8]), 0].join(' '));
+else for (const line of require('fs').readFileSync(0, 'utf8').trim().split('\\n')) console.log([0, 0, 0, 0, 10, 5, 1, 4, 0, 0, 1, 1, 1, 1, ...words(line.split(' ')[8]), 0, 0].join(' '));
 `, { mode: 0o755 });
   const program = fileURLToPath(new URL('../../tools/play/stills.cjs', import.meta.url));
   const run = (...more) => execFileSync(process.execPath, [program, ...more], { encoding: 'utf8' }).split('\n').map((line) => line.slice(line.lastIndexOf('/') + 1)).filter(Boolean);

@@ -11,9 +11,9 @@ const folder = path.join(root, 'tests/play', seven);
 export const wrongFiles = fs.readdirSync(folder).map((name) => name.replace('.cpp', ''));
 export const said = (name) => /^\/\/ the page says: ?(.*)/.exec(fs.readFileSync(path.join(folder, `${name}.cpp`), 'utf8'))[1];
 
-// A demo on this page, and what one does with it.
-export async function demoOn(page, name) {
-  const figure = page.locator(`.play[data-demo="${name}"][data-ready]`);
+// A demo on this page, the first one or at a certain place, and what one does with it.
+export async function demoOn(page, name, place = '') {
+  const figure = page.locator(`.play[data-demo="${name}"][data-ready]${place}`);
   await figure.waitFor();
   const canvas = figure.locator('canvas');
   await canvas.evaluate((it) => it.scrollIntoView({ block: 'center' }));
@@ -25,7 +25,11 @@ export async function demoOn(page, name) {
       await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     },
     button: (name) => figure.getByRole('button', { name, exact: true }),
-    choose: (words) => figure.locator('fieldset label', { hasText: words }).click(),
+    choose: async (words) => {
+      const games = figure.locator('details:not([open])', { hasText: words });
+      if (await games.count()) await games.locator('summary').click();
+      await figure.locator('fieldset label', { hasText: words }).click();
+    },
     slide: (name, value) => figure.locator('.controls > label', { hasText: name }).locator('input').fill(String(value)),
     // A finger comes down, moves and is lifted.
     stroke: async ([x, y], [to_x, to_y]) => {
@@ -53,6 +57,8 @@ export async function demoOn(page, name) {
     },
     // The first game that moves: some wait for a guess, to be dragged, or for a button of their own, Fire.
     begin: async () => {
+      const games = figure.locator('details:not([open]) summary');
+      if (await games.count()) await games.click();
       for (const game of [null, ...(await figure.locator('fieldset').first().locator('label').all())]) {
         await game?.click();
         await demo.act();

@@ -7,7 +7,12 @@ import { after, before, describe, test } from 'node:test';
 import { browser, open, site, wrong } from './browser.mjs';
 import { demoOn, openDemo, room, said, seven, wrongFiles } from './demo.mjs';
 
-const eleven = '11_particles', first = '01_motion';
+const eleven = '11_particles', first = '01_motion', nine = '09_forward_kinematics';
+const inChapter = async (t, name, start, options) => {
+  const { page, troubles } = await open(t, `chapter_${name}.html`, options);
+  t.after(() => assert.deepEqual(troubles, []));
+  return demoOn(page, name, start === '' ? ':not([data-start])' : `[data-start^="${start}"]`);
+};
 
 describe('a demo', { concurrency: 2 }, () => {
   test('starts by itself, pauses, steps, goes on and is reset', async (t) => {
@@ -133,6 +138,79 @@ describe('a demo', { concurrency: 2 }, () => {
       });
     }));
     assert.ok(times[45] < 40, `a frame takes ${times[45].toFixed(1)} ms at the median`);
+  });
+});
+
+describe('a ghost plays where nothing moves without a player', { concurrency: 2 }, () => {
+  const takes = {
+    'a click on an empty place': (demo) => demo.canvas.click({ position: { x: 12, y: 60 } }),
+    'a key': async (demo) => (await demo.canvas.focus(), demo.page.keyboard.press('h')),
+    'the focus': (demo) => demo.figure.locator('summary').focus(),
+  };
+  for (const [what, take] of Object.entries(takes))
+    test(`until there is ${what}`, async (t) => {
+      const demo = await inChapter(t, nine, '');
+      assert.ok(await demo.moves(2000), 'it moves by itself');
+      await take(demo);
+      await demo.wait(100);
+      assert.equal(await demo.moves(1000), false, 'it is the reader who plays now');
+    });
+
+  test('and a reader who grabs what the ghost moved goes on from there', async (t) => {
+    const demo = await inChapter(t, '08_nt_collisions', 'The game: pushed apart (8.5)');
+    await demo.wait(1500);
+    await demo.button('Step').click();
+    assert.equal(await demo.moves(500), false);
+  });
+
+  test('in the opening it wonders for the length of its film, and never shows the answer', async (t) => {
+    const demo = await inChapter(t, nine, '');
+    await demo.figure.evaluate((it) => new MutationObserver(() => it.querySelector('dl').childElementCount && (it.dataset.told = '')).observe(it.querySelector('dl'), { childList: true }));
+    await demo.wait(4500);
+    assert.ok(await demo.moves(2000));
+    assert.equal(await demo.figure.getAttribute('data-told'), null);
+    await demo.button('Show').click();
+    assert.ok((await demo.read('off by')) > 0);
+  });
+
+  test('in the cab it drives, by the sliders, which are back where the chapter wants them when the reader does', async (t) => {
+    const demo = await inChapter(t, nine, 'The game: in the cab (9.4)'), drive = demo.figure.getByRole('slider', { name: 'drive' });
+    await demo.page.waitForFunction((it) => Number(it.value) !== 0, await drive.elementHandle());
+    await demo.canvas.click({ position: { x: 12, y: 12 } });
+    assert.equal(Number(await drive.inputValue()), 0);
+    await demo.wait(100);
+    assert.equal(await demo.moves(500), false);
+  });
+
+  test('but not for readers who want less motion', async (t) => {
+    const demo = await inChapter(t, nine, '', { reducedMotion: 'reduce' });
+    assert.equal(await demo.moves(1000), false);
+    await demo.button('Play').click();
+    assert.equal(await demo.moves(1000), false, 'they are asked to play, not to watch');
+  });
+});
+
+describe('a place is for one game', { concurrency: 2 }, () => {
+  test('the others are behind More games, for a mouse and for keys', async (t) => {
+    const demo = await inChapter(t, nine, 'The game: a digger (9.2)'), choice = demo.figure.getByRole('radio', { name: 'tentacle (9.3)' });
+    assert.equal(await choice.isVisible(), false);
+    await demo.figure.locator('summary').focus();
+    await demo.page.keyboard.press('Enter');
+    await choice.focus();
+    await demo.page.keyboard.press('ArrowRight');
+    assert.ok(await demo.figure.getByRole('radio', { name: 'how the hand moves (9.5)' }).isChecked());
+    assert.equal(await demo.read('area'), 6);
+  });
+
+  test('its picture is high enough on a phone, and the numbers stand directly below', async (t) => {
+    const { page } = await open(t, `chapter_${nine}.html`, { width: 390, reducedMotion: 'reduce' });
+    await page.waitForFunction(() => [...document.querySelectorAll('.play')].every(({ dataset }) => 'ready' in dataset));
+    const seen = await page.locator('.play').evaluateAll((all) => all.map((it) => {
+      const picture = it.querySelector('canvas').getBoundingClientRect(), numbers = it.querySelector('dl').getBoundingClientRect();
+      return { high: picture.height, below: numbers.height ? numbers.top - picture.bottom : 0 };
+    }));
+    assert.equal(seen.length, 9);
+    for (const { high, below } of seen) assert.ok(high >= 220 && below >= 0 && below < 20, `${high} px high, numbers ${below} px below`);
   });
 });
 
@@ -367,7 +445,7 @@ describe('demos in their chapters', { concurrency: 2 }, () => {
         for (const setting of (await figure.getAttribute('data-start'))?.split(', ') ?? []) {
           const [title, chosen] = setting.split(': ');
           if (await figure.getByRole('slider', { name: title }).count()) assert.equal(await figure.getByRole('slider', { name: title }).inputValue(), chosen);
-          else assert.ok(await figure.getByRole('group', { name: title }).getByRole('radio', { name: chosen, exact: true }).isChecked(), setting);
+          else assert.ok(await figure.getByRole('group', { name: title, includeHidden: true }).getByRole('radio', { name: chosen, exact: true, includeHidden: true }).isChecked(), setting);
         }
       assert.ok((await figures.count()) > 1);
       for (const figure of await figures.all()) {

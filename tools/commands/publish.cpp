@@ -13,6 +13,7 @@
 #include "site/own_site.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iostream>
 #include <iterator>
 
@@ -31,7 +32,7 @@ equal, and each number within one unit of its sixth digit (half of it is the rou
 1e-12 of the largest in its column (a zero with its rounding errors). It also names a figure that is
 not published, and a published one that has lost its script. The SVGs are not compared: another
 gnuplot draws the same figure in other bytes. A kept demo must be, byte for byte, what its sources
-give; its picture may differ by a tenth of a pixel.
+give, and no more than 64,000 bytes; its picture may differ by a tenth of a pixel.
 
 --release checks the same, and then makes three archives in build/default/release: the sources, the site, and
 the stills of the demos. Their names have the version that ./course --version shows.
@@ -64,6 +65,17 @@ std::vector<Section> changed_demos(const Tree &tree, const std::vector<Section> 
             changed.push_back(section);
     }
     return changed;
+}
+
+/// What a page loads for a demo, at most: its program, packed [bytes].
+constexpr std::uintmax_t heaviest_demo = 64000;
+
+/// "" if the kept demo isn't too heavy.
+std::string too_heavy(const Tree &tree, const Section &section) {
+    const fs::path kept = tree.root / demo_file(section);
+    if (!fs::exists(kept) || fs::file_size(kept) <= heaviest_demo) return "";
+    return demo_file(section) + " has " + std::to_string(fs::file_size(kept))
+           + " bytes, and a page waits for each: " + std::to_string(heaviest_demo) + " at most.";
 }
 
 /// Keeps the still pictures of the section's demo; a line for each that was not what the demo shows today.
@@ -101,6 +113,8 @@ void check_all(const Tree &tree, const std::vector<Section> &sections) {
     for (const Section &section : sections) std::ranges::copy(outdated(tree, section), std::back_inserter(found));
     for (const Section &section : changed_demos(tree, sections))
         found.push_back(demo_file(section) + " is not what its sources give today.");
+    for (const Section &section : sections)
+        if (std::string heavy = too_heavy(tree, section); !heavy.empty()) found.push_back(std::move(heavy));
     for (const Section &section : sections)
         std::ranges::copy(draw_demo(tree, section, "--check"), std::back_inserter(found));
     for (const std::string &text : found) std::cout << text << '\n';

@@ -7,9 +7,8 @@
 //   stills.cjs --check PROGRAM NAME START...  only says what would
 'use strict';
 const { execFileSync } = require('node:child_process'), fs = require('node:fs'), path = require('node:path');
-require('../../docs/draw.js');
-const { reader, aboutOf, frameOf, viewOf, draw } = globalThis.demoPicture;
-const hands = require('./hands.cjs');
+require('../../docs/draw.js'), require('../../docs/hands.js');
+const { reader, aboutOf, frameOf, viewOf, draw, finger } = globalThis.demoPicture, hands = globalThis.demoHands;
 const root = path.join(__dirname, '../..'), width = 640; // [px]
 const most = 60 * 1024; // what a picture may weigh [bytes]
 
@@ -22,16 +21,58 @@ const colours = {};
 for (const [, first, light, dark, last] of fs.readFileSync(path.join(root, 'plots/style.gp'), 'utf8').matchAll(/^(\w+) .*"(#\w{6})".*# dark: (#\w{6}) +(\w+)/gm))
   colours[first === 'set' ? last : first.toLowerCase()] = { light, dark };
 colours.line = { ...colours.dim, strength: 0.35 };
+const darkColours = Object.fromEntries(Object.entries(colours).map(([name, { dark, strength }]) => [name, { light: dark, dark, strength }]));
+const palettes = { page: colours, dark: darkColours, of: ([light, dark]) => ({ light, dark }) };
 
 // Upwards where it's half of one: a sine's last bit, which differs between machines, changes nothing then.
 const rounded = (x) => Math.round(10 * x + 1e-4); // [0.1 px]
 const digits = (tenths) => String(tenths / 10);
 const escaped = (text) => text.replace(/[&<>]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[sign]);
 
+// Gradients, and the pictures that are stamped: markers, so that many balls are one short path. Each is kept once a film.
+class Sheet {
+  made = new Map();
+  styles = '';
+  keep(letter, kind, inside) {
+    const key = kind + inside;
+    if (!this.made.has(key)) this.made.set(key, { id: `${letter}${this.made.size}`, kind, inside });
+    return this.made.get(key).id;
+  }
+  shade({ from, to, radius, stops }, of) {
+    const [[x1, y1], [x2, y2]] = [from, to], kind = radius ? `radialGradient fx="${x1}" fy="${y1}" cx="${x2}" cy="${y2}" r="${radius}"` : `linearGradient x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}"`;
+    return this.keep('g', kind, stops.map(([where, pair, much = 1]) => `<stop offset="${where}" ${this.stop(of(pair), much)}/>`).join(''));
+  }
+  stop({ light, dark }, much) {
+    const faint = much < 1 ? ` stop-opacity="${Number(much.toFixed(2))}"` : '';
+    if (light === dark) return `stop-color="${light}"${faint}`;
+    const name = `s${light.slice(1)}${dark.slice(1)}`, style = `.${name}{stop-color:${light}}`;
+    if (!this.styles.includes(style)) this.styles += `${style}@media (prefers-color-scheme: dark) { .${name}{stop-color:${dark}} }\n`;
+    return `class="${name}"${faint}`;
+  }
+  stamp(circles, radius, of) {
+    const circle = ({ away, radius: r, shade }) => `<circle ${['cx', 'cy'].map((name, k) => (away[k] ? `${name}="${digits(rounded(away[k] * radius))}" ` : '')).join('')}r="${digits(rounded(r * radius))}" fill="url(#${this.shade(shade, of)})"/>`;
+    return this.keep('m', 'marker overflow="visible" markerUnits="userSpaceOnUse"', circles.map(circle).join(''));
+  }
+  defsWith(shared) {
+    const one = ({ id, kind, inside }) => `<${kind.replace(' ', ` id="${id}" `)}>${inside}</${kind.split(' ')[0]}>\n`;
+    const all = [...this.made.values()].map(one).join('') + [...shared].map(([path, id]) => `<path id="${id}" d="${path}"/>\n`).join('');
+    return all && `<defs>\n${all}</defs>\n`;
+  }
+}
+
 // As much of a canvas's pen as docs/draw.js uses. What it draws becomes parts, each with its look: a dot, a line, a text;
 // one part for each dot, and for each piece of a long line, which may stay where it is while the line gets longer.
 class Pen {
   parts = [];
+  shift = [0, 0]; // a look's own, so that strokes upon each other share their path
+  constructor(sheet) { this.sheet = sheet; }
+  translate(x, y) { this.shift = this.shift.map((z, k) => z + [x, y][k]); }
+  tint(pair) { return this.of(pair); }
+  shade(shade) { return { url: `url(#${this.sheet.shade(shade, this.of)})` }; }
+  stamp(at, radius, circles) {
+    const id = this.sheet.stamp(circles, radius, this.of), faint = this.globalAlpha < 1 ? `;opacity:${Number(this.globalAlpha.toFixed(2))}` : '';
+    for (const point of at) this.part(JSON.stringify([`fill:none;marker-start:url(#${id});marker-mid:url(#${id})${faint}`, '']), [point], { stamped: true });
+  }
   setLineDash(dash) { this.dash = dash; }
   beginPath() { this.lines = [], this.radius = 0; }
   moveTo(x, y) { this.lines.push([[x, y]]); }
@@ -45,29 +86,44 @@ class Pen {
       if (line.length < 9 || dashes || pale) this.part(look, line);
       else line.slice(1).forEach((point, i) => this.part(look, [line[i], point]));
   }
+  // In pieces which may stay where they are while it gets longer, but not in as many as there are points.
+  strokeWhole() {
+    const look = this.look('stroke', `;fill:none;stroke-width:${digits(rounded(this.lineWidth))}`);
+    for (const line of this.lines) for (let i = 0; i === 0 || i < line.length - 1; i += 16) this.part(look, line.slice(i, i + 17));
+  }
   fill() {
     if (this.radius > 0) this.stroke(2 * this.radius); // a whole disc: a line without a length, whose round ends it is
     else for (const line of this.lines) this.part(this.look('fill'), line, { closed: 'z' });
   }
-  fillText(text, x, y) { this.part(this.look('fill'), [[x, y]], { text: escaped(text) }); }
-  look(paint, more = '') {
-    const { light, dark, strength = 1 } = this.fillStyle, opacity = strength * this.globalAlpha;
-    return JSON.stringify([`${paint}:${light}${more}${opacity < 1 ? `;${paint}-opacity:${Number(opacity.toFixed(2))}` : ''}`, `${paint}:${dark}`]);
+  fillAndStroke() {
+    const [light, dark] = ['light', 'dark'].map((theme) => `stroke:${this.strokeStyle[theme]}`), [own] = JSON.parse(this.look('fill'));
+    for (const line of this.lines) this.part(JSON.stringify([`${own};${light};stroke-width:${digits(rounded(this.lineWidth))}`, dark]), line, { closed: 'z' });
   }
-  part(look, line, { text = '', closed = '', dots = false } = {}) {
+  strokeText() { this.outlined = true; } // the words that come next
+  fillText(text, x, y) {
+    const [own, dark] = JSON.parse(this.look('fill')), outline = (theme) => (this.outlined ? `;stroke:${this.strokeStyle[theme]}` : '');
+    this.part(JSON.stringify([`${own}${outline('light')}${this.outlined ? `;stroke-width:${this.lineWidth};paint-order:stroke` : ''}`, `${dark}${outline('dark')}`]), [[x, y]], { text: escaped(text) });
+    this.outlined = false;
+  }
+  look(paint, more = '') {
+    const { url, light = url, dark = url, strength = 1 } = this.fillStyle, opacity = strength * this.globalAlpha;
+    const [x, y] = this.shift.map((z) => digits(rounded(z))), moved = `${x}${y}` === '00' ? '' : `;transform:translate(${x}px,${y}px)`;
+    return JSON.stringify([`${paint}:${light}${more}${opacity < 1 ? `;${paint}-opacity:${Number(opacity.toFixed(2))}` : ''}${moved}`, `${paint}:${dark}`]);
+  }
+  part(look, line, { text = '', closed = '', dots = false, stamped = false } = {}) {
     const at = line.map((point) => point.map((x) => rounded(x)));
-    this.parts.push({ look, at, text, closed, dots, key: `${look}${at}${text}` });
+    this.parts.push({ look, at, text, closed, dots, stamped, key: `${look}${at}${text}` });
   }
 }
 
 // All parts of all frames, what is behind first. A part that is in one frame and in the next is the same one: `from` the
 // first of its frames, so many `frames` long.
-function partsOf(about, pictures, unit) {
-  const view = viewOf(about, width), first = {};
+function partsOf(pictures, unit, sheet) {
+  const first = {};
   let before = [];
-  pictures.forEach((shapes, frame) => {
-    const pen = new Pen, places = new Map(), now = [];
-    draw(pen, shapes, view, colours);
+  pictures.forEach((picture, frame) => {
+    const pen = new Pen(sheet), places = new Map(), now = [];
+    draw(pen, picture, viewOf(picture, width), palettes);
     before.forEach(({ key }, place) => places.has(key) ? places.get(key).push(place) : places.set(key, [place]));
     let place = -1, last = first;
     for (const part of pen.parts) {
@@ -90,13 +146,15 @@ function partsOf(about, pictures, unit) {
 function pathOf(together) {
   const parts = together.flatMap((part) => (part.dots ? part.at.map((point) => ({ at: [point], closed: '' })) : [part]));
   const away = ({ at: [[x, y]] }, { at: [[u, v]] }) => Math.abs(x - u) + Math.abs(y - v);
-  for (let i = 1; i < parts.length && parts[0].at.length === 1; i++) { // dots: the nearest one comes next, for short numbers
+  const { stamped } = parts[0], dots = parts[0].at.length === 1 && (!stamped || parts.length > 64); // a few balls keep their order
+  for (let i = 1; i < parts.length && dots; i++) { // the nearest one comes next, for short numbers
     let next = i;
     for (let k = i; k < parts.length; k++) if (away(parts[k], parts[i - 1]) < away(parts[next], parts[i - 1])) next = k;
     [parts[i], parts[next]] = [parts[next], parts[i]];
   }
   const lines = [];
-  for (const { at: [start, ...rest], closed } of parts) {
+  if (stamped) lines.push({ points: [...parts.map(({ at: [point] }) => point), parts.at(-1).at[0]], closed: '' }); // no stamp at the end
+  else for (const { at: [start, ...rest], closed } of parts) {
     if (`${start}` !== `${lines.at(-1)?.points.at(-1)}`) lines.push({ points: [start], closed });
     const { points } = lines.at(-1);
     for (const point of rest) {
@@ -131,9 +189,20 @@ function elementsOf(parts) {
   return elements;
 }
 
+// Paths that lie upon each other in several strokes, as those of bars do, and are in it once: by their name.
+function sharedBy(elements) {
+  const uses = new Map(), shared = new Map(), moved = new Set;
+  for (const { path, look } of elements) {
+    uses.set(path, (uses.get(path) ?? 0) + 1);
+    if (look.includes('transform')) moved.add(path);
+  }
+  for (const [path, count] of uses) if (moved.has(path) && (count - 1) * path.length > 8 * count + 20) shared.set(path, `p${shared.size}`);
+  return shared;
+}
+
 // `still` is the number of the picture which the film begins with. A frame lasts so many steps of 1/64 s.
 function filmOf(about, pictures, still = 0, [, steps, unit] = [1, 1, 1]) {
-  const height = viewOf(about, width).height.toFixed(0), count = pictures.length, seconds = (frames) => `${(frames * steps) / 64}s`;
+  const height = viewOf(pictures[still], width).height.toFixed(0), sheet = new Sheet, count = pictures.length, seconds = (frames) => `${(frames * steps) / 64}s`;
   const looks = new Map(), lasts = new Set(), begins = new Set();
   const named = (look) => looks.get(look) ?? looks.set(look, `c${looks.size}`).get(look);
   let drawn = '', group = '';
@@ -143,10 +212,13 @@ function filmOf(about, pictures, still = 0, [, steps, unit] = [1, 1, 1]) {
     lasts.add(frames), begins.add(begin);
     return `f${frames} b${begin}${begin === 0 || begin + frames > count ? '' : ' h'}`;
   };
-  for (const element of elementsOf(partsOf(about, pictures, unit))) {
-    const { text, at: [[x, y]] } = element.parts[0], time = timed(element);
+  const elements = elementsOf(partsOf(pictures, unit, sheet));
+  for (const element of elements) element.path = element.parts[0].text ? '' : pathOf(element.parts);
+  const shared = sharedBy(elements);
+  for (const element of elements) {
+    const { path, look } = element, { text, at: [[x, y]] } = element.parts[0], time = timed(element);
     if (time !== group) drawn += (group && '</g>\n') + (time && `<g class="${time}">`), group = time;
-    drawn += text ? `<text class="${named(element.look)}" x="${digits(x)}" y="${digits(y)}">${text}</text>` : `<path class="${named(element.look)}" d="${pathOf(element.parts)}"/>`;
+    drawn += text ? `<text class="${named(look)}" x="${digits(x)}" y="${digits(y)}">${text}</text>` : shared.has(path) ? `<use class="${named(look)}" href="#${shared.get(path)}"/>` : `<path class="${named(look)}" d="${path}"/>`;
     if (!group) drawn += '\n';
   }
   const sorted = (numbers) => [...numbers].sort((one, other) => one - other), style = [...looks].map(([look, name]) => [name, ...JSON.parse(look)]);
@@ -161,8 +233,8 @@ ${sorted(lasts).map((frames) => `@keyframes f${frames} { 0% { visibility: visibl
 svg { color-scheme: light dark }
 ${style.map(([name, light]) => `.${name}{${light}}\n`).join('')}@media (prefers-color-scheme: dark) {
 ${style.map(([name, , dark]) => `.${name}{${dark}}\n`).join('')}}
-${film}</style>
-${drawn}${group && '</g>\n'}</svg>
+${film}${sheet.styles}</style>
+${sheet.defsWith(shared)}${drawn}${group && '</g>\n'}</svg>
 `;
 }
 
@@ -177,11 +249,12 @@ function showTheSame(one, other) {
 function play(program, start) {
   const run = (words, input) => execFileSync(program, words, { input, timeout: 60000, encoding: 'utf8', stdio: 'pipe', maxBuffer: 1 << 30 }).trim().split('\n').map((row) => row.split(' ').map(Number));
   const [described, [time, key, ...values]] = run(['--picture', start], ''), about = aboutOf(reader(described));
-  const hand = hands[path.basename(program)]?.[start], taken = Math.ceil(64 * time), finger = 10 / viewOf(about, width).scale;
+  const helps = hands[path.basename(program)]?.[start], hand = helps?.onPageOnly ? undefined : helps, taken = Math.ceil(64 * time);
   const doings = Array.from({ length: taken + 256 }, (_, i) => (hand && i >= taken ? hand((i - taken) / 64) : {}));
   const lines = doings.map(({ at, handle = -1, press, ...chosen }, i) => [1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle,
     i === 0 ? key : about.keys.findIndex((each) => each.key === press), ...about.controls.map(({ name }, k) => chosen[name] ?? values[k])].join(' '));
-  const shown = run([], `${lines.join('\n')}\n`).map((row, i) => [...frameOf(reader(row)).shapes, ...(doings[i].at ? [{ kind: 'discs', colour: 'ink', size: finger, strength: 0.3, points: [doings[i].at] }] : [])]);
+  const shown = run([], `${lines.join('\n')}\n`).map((row) => frameOf(reader(row)));
+  shown.forEach((picture, i) => doings[i].at && picture.shapes.push(finger(doings[i].at, viewOf(picture, width))));
   let picture;
   for (const film of films) {
     const [count, each] = film, before = hand ? 0 : Math.min(Math.floor((taken - 1) / each), count - 1);
@@ -207,7 +280,7 @@ function stills(check, program, name, ...starts) {
   }
 }
 
-module.exports = { showTheSame, filmOf };
+module.exports = { showTheSame, filmOf, colours };
 if (require.main === module)
   try {
     stills(...process.argv.slice(2));

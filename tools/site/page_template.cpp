@@ -137,7 +137,9 @@ class Surroundings {
             if (contains(body, "data-demo=\"" + section.name + '"'))
                 scripts += "<script src=\"" + demo_file(section) + "\"></script>\n";
         return scripts.empty() ? ""
-                               : scripts + "<script src=\"draw.js\"></script>\n<script src=\"play.js\"></script>\n";
+                               : scripts
+                                     + "<script src=\"draw.js\"></script>\n<script src=\"hands.js\"></script>\n"
+                                       "<script src=\"play.js\"></script>\n";
     }
 
     std::string sidebar(const SitePage &page) const {

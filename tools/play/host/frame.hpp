@@ -42,11 +42,14 @@ inline void frame() {
     now = play::next(std::move(now), in);
     in.pressed = in.one_step = false, in.key = {};
     const demo::Picture seen = play::draw(now, in);
+    const bool has_bounds = (seen.high - seen.low).norm() > 0;
     row.clear();
+    put(double(seen.stage)), put(seen.ground);
+    put(has_bounds ? seen.low : play::about.low), put(has_bounds ? seen.high : play::about.high);
     put_all(seen.shapes, [](const demo::Shape &shape) {
         put(double(shape.kind)), put(double(shape.colour)), put(shape.size), put(shape.strength);
         put_all(shape.points, [](const demo::Vec2 &point) { put(point); });
-        put(shape.text);
+        put(shape.text), put(double(shape.material));
     });
     put_all(seen.readouts, [](const demo::Readout &readout) {
         put(readout.name), put(readout.unit), put(readout.value), put(double(readout.decimals));

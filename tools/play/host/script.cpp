@@ -35,12 +35,23 @@ void begin_with(std::string_view settings) {
     }
 }
 
+/// Whether something counts with the controls as they are: as docs/play.js has it.
+bool counts(const std::vector<std::string_view> &only_with) {
+    const auto &controls = host::in.controls;
+    return only_with.empty() || std::any_of(controls.begin(), controls.end(), [&](const demo::Control &c) {
+               return !c.options.empty()
+                      && std::find(only_with.begin(), only_with.end(), c.options[std::size_t(c.value)])
+                             != only_with.end();
+           });
+}
+
 /// What there is, then the moment of its picture, the key that is pressed at the start, and the controls as they are.
 void tell() {
     print_row();
     const auto &keys = play::about.keys;
     const auto key = std::find_if(keys.begin(), keys.end(), [](const auto &k) { return k.key == play::still.key; });
-    host::row = {play::still.time, key == keys.end() ? -1 : double(key - keys.begin())};
+    const bool pressed = key != keys.end() && counts(play::still.only_with);
+    host::row = {play::still.time, pressed ? double(key - keys.begin()) : -1};
     for (const demo::Control &control : host::in.controls) host::row.push_back(control.value);
     print_row();
 }

@@ -1,5 +1,7 @@
-// What a player does where nothing moves without one, so that the pictures of these places move, too. For each time since the
-// moment of the still picture [s]: `handle`, which is held, and `at`, the point where [m]; `press`, a key; controls by name.
+// What a player does where nothing moves without one: a ghost on the page, until the reader takes over (docs/play.js), and in
+// the pictures of these places (tools/play/stills.cjs). For each time since it started [s]: `handle`, which is held, and
+// `at`, the point where [m]; `press`, a key; controls by name. By section, and by how a place starts its demo.
+(function () {
 'use strict';
 
 // From one time to another along straight lines, through these points
@@ -10,11 +12,13 @@ const drag = (handle, from, to, ...way) => (t) => {
 };
 // Once, or so many times a second, a power of two, up to another time
 const press = (key, from, to = from + 1 / 64, each = 1) => (t) => (t >= from && t < to && (each * (t - from)) % 1 === 0 ? { press: key } : {});
+// Where a picture moves by its demo's own key, and the page waits for a reader to press it
+const onPageOnly = (hand) => Object.assign(hand, { onPageOnly: true });
 const all = (...hands) => (t) => Object.assign({}, ...hands.map((hand) => hand(t)));
 const swing = (t) => Math.sin(2 * Math.PI * t / 3.90625); // once in a film
 const circle = Array.from({ length: 65 }, (_, i) => [2 * Math.cos(0.6435 + i * Math.PI / 32), 2 * Math.sin(0.6435 + i * Math.PI / 32)]);
 
-module.exports = {
+globalThis.demoHands = {
   '01_motion': {
     'In the sky: a plate (1.6)': drag(1, 0, 3.9, [570, 25], [600, 110], [500, 40], [570, 25]),
     'In the sky: three sightings (1.7)': drag(1, 0, 3.9, [220, 91], [250, 150], [220, 40], [220, 91]),
@@ -30,16 +34,19 @@ module.exports = {
     'The game: left or right (7.6)': drag(3, 0, 3.9, [8.2, 5.3], [5, 6.5], [7.5, 2.5], [8.2, 5.3]),
   },
   '08_nt_collisions': {
+    '': all(drag(0, 0, 1.9, [1.2, -0.6], [-0.2, 1.3], [1.2, -0.6]), drag(1, 2, 3.9, [2, 0], [1, -1.7], [2, 0])), // it only wonders, too
+    'The game: break shot (8.3), restitution: 0.9': onPageOnly(all(drag(0, 0, 1.2, [-2, 0.2], [-2.3, 1.1], [-2, 0.2]), press('f', 1.5))),
     'The game: contact that turns (8.1)': drag(0, 0, 3.9, ...circle),
-    'The game: pushed apart (8.5)': drag(0, 0, 3.9, [-6, 0], [1, 1.5], [5, -1.5]),
+    'The game: pushed apart (8.5)': drag(0, 0, 3.9, [-6, 0], [0, 3], [6, 0], [0, -3], [-6, 0]),
   },
   '09_forward_kinematics': {
-    '': all(drag(0, 0, 1.8, [4, 2], [2.4, 3.8]), press('f', 2.25)),
-    'The game: a digger (9.2)': (t) => ({ place: -3 + swing(t), boom: 50 - 15 * swing(t), stick: -70 - 30 * swing(t), bucket: -30 + 50 * swing(t) }),
-    'The game: in the cab (9.4)': all((t) => ({ drive: t < 1.15625 ? 0.865 : t < 3 ? -0.9 : 0, 'lift the boom': t < 1.15625 ? -0.5 : t < 2 ? 0.8 : 0 }), press('c', 1.15625), press('c', 3.25)),
+    '': drag(0, 0, 3.9, [4, 2], [0.9, 3.3], [4.9, 0.5], [4, 2]), // it only wonders: the answer is the reader's
+    'The game: a digger (9.2)': (t) => ({ place: -3 + 1.5 * swing(t), boom: 50 - 25 * swing(t), stick: -70 - 40 * swing(t), bucket: -30 + 50 * swing(t) }),
+    'The game: in the cab (9.4)': all((t) => ({ drive: t < 1.15625 ? 0.865 : t < 3 ? -0.9 : 0, 'lift the boom': t < 1.15625 ? -0.5 : t < 2.8 ? 0.8 : 0 }), press('c', 1.15625), press('c', 3.25)),
     'The game: how the hand moves (9.5)': drag(1, 0, 3.9, [-0.29, 1.04], [3, 1.6], [3.5, -1], [3, 1.6], [-0.29, 1.04]),
     'The game: pick up (9.6)': all(drag(0, 0, 0.5, [-1.38, -0.33], [0, 1]), drag(1, 0.5, 1, [1.3, 0.8], [2.5, 0.5]), drag(2, 1, 1.5, [2.5, 1.3], [2.5, 0.5]),
-      press('t', 1.75), drag(0, 2, 3.75, [-0.4, -0.4], [-3, -0.5], [0, 1])),
-    'The game: above the ground (9.7)': drag(1, 0, 3.9, [1, 1.82], [2.4, -3.5], [0.5, -5], [2.4, -3.5], [1, 1.82]),
+      press('t', 1.75), drag(0, 2, 3.75, [-0.4, -0.4], [-3.2, -1.5], [0, 1])),
+    'The game: above the ground (9.7)': all(drag(0, 0, 2.4, [-0.38, 4.17], [2.2, 2], [-2, 2.6], [-0.38, 4.17]), drag(2, 2.5, 3.9, [2.1, 5.5], [2.6, 2.5], [2.1, 5.5])),
   },
 };
+})();
