@@ -5,15 +5,15 @@ import path from 'node:path';
 import { describe, test } from 'node:test';
 import { build, copyOf, open, wrong } from './browser.mjs';
 
-const seven = '07_segment_intersection', chapter = `chapter_${seven}.html`;
+const seven = '07_segment_intersection', chapter = `chapter_${seven}.html`, front = '08_nt_collisions';
 const code = path.join(wrong, 'flies_through.js');
 const copy = copyOf(path.join(build, 'mine/site'));
 
-// The first demo of a page, when the reader's code is this.
-async function openOwn(t, name, script, options = {}) {
+// A page's first demo of section 7, or of the front page, when the reader's code of section 7 is this.
+async function openOwn(t, name, script, { place = '', ...options } = {}) {
   fs.writeFileSync(path.join(copy, `demos/${seven}_mine.js`), script);
   const { page, troubles } = await open(t, name, { folder: copy, ...options });
-  const figure = page.locator(`.play[data-demo="${seven}"][data-ready]`).first();
+  const figure = page.locator(`.play[data-demo="${name === 'index.html' ? front : seven}"]${place}[data-ready]`).first();
   await figure.waitFor();
   return { page, troubles, figure, yours: figure.getByRole('button', { name: 'Yours', exact: true }) };
 }
@@ -34,7 +34,8 @@ describe("a reader's own copy", { concurrency: 1 }, () => {
 
   test('begins with their code, and takes up what is compiled anew', { skip: !fs.existsSync(code) && 'there is no compiler for pages here' }, async (t) => {
     const own = `${fs.readFileSync(code, 'utf8')}\nself.playable['${seven}/trouble'] = '';\n`;
-    const { troubles, figure, yours } = await openOwn(t, 'index.html', own);
+    const { troubles, figure, yours } = await openOwn(t, chapter, own, { place: '[data-exercise="7.4"]' });
+    await figure.scrollIntoViewIfNeeded();
     assert.equal(await yours.getAttribute('aria-pressed'), 'true');
     await figure.locator('.answers', { hasText: 'Yours: 7.4.' }).waitFor();
     fs.writeFileSync(path.join(copy, `demos/${seven}_mine.js`), `self.playable['${seven}/trouble'] = 'a wall is missing';\n`);
