@@ -311,7 +311,7 @@ TEST_CASE("gets to its outermost circle, where a rounded cosine may be more than
 
 //> On the inner border
 TEST_CASE("gets to the circle around its hole, where a rounded cosine may be less than -1", "[10.2]") {
-    check_border({0.1, 0.3}, 0.2 * at_angle(degrees(120)), pi);
+    check_border({0.1, 0.3}, (0.3 - 0.1) * at_angle(degrees(120)), pi);
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
         Arm any = arm(dice);
@@ -384,7 +384,7 @@ TEST_CASE("erratum E10.2: not every place has two poses: (10, 0) and (1, 0) have
 }
 
 //>
-TEST_CASE("counts what's up to 1e-12 of the arm beyond its reach as reached, and nothing farther", "[10.2]") {
+TEST_CASE("counts a target up to 1e-12 of the arm beyond its reach as reached, but none farther", "[10.2]") {
     for (const double angle : {0.0, 1.0, -2.0}) {
         const Vec2 way = at_angle(angle);
         check_border({3, 2}, (5 + 2e-12) * way, 0);
@@ -547,7 +547,7 @@ TEST_CASE("takes targets that are very far away, or very near the first joint", 
     CHECK_THAT(nearest_reachable({3e-9, 2e-9}, {6, 8}), IsNear(Vec2{3e-9, 4e-9}, 1e-15));
 }
 
-TEST_CASE("rejects, when it looks for the nearest place, bad lengths and numbers beyond ±1e5", "[10.3]") {
+TEST_CASE("rejects bad lengths and numbers beyond ±1e5 when it looks for the nearest place", "[10.3]") {
     for (const double bad : {0.0, -1e-9, -3.0}) {
         CHECK_REFUSED(nearest_reachable({bad, 2}, {1, 1}), "the first length isn't positive");
         CHECK_REFUSED(nearest_reachable({3, bad}, {1, 1}), "the second length isn't positive");
@@ -593,7 +593,7 @@ TEST_CASE("moves the hand 2 m in half a second, straight towards the pointer", "
 }
 
 //> At the pointer
-TEST_CASE("stops at the pointer when that's nearer than a frame's way", "[10.4]") {
+TEST_CASE("stops at the pointer when that's less than a frame away", "[10.4]") {
     check_hand(next_frame(orchard({3, 2}), {3, 2.1}, 0.5), {3, 2.1});
     check_hand(next_frame(orchard({3, 2}), {3, 2}, 0.5), {3, 2});
     check_hand(next_frame(orchard({-2, 2}), {-2.5, 2}, 1), {-2.5, 2});
@@ -671,7 +671,7 @@ TEST_CASE("catches and misses several apples in one frame, and keeps the others 
 }
 
 //> Anywhere
-TEST_CASE("moves the hand at most 4 m/s, and never away from the pointer, where nothing is in the way", "[10.4]") {
+TEST_CASE("moves the hand at 4 m/s at most, and never away from the pointer, where nothing is in the way", "[10.4]") {
     Dice dice;
     for (int i = 0; i < course::cases(500); ++i) {
         const Vec2 hand{dice.real(1.5, 3), dice.real(-3, 3)}, pointer{dice.real(1.5, 9), dice.real(-9, 9)};
@@ -684,7 +684,7 @@ TEST_CASE("moves the hand at most 4 m/s, and never away from the pointer, where 
 }
 
 //> A game
-TEST_CASE("plays: an apple from 2 m above a hand that waits is caught in frame 35, another missed in 63", "[10.4]") {
+TEST_CASE("catches an apple from 2 m above a waiting hand in frame 35, and misses another in 63", "[10.4]") {
     // after n frames of 1/60 s an apple has fallen 10 · n (n + 1) / 2 / 3600 m: 1.653 m after 34, 1.75 m after 35; so the
     // first one is 0.25 m above the hand then. The other one has 5.5 m to go: 5.425 m after 62 frames, 5.6 m after 63
     Orchard now = orchard({3, 0}, {{{3, 2}, 0}, {{-4, 2.5}, 0}});
@@ -745,7 +745,7 @@ std::vector<Vec2> circle(const Vec2 &centre, double radius, double from, double 
 } // namespace
 
 //> Worked example: either elbow
-TEST_CASE("takes the opening's 0° and 90° from 10° and 80°, and 67.38° and -90° from 60° and -80°", "[10.5]") {
+TEST_CASE("takes the first 0° and 90° from 10° and 80°, and 67.38° and -90° from 60° and -80°", "[10.5]") {
     const double up = 2 * std::asin(2 / std::sqrt(13)); // the other pose's first angle, as in 10.2
     CHECK_THAT(continued({3, 2}, {degrees(10), degrees(80)}, {3, 2}), IsNear(Pose{0, degrees(90)}, digits));
     CHECK_THAT(continued({3, 2}, {degrees(60), degrees(-80)}, {3, 2}), IsNear(Pose{up, degrees(-90)}, digits));
@@ -859,7 +859,7 @@ TEST_CASE("comes back to the pose it started in when its hand is led around some
 }
 
 //>
-TEST_CASE("rejects, when it goes on from a pose, bad lengths and numbers beyond ±1e5", "[10.5]") {
+TEST_CASE("rejects bad lengths and numbers beyond ±1e5 when it goes on from a pose", "[10.5]") {
     for (const double bad : {0.0, -1e-9, -3.0}) {
         CHECK_REFUSED(continued({bad, 2}, {0, 1}, {1, 1}), "the first length isn't positive");
         CHECK_REFUSED(continued({3, bad}, {0, 1}, {1, 1}), "the second length isn't positive");
@@ -941,7 +941,7 @@ TEST_CASE("leaves a joint alone that has the hand or the target on it", "[10.6]"
 }
 
 //> By complex numbers
-TEST_CASE("agrees with a walk along the whole arm after each turn", "[10.6]") {
+TEST_CASE("agrees with joints worked out anew after each turn", "[10.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(500); ++i) {
         const Vec2 base = dice.point(-5, 5), target = dice.point(-5, 5);
@@ -1015,7 +1015,7 @@ TEST_CASE("gets a tentacle of twelve links within 1 mm of its target in twenty s
 }
 
 //>
-TEST_CASE("rejects, before a sweep, any negative length, or a number beyond ±1e5", "[10.6]") {
+TEST_CASE("rejects any negative length, or a number beyond ±1e5, before a sweep", "[10.6]") {
     for (const double bad : {-1e-9, -3.0}) {
         CHECK_REFUSED(ccd_sweep({0, 0}, {{bad, 1}, {5, 1}}, {1, 1}), "the first length is negative");
         CHECK_REFUSED(ccd_sweep({0, 0}, {{3, 1}, {bad, 1}}, {1, 1}), "the last length is negative");
@@ -1065,7 +1065,7 @@ TEST_CASE("turns a 1 m link by 0.5 rad towards a target 1 m above its hand, with
 }
 
 //> Worked example: two links
-TEST_CASE("turns the opening's arm by -1/27 and -10/27 rad for a target 1 m to the right of its hand", "[10.7]") {
+TEST_CASE("turns the 3 m and 2 m arm by -1/27 and -10/27 rad for a target 1 m to the right of its hand", "[10.7]") {
     // the columns are (-2, 3) and (-2, 0), so J J^T + 1 is (9, -6; -6, 10), and its inverse times (1, 0) is (10, 6) / 54
     CHECK_THAT(free_step({0, 9}, {{3, 0}, {2, degrees(90)}}, {4, 11}, 1),
                IsNear(std::vector<Link>{{3, -1.0 / 27}, {2, degrees(90) - 10.0 / 27}}, digits));
@@ -1148,7 +1148,7 @@ TEST_CASE("gets to a target within a few steps when there's little damping", "[1
     CHECK_THAT(distance_to({0, 9}, links, {2, 12}), IsAtMost(1e-6).of("distance from the target [m]"));
 }
 
-//> Limits
+//> Each joint's own limits
 TEST_CASE("stops each joint at its own limit", "[10.7]") {
     // without limits the step is -1/27 and -10/27, as in the worked example
     const std::vector<Link> links{{3, 0}, {2, degrees(90)}};

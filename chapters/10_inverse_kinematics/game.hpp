@@ -45,7 +45,7 @@ inline void next_frame(Orchard &orchard, unsigned &number, double &until_next, c
 }
 
 //> The frame loop: two motors
-/// One frame of the game: both motors turn towards their angles, at most 5 rad/s. They know nothing of whole turns.
+/// One frame of the game: both motors turn towards their angles, at 5 rad/s at most. They know nothing of whole turns.
 inline void next_frame(Pose &now, const Pose &goal, double dt) {
     now.first += std::clamp(goal.first - now.first, -5 * dt, 5 * dt);
     now.second += std::clamp(goal.second - now.second, -5 * dt, 5 * dt);
@@ -69,6 +69,7 @@ inline bool is_there(const Vec2 &base, const std::vector<Link> &links, const Vec
     return (forward_kinematics::joints(base, links).back() - target).norm() < 0.01;
 }
 
+//> A race
 /// One step of the race, for each arm that isn't there yet.
 inline void next_step(Race &race, const Vec2 &base, const std::vector<Limits> &limits, const Vec2 &target,
                       double damping) {
@@ -82,7 +83,7 @@ inline void next_step(Race &race, const Vec2 &base, const std::vector<Limits> &l
     }
 }
 
-//> The frame loop: a pen
+//> A pen
 /// The pose of an arm that draws, at a time [s]; it waits at the end.
 inline Pose pen_at(const std::vector<Pose> &poses, double time) {
     return poses[std::min(std::size_t(time * 30), poses.size() - 1)];

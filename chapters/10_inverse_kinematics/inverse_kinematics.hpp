@@ -62,7 +62,7 @@ constexpr double grass = -3;         ///< an apple this low, or lower, is missed
 
 //> Next frame
 /// The orchard one frame later. First the hand goes straight towards the pointer, or towards the nearest point it can reach,
-/// as far as `hand_speed` allows; where it can't be on its way, it's at the nearest point it can reach. Its elbow bends
+/// as far as `hand_speed` allows; where that leads into the hole, it's at the nearest point it can reach. Its elbow bends
 /// left. Then each apple falls: its speed grows by `gravity` times dt, then it moves with that. An apple within
 /// `catch_radius` of the hand is caught; else one at or below the grass is missed; the others stay, in their order.
 /// @param dt  [s], 0 to 1
@@ -71,7 +71,7 @@ Orchard next_frame(Orchard now, const Vec2 &pointer, double dt);
 
 //> Continued
 /// The pose that brings the hand to the target, or to the nearest point it can reach, and is nearest to `before`: either
-/// elbow, any whole turns; the sum of both angles' changes is the smallest. So a hand that's led along a path never jumps.
+/// elbow, any whole turns; the sum of both angles' changes is the smallest. So an arm that's led around its ring never jumps.
 /// @throws std::invalid_argument if a length is not positive, or a number is not within ±1e5.
 Pose continued(const Arm &arm, const Pose &before, const Vec2 &target);
 
@@ -89,7 +89,7 @@ struct Limits {
 };
 
 //> Damped step
-/// An arm after one step of damped least squares. The angles change by Δ = Jᵀ (J Jᵀ + damping² 1)⁻¹ (target - hand), where
+/// An arm after one step of damped least squares. The angles change by Δ = Jᵀ (J Jᵀ + damping² I)⁻¹ (target - hand), where
 /// the columns of J are 9.5's; then each angle is brought into its limits. While a joint or the hand would be more than
 /// 1e-9 m below the ground, y = 0, Δ is halved and tried again, at most ten times; then the arm stays as it is.
 /// @param limits   one for each link

@@ -1,6 +1,6 @@
 #include "../program.hpp"
 
-#include "inverse_kinematics.hpp"
+#include "game.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -77,6 +77,18 @@ void print_led(std::ostream &out) {
             out << row({{text(angle), 12},
                         {degrees(first.first) + ", " + degrees(first.second), 24},
                         {degrees(pose.first) + ", " + degrees(pose.second), 0}});
+    }
+}
+
+//> Two links, sweep by sweep
+void print_sweeps(std::ostream &out) {
+    const Vec2 target{0, 1};
+    std::vector<Link> links{{1, 0}, {1, 0}};
+    out << row({{"sweeps", 9}, {"hand [m]", 23}, {"off by [m]", 0}});
+    for (int sweeps = 0; sweeps <= 3; ++sweeps) {
+        const Vec2 hand = joints({0, 0}, links).back();
+        out << row({{text(double(sweeps)), 9}, {text(hand), 23}, {text((hand - target).norm()), 0}});
+        links = ccd_sweep({0, 0}, links, target);
     }
 }
 
@@ -264,6 +276,7 @@ int main(int argc, char **argv) {
                         {"nearest", print_nearest},
                         {"apples", print_apples},
                         {"led", print_led},
+                        {"sweeps", print_sweeps},
                         {"errors", print_errors},
                         {"stretched", print_stretched},
                         {"letter", print_letter},
