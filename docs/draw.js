@@ -60,7 +60,7 @@
     { away: [0, 0], radius: 2.6, shade: fading(paint, 0.5) },
     { away: [0, 0], radius: 1, shade: around([0.5, 0.5], [0.5, 0.5], 0.5, [0, white], [0.45, both(paint, '#ffffff', 0.6)], [1, paint]) },
   ]);
-  const body = kept((paint) => across([0, 0], [0.45, 1], [0, both(paint, '#ffffff', 0.38)], [0.45, paint], [1, both(paint, '#000000', 0.3)]));
+  const body = kept((paint) => across([0, 0], [0.15, 1], [0, both(paint, '#ffffff', 0.38)], [0.45, paint], [1, both(paint, '#000000', 0.3)]));
   // Strokes, one upon the other: how wide, how far to the upper left, in widths of the bar; which colour, how opaque.
   const bar = kept((paint) => [[1.15, -0.42, black, 0.22], [1.18, 0, both(paint, '#000000', 0.55)], [0.96, 0, paint], [0.3, 0.2, both(paint, '#ffffff', 0.6)]]);
   const beam = kept((paint) => [[3.6, 0, paint, 0.14], [2, 0, paint, 0.25], [1, 0, paint], [0.4, 0, both(paint, '#ffffff', 0.7)]]);

@@ -335,6 +335,12 @@ void draw_contact(demo::Picture &seen, const State &now) {
     say(seen, "speed", "m/s", now.velocity.norm());
 }
 
+/// Where words about a guess stand: at its tip, on the side that the other ball isn't on.
+Vec2 beside(const State &now, int i) {
+    const bool above = (i == 1) == (now.guessed_at.y() > 0);
+    return (i == 0 ? Vec2{-now.guessed_at} : Vec2{0, 0}) + now.guess[i] + Vec2{0.3, above ? 0.25 : -0.45};
+}
+
 /// How far off, and the last five guesses: around where each ball went, as holes around the middle of a target.
 void draw_misses(demo::Picture &seen, const State &now, int i, const Vec2 &at, Colour colour) {
     const Vec2 went = 2 * (i == 0 ? now.a : now.b).velocity.normalized();
@@ -344,7 +350,7 @@ void draw_misses(demo::Picture &seen, const State &now, int i, const Vec2 &at, C
             0.7);
     }
     const int off = int(std::round(angle_between(now.guess[i], went)));
-    add_words(seen, at + now.guess[i] + Vec2{0.3, i == 0 ? -0.4 : 0.1}, std::to_string(off) + "° off", colour);
+    add_words(seen, beside(now, i), std::to_string(off) + "° off", colour);
 }
 
 void draw_guesses(demo::Picture &seen, const State &now, const Colour colours[]) {
@@ -353,7 +359,7 @@ void draw_guesses(demo::Picture &seen, const State &now, const Colour colours[])
     for (int i : {0, 1}) {
         add_arrow(seen, colours[i], -2, at[i], now.guess[i]);
         if (now.met) draw_misses(seen, now, i, at[i], colours[i]);
-        else add_words(seen, at[i] + now.guess[i] + Vec2{0.3, i == 0 ? -0.4 : 0.1}, i == 0 ? "A?" : "B?", colours[i]);
+        else add_words(seen, beside(now, i), i == 0 ? "A?" : "B?", colours[i]);
         add(seen, Shape::handle, colours[i], 0, {at[i] + now.guess[i]});
     }
 }

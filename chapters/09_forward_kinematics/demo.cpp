@@ -269,7 +269,8 @@ void draw_misses(demo::Picture &seen, const State &now, const Vec2 &hand) {
                  0.4 + 0.6 * double(i + 1) / double(now.misses.size())));
     add(seen, Shape::line, Colour::orange, -2, {now.guess, hand});
     const double off = (now.guess - hand).norm();
-    add_words(seen, (now.guess + hand) / 2 + Vec2{0.15, 0.05}, rounded(off) + " m off", Colour::orange);
+    const double aside = now.guess.y() > hand.y() ? 0.2 : -0.35; // away from the hand
+    add_words(seen, now.guess + Vec2{0.15, aside}, rounded(off) + " m off", Colour::orange);
     say_place(seen, hand);
     say(seen, "off by", "m", off);
 }
