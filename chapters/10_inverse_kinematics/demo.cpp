@@ -286,6 +286,7 @@ void draw_looking(demo::Picture &seen, const State &now) {
 }
 
 void draw_both(demo::Picture &seen, const State &now) {
+    seen.low = {-7.4, -5.2}, seen.high = {7.4, 5.2};
     const std::vector<Pose> all = poses(now.arm, now.fly);
     add_circle(seen, {0, 0}, now.arm.first);
     add_circle(seen, now.fly, now.arm.second);
@@ -299,6 +300,7 @@ void draw_both(demo::Picture &seen, const State &now) {
 }
 
 void draw_ring(demo::Picture &seen, const State &now) {
+    seen.low = {-7.4, -5.2}, seen.high = {7.4, 5.2};
     add_circle(seen, {0, 0}, now.arm.first + now.arm.second);
     if (now.arm.first != now.arm.second) add_circle(seen, {0, 0}, std::abs(now.arm.first - now.arm.second));
     const std::vector<Vec2> all = joints_of(now.arm, now.pose);
@@ -375,7 +377,6 @@ void draw_racing(demo::Picture &seen, const State &now) {
 
 void draw_writing(demo::Picture &seen, const State &now) {
     seen.low = {-1.4, -3.1}, seen.high = {5.2, 2.3};
-    seen.stage = Stage::night;
     const std::size_t count = std::min(std::size_t(now.time * 30) + 1, now.poses.size());
     std::vector<Vec2> trail;
     for (std::size_t i = 0; i < count; ++i) trail.push_back(hand_of(now.arm, now.poses[i]));
@@ -386,6 +387,7 @@ void draw_writing(demo::Picture &seen, const State &now) {
 
 demo::Picture draw(const State &now, const Input &) {
     demo::Picture seen;
+    seen.stage = Stage::night; // but for what's outdoors
     switch (now.game) {
     case you_find: draw_finding(seen, now); break;
     case looking: draw_looking(seen, now); break;

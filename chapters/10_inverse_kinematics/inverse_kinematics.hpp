@@ -103,7 +103,8 @@ std::vector<Link> damped_step(const Vec2 &base, const std::vector<Link> &links, 
 /// The poses that draw a path, a letter for example: straight strokes from each corner to the next. The first pose is
 /// `start`, whose hand is at the first corner; in the last one the hand is at the last corner. From each pose to the next no
 /// angle changes by more than 0.1 rad. In each the hand is within 1e-6 m of the path, in the path's order, and each corner
-/// is visited; halfway between two poses, angles halfway, it's within 2 mm of the path. At most 10000 will do.
+/// is visited; halfway between two poses, angles halfway, it's within 2 mm of the path. At most 1000 poses, for a
+/// path that takes a few hundred.
 /// @throws std::invalid_argument if the path has no corner, if the hand doesn't start within 1e-6 m of the first one, if the
 ///         path isn't at least 0.1 m from where the reach ends, inside and outside, if a length is not positive, or a number
 ///         is not within ±1e5.
