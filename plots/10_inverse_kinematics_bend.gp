@@ -3,6 +3,7 @@
 load 'style.gp'
 eval canvas(280)
 set output ARG2
+set lmargin 7
 set xrange [0.8:5.2]; set yrange [-5:190]
 set xtics 1; set ytics 45
 set xlabel 'distance of the hand from the first joint [m]'; set ylabel 'second angle [°]'

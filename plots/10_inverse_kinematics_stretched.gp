@@ -3,7 +3,7 @@
 load 'style.gp'
 eval canvas(340)
 set output ARG2
-set lmargin 7
+set lmargin 8.5
 set logscale xy
 set xrange [0.09:90]; set yrange [0.1:30000]
 set xtics (0.1, 1, 10, 90); set ytics (0.1, 1, 10, 100, 1000, '10 000' 10000)

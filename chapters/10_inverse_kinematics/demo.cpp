@@ -273,12 +273,13 @@ const std::vector<Vec2> eyes{{-2.6, 0.9}, {-0.6, 0.9}, {2.4, -0.9}, {3.3, -0.9},
 const double sizes[]{0.95, 0.95, 0.42, 0.42, 0.24, 0.24};
 
 void draw_looking(demo::Picture &seen, const State &now) {
-    seen.low = {-4.6, -2.8}, seen.high = {4.6, 2.9};
+    seen.low = {-4.6, -2.9}, seen.high = {4.6, 3};
     const std::vector<double> angles = look(eyes, now.fly);
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         const Vec2 direction{std::cos(angles[i]), std::sin(angles[i])};
-        add_list(seen, Shape::discs, Colour::line, sizes[i], {eyes[i]}, 1, Material::solid);
-        add_list(seen, Shape::discs, Colour::ink, 0.45 * sizes[i], {eyes[i] + 0.5 * sizes[i] * direction});
+        add_list(seen, Shape::discs, Colour::ink, sizes[i], {eyes[i]}, 1, Material::solid); // it's white at night
+        add_list(seen, Shape::discs, Colour::violet, 0.5 * sizes[i], {eyes[i] + 0.48 * sizes[i] * direction}, 1,
+                 Material::solid);
     }
     add_fly(seen, now.fly);
     say(seen, "left eye", "°", angles[0] / degree, 1);
@@ -340,7 +341,7 @@ void draw_catching(demo::Picture &seen, const State &now) {
 }
 
 void draw_leading(demo::Picture &seen, const State &now) {
-    seen.low = {-6, -3.8}, seen.high = {6, 3.8};
+    seen.low = {-6, -3.9}, seen.high = {6, 3.9};
     add_circle(seen, {0, 0}, 3.6, Colour::line);
     add_ghost(seen, joints_of(now.arm, now.other));
     add_arm(seen, joints_of(now.arm, now.pose));
@@ -350,7 +351,7 @@ void draw_leading(demo::Picture &seen, const State &now) {
 }
 
 void draw_following(demo::Picture &seen, const State &now) {
-    seen.low = {-5.4, -3.4}, seen.high = {5.4, 3.4};
+    seen.low = {-5.4, -3.5}, seen.high = {5.4, 3.5};
     const std::vector<Vec2> all = joints({0, -3}, now.links);
     add_list(seen, Shape::line, Colour::green, 12, all, 1, Material::solid);
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -445,10 +445,10 @@ TEST_CASE("a student's program writes its traces, and can neither read other fil
 
 TEST_CASE("each way in which a student's program can fail has its sentence") {
     CHECK_THAT(ran("while :; do :; done").trouble,
-               ContainsSubstring("after 1 s, it would not end") && ContainsSubstring("./course check 7"));
+               ContainsSubstring("after 1 s, it wouldn't end") && ContainsSubstring("./course check 7"));
     CHECK_THAT(ran("kill -SEGV $$").trouble, ContainsSubstring("crashed: it used memory that isn't its own"));
     CHECK_THAT(ran("kill -ABRT $$").trouble, ContainsSubstring("was stopped by an uncaught exception"));
-    CHECK_THAT(ran("echo 'not started: a.tsv: begin here' >&2; exit 1").trouble, ContainsSubstring("not started"));
+    CHECK_THAT(ran("echo 'not started: a.tsv: begin here' >&2; exit 1").trouble, ContainsSubstring("aren't started"));
     CHECK_THAT(ran("echo 'error: a.tsv: radius is -1' >&2; exit 1").trouble,
                ContainsSubstring("one of your functions threw"));
     CHECK_THAT(ran("echo 'a word' >&2; exit 1").trouble,
@@ -551,5 +551,5 @@ TEST_CASE("figures that need functions which are not started are left out, in on
 
     CHECK_THAT(plotted("echo 'not started: 07_lines_rise.tsv: the slope' >&2; exit 1"),
                StartsWith("1 left out: 07_lines_rise" + needs)
-                   && ContainsSubstring("functions that are not started; `./course check 7`"));
+                   && ContainsSubstring("functions that aren't started; `./course check 7`"));
 }

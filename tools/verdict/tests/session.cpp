@@ -125,10 +125,11 @@ void Session::accept(const std::string &input, const std::string &value) {
 }
 
 bool Session::is_computed(std::string_view refusal) const {
-    constexpr std::string_view but = ", but is ";
+    constexpr std::string_view but = ", but is";
     const std::size_t at = refusal.rfind(but);
     if (at == refusal.npos || last_exercise == nullptr) return false;
-    const auto refused = as_number(refusal.substr(at + but.size())); // nothing: not a number, which no input is
+    const std::string_view rest = refusal.substr(at + but.size()); // " 5", or "n't a number", which no input is
+    const auto refused = as_number(rest.substr(rest.starts_with(' ') ? 1 : 0));
     for (std::string argument : last_exercise->describe_arguments(*last_exercise, last_arguments)) {
         if (contains(argument, "… ")) return false; // a long list: not all of it is there
         std::ranges::replace_if(
