@@ -63,7 +63,10 @@ test('from the front page one click leads to all demos, which play', async () =>
   const demos = page.locator('figure.play');
   for (let i = 0; i < await demos.count(); i++) {
     await demos.nth(i).scrollIntoViewIfNeeded();
-    await page.waitForFunction((at) => document.querySelectorAll('figure.play')[at].querySelector('dl')?.getBoundingClientRect().height > 0, i);
+    await page.waitForFunction((at) => {
+      const demo = document.querySelectorAll('figure.play')[at];
+      return 'ready' in demo.dataset && demo.querySelector('canvas').clientHeight > 100;
+    }, i);
   }
   assert.ok(await demos.count() >= 10);
   assert.deepEqual(troubles, []);

@@ -659,8 +659,13 @@ TEST_CASE("pages with a demo have its scripts, and one page has all demos") {
     CHECK_THAT(book.made("play.html"), ContainsSubstring("<li class=\"card\">" + picture + "\"><div>")
                                            && ContainsSubstring("<p>A ball &amp; walls</p>"));
     CHECK_THAT(book.made("index.html"), ContainsSubstring("<li class=\"card\">" + picture + "\"><div>"));
-    CHECK_THAT(book.made("index.html"), ContainsSubstring(scripts)); // the front page plays it, too
+    CHECK(book.made("index.html").find("play.js") == std::string::npos);
     CHECK(book.made("preface.html").find("play.js") == std::string::npos);
+    book.write(
+        "docs/front.md",
+        "# Small\n\n{{begin}}\n\n## Contents\n\n{{sections}}\n\n{{map}}\n\n<!-- demo: room | Throw the ball. -->\n");
+    CHECK(book.make("<!-- demo: room | Throw the ball. -->\n").err.empty());
+    CHECK_THAT(book.made("index.html"), ContainsSubstring(scripts)); // a front page that shows it plays it
     CHECK_THAT(book.made("demos/07_wall_meeting.js"), ContainsSubstring("playable"));
 }
 
