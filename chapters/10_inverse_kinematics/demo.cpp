@@ -261,6 +261,7 @@ void draw_finding(demo::Picture &seen, const State &now) {
         for (const Pose &pose : poses(now.arm, now.target)) add_ghost(seen, joints_of(now.arm, pose), 0.7);
     add_list(seen, Shape::discs, Colour::orange, 0.09, now.guesses);
     const std::vector<Vec2> all = joints_of(now.arm, now.pose);
+    add_list(seen, Shape::discs, Colour::dim, 0.34, {all[0]}, 1, Material::solid); // what it's bolted to
     add_arm(seen, all);
     add_cross(seen, now.target);
     for (int i = 1; i <= 2; ++i) add_list(seen, Shape::handle, Colour::orange, 0, {all[std::size_t(i)]});
@@ -326,7 +327,7 @@ void draw_catching(demo::Picture &seen, const State &now) {
     const Orchard &orchard = now.orchard;
     add_list(seen, Shape::line, Colour::green, 6, {{-6.2, grass}, {6.2, grass}});
     add_list(seen, Shape::line, Colour::amber, 12, {{0, grass}, {0, 0}}, 1, Material::solid);
-    for (const double x : {-4.2, -1.4, 1.4, 4.2})
+    for (const double x : {-7.0, -4.2, -1.4, 1.4, 4.2, 7.0})
         add_list(seen, Shape::discs, Colour::green, 0.9, {{x - 0.8, 4.9}, {x + 0.8, 4.9}, {x, 4.6}});
     const std::vector<Vec2> all = joints_of(picker, orchard.pose);
     add_arm(seen, all);
