@@ -3,12 +3,11 @@
 // KDL is what robots calculate their arms with: chains of segments in space. Eigen has frames as one matrix, and its
 // inverse. Boost finds when a point meets the ground by a search for a root.
 #include "forward_kinematics.hpp"
+#include "kdl.hpp"
 #include "peer.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <boost/version.hpp>
-#include <kdl/chain.hpp>
-#include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
 #include <kdl/config.h>
 
@@ -16,7 +15,7 @@
 #include <cmath>
 #include <cstdint>
 
-using course::Vec2, course::worse;
+using course::Robot, course::Vec2, course::worse;
 using namespace forward_kinematics;
 
 namespace {
@@ -29,35 +28,15 @@ std::vector<Link> arm(Dice &dice, int count) {
     return links;
 }
 
-/// An arm of KDL's: each segment is a joint about z, and then a way along x.
-struct Robot {
-    KDL::Chain chain;
-    KDL::JntArray angles;
-
-    explicit Robot(const std::vector<Link> &links) : angles{unsigned(links.size())} {
-        for (std::size_t i = 0; i < links.size(); ++i) {
-            chain.addSegment(
-                KDL::Segment{KDL::Joint{KDL::Joint::RotZ}, KDL::Frame{KDL::Vector{links[i].length, 0, 0}}});
-            angles(unsigned(i)) = links[i].angle;
-        }
-    }
-    /// Where so many segments end.
-    Vec2 end(int segments) {
-        KDL::ChainFkSolverPos_recursive solver{chain};
-        KDL::Frame frame;
-        solver.JntToCart(angles, frame, segments);
-        return segments == 0 ? Vec2{0, 0} : Vec2{frame.p.x(), frame.p.y()};
-    }
-    std::vector<Vec2> columns() {
-        KDL::ChainJntToJacSolver solver{chain};
-        KDL::Jacobian matrix{chain.getNrOfJoints()};
-        solver.JntToJac(angles, matrix);
-        std::vector<Vec2> all;
-        for (unsigned i = 0; i < matrix.columns(); ++i)
-            all.emplace_back(matrix.getColumn(i).vel.x(), matrix.getColumn(i).vel.y());
-        return all;
-    }
-};
+std::vector<Vec2> columns(const Robot &robot) {
+    KDL::ChainJntToJacSolver solver{robot.chain};
+    KDL::Jacobian matrix{robot.chain.getNrOfJoints()};
+    solver.JntToJac(robot.angles, matrix);
+    std::vector<Vec2> all;
+    for (unsigned i = 0; i < matrix.columns(); ++i)
+        all.emplace_back(matrix.getColumn(i).vel.x(), matrix.getColumn(i).vel.y());
+    return all;
+}
 
 double compare_elbows(Dice &dice) {
     double largest = 0;
@@ -87,7 +66,7 @@ double compare_columns(Dice &dice) {
     double largest = 0;
     for (int i = 0; i < cases; ++i) {
         const std::vector<Link> links = arm(dice, dice.whole(1, 8));
-        const std::vector<Vec2> got = jacobian(links), want = Robot{links}.columns();
+        const std::vector<Vec2> got = jacobian(links), want = columns(Robot{links});
         for (std::size_t k = 0; k < links.size(); ++k) largest = worse((got[k] - want[k]).norm(), largest);
     }
     return largest;

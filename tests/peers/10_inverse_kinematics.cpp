@@ -3,12 +3,11 @@
 // KDL is what robots calculate their arms with: it solves by steps, from a pose nearby, and takes damped steps, too. Boost
 // finds the turn that brings a hand in line with its target by a search for a root.
 #include "inverse_kinematics.hpp"
+#include "kdl.hpp"
 #include "peer.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <boost/version.hpp>
-#include <kdl/chain.hpp>
-#include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainiksolverpos_lma.hpp>
 #include <kdl/chainiksolvervel_wdls.hpp>
 #include <kdl/config.h>
@@ -18,7 +17,7 @@
 #include <cstdint>
 #include <numbers>
 
-using course::Vec2, course::worse;
+using course::Robot, course::Vec2, course::worse;
 using namespace inverse_kinematics;
 
 namespace {
@@ -26,33 +25,14 @@ namespace {
 constexpr int cases = 20000; // in each comparison, or a hundredth of them with a search
 constexpr double pi = std::numbers::pi;
 
-/// An arm of KDL's: each segment is a joint about z, and then a way along x.
-struct Robot {
-    KDL::Chain chain;
-    KDL::JntArray angles;
-
-    explicit Robot(const std::vector<Link> &links) : angles{unsigned(links.size())} {
-        for (std::size_t i = 0; i < links.size(); ++i) {
-            chain.addSegment(
-                KDL::Segment{KDL::Joint{KDL::Joint::RotZ}, KDL::Frame{KDL::Vector{links[i].length, 0, 0}}});
-            angles(unsigned(i)) = links[i].angle;
-        }
-    }
-    Vec2 hand() {
-        KDL::ChainFkSolverPos_recursive solver{chain};
-        KDL::Frame frame;
-        solver.JntToCart(angles, frame);
-        return {frame.p.x(), frame.p.y()};
-    }
-    /// Brings the hand to a place, from the angles as they are, by Levenberg and Marquardt's method.
-    void bring_to(const Vec2 &place) {
-        Eigen::Matrix<double, 6, 1> weights;
-        weights << 1, 1, 0, 0, 0, 0; // where it is, not how it's turned
-        KDL::ChainIkSolverPos_LMA solver{chain, weights, 1e-14, 500, 1e-15};
-        const KDL::JntArray before = angles;
-        solver.CartToJnt(before, KDL::Frame{KDL::Vector{place.x(), place.y(), 0}}, angles);
-    }
-};
+/// Brings the hand to a place, from the angles as they are, by Levenberg and Marquardt's method.
+void bring_to(Robot &robot, const Vec2 &place) {
+    Eigen::Matrix<double, 6, 1> weights;
+    weights << 1, 1, 0, 0, 0, 0; // where it is, not how it's turned
+    KDL::ChainIkSolverPos_LMA solver{robot.chain, weights, 1e-14, 500, 1e-15};
+    const KDL::JntArray before = robot.angles;
+    solver.CartToJnt(before, KDL::Frame{KDL::Vector{place.x(), place.y(), 0}}, robot.angles);
+}
 
 Robot robot_of(const Arm &arm, const Pose &pose) { return Robot{{{arm.first, pose.first}, {arm.second, pose.second}}}; }
 
@@ -111,7 +91,7 @@ double compare_solved(Dice &dice) {
         const Pose pose = bent(dice);
         const Vec2 target = robot_of(any, pose).hand();
         Robot near = robot_of(any, {pose.first + dice.real(-0.1, 0.1), pose.second + dice.real(-0.1, 0.1)});
-        near.bring_to(target);
+        bring_to(near, target);
         const Pose ours = poses(any, target)[pose.second > 0 ? 0 : 1];
         largest = worse(std::abs(std::remainder(ours.first - near.angles(0), 2 * pi)), largest);
         largest = worse(std::abs(std::remainder(ours.second - near.angles(1), 2 * pi)), largest);
@@ -131,7 +111,7 @@ double compare_led(Dice &dice) {
             const double angle = turns * 2 * pi * step / 100;
             const Vec2 place = Eigen::Rotation2Dd{angle} * start;
             pose = continued(any, pose, place);
-            robot.bring_to(place);
+            bring_to(robot, place);
         }
         largest =
             worse(worse(std::abs(pose.first - robot.angles(0)), std::abs(pose.second - robot.angles(1))), largest);
