@@ -4,6 +4,7 @@
 #include "site/progress_script.hpp"
 #include "site/reachable.hpp"
 #include "site/section_map.hpp"
+#include "site/share.hpp"
 #include "small_course.hpp"
 
 #include "ground/complaint.hpp"
@@ -669,6 +670,20 @@ TEST_CASE("pages with a demo have its scripts, and one page has all demos") {
     CHECK_THAT(book.made("demos/07_wall_meeting.js"), ContainsSubstring("playable"));
 }
 
+TEST_CASE("a shared demo is one page that asks for nothing else, with ours and the student's code in it") {
+    const SmallBook book;
+    book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': 'ours'};\n");
+    REQUIRE(book.make("<!-- demo: room | Throw. -->\n").code == 0);
+    write_file(book.tree.build / "play" / "07_wall_meeting_mine.js",
+               "self.playable['07_wall_meeting/mine'] = 'yours';\n");
+    DemoMark mark;
+    mark.start = "size: 1 & 2";
+    const std::string page = shared_page(book.tree, book.tree.section("7"), mark);
+    CHECK_THAT(page, ContainsSubstring("data-demo=\"07_wall_meeting\" data-mine data-start=\"size: 1 &amp; 2\""));
+    CHECK_THAT(page, ContainsSubstring("'ours'") && ContainsSubstring("'yours'") && ContainsSubstring("demoPicture"));
+    for (const char *outside : {"src=\"", "href=\"", "url(fonts"}) CHECK(page.find(outside) == std::string::npos);
+}
+
 TEST_CASE("play says what it needs before it builds anything") {
     const SmallBook book;
     book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
@@ -676,6 +691,8 @@ TEST_CASE("play says what it needs before it builds anything") {
     CHECK_THAT(book({"play", "6"}).err, ContainsSubstring("section 6 has no demo to play with yet"));
     CHECK_THAT(book({"play", "--mine"}).err, ContainsSubstring("./course play 7 --mine"));
     CHECK_THAT(book({"play", "7", "--watch"}).err, ContainsSubstring("--watch is for your own code"));
+    CHECK_THAT(book({"play", "7", "--share", "x.html"}).err, ContainsSubstring("--share is for your own code"));
+    CHECK_THAT(book({"play", "7", "--mine", "--share", "x.cpp"}).err, ContainsSubstring("a name that ends in .html"));
     const Finished without_compiler = book({"play", "7", "--mine"});
     CHECK(without_compiler.code == 2);
     CHECK_THAT(without_compiler.err, ContainsSubstring("Without --mine the demo runs on ours"));

@@ -10,6 +10,7 @@
 #include "site/build.hpp"
 #include "site/demos.hpp"
 #include "site/own_site.hpp"
+#include "site/share.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -30,10 +31,12 @@ Without --mine the demo runs on our functions; no compiler is needed for that. W
 yours, in a copy of the site in the build folder, and a switch in the page takes you to ours and back.
 Where an exercise of yours is not started, ours stands in for it.
 
-Example: ./course play 7.4 --mine --watch)";
+Example: ./course play 7.4 --mine --watch
+         ./course play 7.4 --mine --share ball.html)";
 
 struct PlayOptions {
     std::string section;
+    fs::path share;
     bool mine = false, watch = false, yes = false;
 };
 
@@ -112,33 +115,53 @@ int number_in_section(const std::string &exercise) {
     return std::atoi(exercise.substr(exercise.find('.') + 1).c_str());
 }
 
+struct Place {
+    DemoMark mark;
+    std::string id; ///< within its page
+};
+
 /// Where a chapter's demo is opened. For an exercise: at the first place below its box, or else below a later box. For
 /// a section: at its first place. For the reader's code: at the first such place that begins with it.
-std::string place_of_demo(const Tree &tree, const Section &section, const std::string &exercise, bool mine) {
+Place place_of_demo(const Tree &tree, const Section &section, const std::string &exercise, bool mine) {
     const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
     const auto found = std::ranges::find_if(marks, [&](const DemoMark &mark) {
         return (mark.mine || !mine)
                && (exercise.empty() || number_in_section(mark.exercise) >= number_in_section(exercise));
     });
     const auto place = found != marks.end() ? found : exercise.empty() ? marks.begin() : marks.end() - 1;
-    return demo_id(*place, static_cast<std::size_t>(place - marks.begin()));
+    return {*place, demo_id(*place, static_cast<std::size_t>(place - marks.begin()))};
+}
+
+/// Writes the page that can be sent to a friend.
+void share(const Tree &tree, const Section &section, const DemoMark &mark, const fs::path &file) {
+    write_file(file, shared_page(tree, section, mark));
+    std::cout << "Written: " << file.string() << ", " << fs::file_size(file) / 1000
+              << " kB, with your code in it. Send it to a friend, who opens it with a double click.\n";
 }
 
 void play(const Tree &tree, const PlayOptions &options) {
     if (options.mine && options.section.empty())
         throw Complaint{"--mine needs a section, as in: ./course play 7 --mine"};
+    if (!options.share.empty() && !options.mine)
+        throw Complaint{"--share is for your own code: ./course play 7 --mine --share ball.html"};
+    if (!options.share.empty() && options.share.extension() != ".html")
+        throw Complaint{options.share.string() + " would be a web page: give it a name that ends in .html"};
     if (options.watch && !options.mine) throw Complaint{"--watch is for your own code: ./course play 7 --mine --watch"};
     const std::vector<Demo> all = demos(tree);
     std::string page = "play.html", exercise;
     std::optional<Section> section;
+    Place place;
     if (!options.section.empty()) {
         section = tree.section(options.section);
         if (is_number_of_exercise(options.section)) exercise = find_exercise(tree, options.section).exercise.number;
         if (std::ranges::none_of(all, [&](const Demo &d) { return d.section.name == section->name; }))
             throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
-        page =
-            page_name(tree, tree.chapter(*section)) + ".html#" + place_of_demo(tree, *section, exercise, options.mine);
+        place = place_of_demo(tree, *section, exercise, options.mine);
+        page = page_name(tree, tree.chapter(*section)) + ".html#" + place.id;
     }
+    if (!options.share.empty() && fingerprint(tree.exercise(*section)) == fingerprint(tree.stub(*section)))
+        throw Complaint{tree.shown(tree.exercise(*section))
+                        + " is not started, so there is nothing of yours to share yet"};
     if (options.mine) need_compiler(tree, options.yes);
     bring_up_site(tree);
     bool fine = true;
@@ -146,6 +169,7 @@ void play(const Tree &tree, const PlayOptions &options) {
         copy_own_site(tree);
         fine = build_own(tree, *section);
     }
+    if (fine && !options.share.empty()) return share(tree, *section, place.mark, options.share);
     const std::string address = ((options.mine ? own_site_folder(tree) : site_folder(tree)) / page).string();
     std::cout << (show(address) ? "Opening " : "Open this address in your browser: ") << "file://" << address << '\n';
     if (options.watch) watch(tree, *section);
@@ -161,6 +185,10 @@ void add_play(CLI::App &app, const Tree &tree) {
                         "its number, name or file, or the number of an exercise; without it, the page with all demos");
     command->add_flag("--mine", options->mine, "with your functions; the page lets you switch to ours");
     command->add_flag("-w,--watch", options->watch, "with --mine: again whenever you save; the open page takes it up");
+    command
+        ->add_option("--share", options->share,
+                     "with --mine: write one page with the demo and your functions, to send to a friend")
+        ->type_name("FILE");
     command->add_flag("--yes", options->yes,
                       "with --mine: install a compiler for pages without asking, if there is none");
     command->footer(about_play);
