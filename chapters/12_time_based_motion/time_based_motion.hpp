@@ -56,8 +56,8 @@ Due due_steps(double spare, double dt, double step);
 
 //> A runner
 struct Runner {
-    Vec2 place;     ///< how far it ran, and how high its feet are above the ground [m]
-    double climb{}; ///< velocity upwards [m/s]
+    Vec2 place{0, 0}; ///< how far it ran, and how high its feet are above the ground [m]
+    double climb{};   ///< velocity upwards [m/s]
     COURSE_FIELDS("m, m/s", place, climb)
 };
 constexpr double step_time = 1.0 / 64;                         ///< [s]
@@ -78,7 +78,7 @@ struct Game {
     double spare{};          ///< time that no step has used yet [s]
     Runner before, now;      ///< after the step before the last one, and after the last one
     bool jump_waits = false; ///< whether *jump* was pressed since the last step
-    Vec2 shown;              ///< where the runner is drawn [m]
+    Vec2 shown{0, 0};        ///< where the runner is drawn [m]
     COURSE_FIELDS(", s, , , , m", clock, spare, before, now, jump_waits, shown)
 };
 
