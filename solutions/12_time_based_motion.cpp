@@ -46,7 +46,7 @@ Due due_steps(double spare, double dt, double step) {
 static void require_game(const Game &game) {
     require_clock(game.clock);
     require_spare(game.spare);
-    course::require_range(game.before.place, game.before.climb, game.now.place, game.now.climb);
+    course::require_range(game.before.place, game.before.climb, game.now.place, game.now.climb, game.shown);
 }
 
 //> Solution 12.4: one frame of the game
