@@ -152,12 +152,14 @@ TEST_CASE("makes the first frame 0 s long, on a machine that was switched on a d
     CHECK_THAT(tick({}, 0.1), IsNear(Clock{true, 0.1, 0, 0}, digits));
     CHECK_THAT(tick({}, -5), IsNear(Clock{true, -5, 0, 0}, digits));
     CHECK_THAT(tick({}, 0), IsNear(Clock{true, 0, 0, 0}, digits));
+    CHECK_THAT(tick({false, 5, 0.1, 2}, 5.125), IsNear(Clock{true, 5.125, 0, 2}, digits)); // there was none before
 }
 
 //> The second frame
 TEST_CASE("makes the second frame as long as what passed since the first", "[12.2]") {
     const Clock first = tick({}, 86400);
     CHECK_THAT(tick(first, 86400.125), IsNear(Clock{true, 86400.125, 0.125, 0}, digits));
+    CHECK_THAT(tick({true, 0, 0, 0}, 0.125), IsNear(Clock{true, 0.125, 0.125, 0}, digits));
 }
 
 //> A clock that's set back
