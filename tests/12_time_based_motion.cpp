@@ -1053,6 +1053,9 @@ TEST_CASE("shows the same in whatever order the packets come in", "[12.8]") {
 
 //> Sent twice
 TEST_CASE("shows the same when packets come twice, the last one, too", "[12.8]") {
+    const std::vector<Packet> twice{{0, {0, 0}}, {1, {10, 4}}, {0, {0, 0}}, {1, {10, 4}}};
+    CHECK_THAT(seen_at(twice, 0.6), IsNear(Vec2{5, 2}, digits));
+    CHECK_THAT(seen_at(twice, 1.2), IsNear(Vec2{11, 4.4}, digits)); // 0.1 s after the last one
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
         const std::vector<Packet> packets = flight(dice, dice.whole(2, 9));
