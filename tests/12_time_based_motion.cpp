@@ -411,6 +411,8 @@ TEST_CASE("shows the runner halfway between its last two places when half a step
 //> The first frame
 TEST_CASE("takes no step in the first frame, whatever the machine's clock shows", "[12.4]") {
     CHECK_THAT(next_frame({}, 5000, false), IsNear(Game{{true, 5000, 0, 0}, 0, {}, {}, false, {0, 0}}, digits));
+    CHECK_THAT(next_frame({}, 5000, true),
+               IsNear(Game{{true, 5000, 0, 0}, 0, {}, {}, true, {0, 0}}, digits)); // it waits
 }
 
 //> Three steps
@@ -426,6 +428,7 @@ TEST_CASE("keeps a press that comes in a frame without a step, until there's one
     const Game waits = next_frame(running(), 1.0 / 256, true);
     CHECK_THAT(waits.jump_waits, IsTrue("the press waits"));
     CHECK_THAT(waits.now, IsNear(Runner{}, digits).of("now, without a step"));
+    CHECK_THAT(next_frame(waits, 2.0 / 256, true).jump_waits, IsTrue("it waits when jump is pressed again, too"));
     const Game still = next_frame(waits, 2.0 / 256, false);
     CHECK_THAT(still.jump_waits, IsTrue("the press still waits after another frame without a step"));
     const Game jumps = next_frame(still, 5.0 / 256, false);
@@ -825,7 +828,9 @@ TEST_CASE("goes on, and runs nothing, in a frame in which nothing is due", "[12.
 //> Worked example: it doesn't fit
 TEST_CASE("stops the game at 0.75 s when the fourth run doesn't fit into 12 ms, and loses 0.25 s", "[12.7]") {
     // physics 3 ms, physics 6 ms, thinking 11 ms, and one more physics would make it 14 ms: that's due at 0.75 s
-    check_frame(run_frame({0, 0, physics_and_thinking, {}}, 1, 0.012), 0.75, 0.25, {0, 0, 1}, {2, 1});
+    for (const double budget : {0.012, 0.0115, 0.0135}) // and 14.5 ms are enough
+        check_frame(run_frame({0, 0, physics_and_thinking, {}}, 1, budget), 0.75, 0.25, {0, 0, 1}, {2, 1});
+    check_frame(run_frame({0, 0, physics_and_thinking, {}}, 1, 0.0145), 1, 0, {0, 0, 1, 0}, {3, 1});
 }
 
 //> The next frame
@@ -841,6 +846,9 @@ TEST_CASE("runs what's due at the same moment in the order of the list: 12/120 s
     check_frame(run_frame({0, 0, {{120, 0.001, 0}, {10, 0.001, 0}}, {}}, 0.105, 1), 0.105, 0, physics_first, {12, 1});
     const std::vector<int> thinking_first{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1};
     check_frame(run_frame({0, 0, {{10, 0.001, 0}, {120, 0.001, 0}}, {}}, 0.105, 1), 0.105, 0, thinking_first, {1, 12});
+    std::vector<int> second; // the same ten times
+    for (int i = 0; i < 10; ++i) second.insert(second.end(), thinking_first.begin(), thinking_first.end());
+    check_frame(run_frame({0.002, 0, {{10, 0.001, 0}, {120, 0.001, 0}}, {}}, 1, 1), 1.002, 0, second, {10, 120});
 }
 
 //> In order
@@ -851,13 +859,13 @@ TEST_CASE("runs four jobs of any rates in the order in which they're due", "[12.
     Dice dice;
     for (int i = 0; i < course::cases(500); ++i) {
         std::vector<Job> jobs;
-        for (int job = 0; job < 4; ++job) jobs.push_back({dice.whole(1, 60), 0.0001, 0});
+        for (int job = 0; job < 4; ++job) jobs.push_back({dice.whole(1, 200), 0.0001, 0});
         const double end = dice.real(0.5, 1);
         std::vector<Moment> all;
         std::vector<int> done(4, 0), ran;
         bool border = false;
         for (int job = 0; job < 4; ++job)
-            for (int count = 1; count <= 60; ++count) {
+            for (int count = 1; count <= 200; ++count) {
                 const double due = double(count) / jobs[job].rate;
                 if (std::abs(due - end) < 1e-7) border = true;
                 if (due < end) all.push_back({count, jobs[job].rate, job}), ++done[job];
@@ -998,6 +1006,9 @@ TEST_CASE("shows the ship where each packet says, 0.1 s after it was sent", "[12
 
 //> Between two
 TEST_CASE("moves the ship straight and steadily from each packet's place to the next", "[12.8]") {
+    const std::vector<Packet> waited{{0, {0, 0}}, {1, {0, 0}}, {2, {4, 6}}};
+    CHECK_THAT(seen_at(waited, 0.6), IsNear(Vec2{0, 0}, digits));
+    CHECK_THAT(seen_at(waited, 1.6), IsNear(Vec2{2, 3}, digits));
     Dice dice;
     for (int i = 0; i < course::cases(1000); ++i) {
         const std::vector<Packet> packets = flight(dice, dice.whole(2, 9));
