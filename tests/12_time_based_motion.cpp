@@ -245,7 +245,7 @@ TEST_CASE("takes no step of 20 ms when a 10 ms frame comes to 5 ms, and keeps 15
     CHECK_THAT(due_steps(0.005, 0.01, 0.02), IsNear(Due{0, 0.015}, digits));
 }
 
-//> One step a frame
+//> 64 Hz
 TEST_CASE("takes one step of 1/64 s in each frame of a 64 Hz screen, and keeps what it had", "[12.3]") {
     CHECK_THAT(due_steps(0, 1.0 / 64, 1.0 / 64), IsNear(Due{1, 0}, digits));
     CHECK_THAT(due_steps(1.0 / 256, 1.0 / 64, 1.0 / 64), IsNear(Due{1, 1.0 / 256}, digits));
@@ -256,7 +256,7 @@ TEST_CASE("takes two steps of 20 ms when a 40 ms frame comes to 5 ms, and keeps 
     CHECK_THAT(due_steps(0.005, 0.04, 0.02), IsNear(Due{2, 0.005}, digits)); // 5 + 40 = 45 = 2 * 20 + 5
 }
 
-//> The longest frame
+//> Sixteen steps
 TEST_CASE("takes 16 steps of 1/64 s in a frame of 0.25 s", "[12.3]") {
     CHECK_THAT(due_steps(0, 0.25, 1.0 / 64), IsNear(Due{16, 0}, digits));
     CHECK_THAT(due_steps(1.0 / 128, 0.25, 1.0 / 64), IsNear(Due{16, 1.0 / 128}, digits));
@@ -303,14 +303,14 @@ Second second_of(int frames) {
 
 } // namespace
 
-//> A 144 Hz screen
+//> 144 Hz and 64 steps
 TEST_CASE("takes 64 steps of 1/64 s in a second of 144 frames, and none in 80 of them", "[12.3]") {
     const Second all = second_of(144);
     CHECK_THAT(all.steps, IsNear(64).of("steps"));
     CHECK_THAT(all.frames_without, IsNear(80).of("frames without a step")); // 144 - 64
 }
 
-//> On any screen
+//> Steps on any screen
 TEST_CASE("takes as many steps a second on every screen, from 10 to 1000 frames a second", "[12.3]") {
     for (const int frames : {10, 30, 60, 144, 240, 1000}) {
         const Second all = second_of(frames);
@@ -409,7 +409,7 @@ TEST_CASE("shows the runner halfway between its last two places when half a step
     CHECK_THAT(then.shown, IsNear(Vec2{3.0 / 64, 0}, digits).of("shown [m]")); // between 0 and 6/64 m
 }
 
-//> The first frame
+//> The first frame of a game
 TEST_CASE("takes no step in the first frame, whatever the machine's clock shows", "[12.4]") {
     CHECK_THAT(next_frame({}, 5000, false), IsNear(Game{{true, 5000, 0, 0}, 0, {}, {}, false, {0, 0}}, digits));
     CHECK_THAT(next_frame({}, 5000, true),
@@ -503,14 +503,14 @@ TEST_CASE("never shows the runner below the ground, nor above where it was", "[1
     }
 }
 
-//> A tab that slept
+//> Two seconds later
 TEST_CASE("goes on by 16 steps, 1.5 m, when 2 s passed", "[12.4]") {
     const Game then = next_frame(running(), 2, false);
     CHECK_THAT(then.clock, IsNear(Clock{true, 2, 0.25, 1.75}, digits).of("clock"));
     CHECK_THAT(then.now, IsNear(Runner{{1.5, 0}, 0}, digits).of("now"));
 }
 
-//> A clock that's set back
+//> Back by an hour
 TEST_CASE("stands still in a frame in which the machine's clock goes back", "[12.4]") {
     const Game game = played(144, {1.0 / 128}, 20.5 / 64);
     Game want = game;
@@ -670,7 +670,7 @@ TEST_CASE("flies two laps in one frame, and says how long ago the last one ended
     CHECK_THAT(wrap({1, 10}, 4, 1), IsNear(Wrapped{{3, 10}, 2, 0.3}, digits)); // 11 = 2 * 4 + 3
 }
 
-//> Nowhere
+//> No lap
 TEST_CASE("stays where it is at speed 0, and in a frame of 0 s", "[12.6]") {
     CHECK_THAT(wrap({799, 0}, 800, 1), IsNear(Wrapped{{799, 0}, 0, 0}, digits));
     CHECK_THAT(wrap({0, 0}, 800, 0.5), IsNear(Wrapped{{0, 0}, 0, 0}, digits));
@@ -720,7 +720,7 @@ Lap lap(Dice &dice) {
 
 } // namespace
 
-//> Nothing is lost
+//> Laps and the rest
 TEST_CASE("loses nothing that it flew: its laps and its x are where it was and how far it flew", "[12.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(2000); ++i) {
@@ -750,7 +750,7 @@ TEST_CASE("was exactly at an end as long ago as it says", "[12.6]") {
     }
 }
 
-//> Two frames for one
+//> Ten frames for one
 TEST_CASE("gets to the same place, with as many laps, in ten frames as in one that takes as long", "[12.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(500); ++i) {
