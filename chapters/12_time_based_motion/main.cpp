@@ -207,11 +207,11 @@ void trace_spiral(std::ostream &out) {
 }
 
 //> A friend's ship, traced
-/// A packet ten times a second from a ship on a curve; the one of 0.5 s is lost.
+/// A packet 20 times a second from a ship on a curve; three of them are lost.
 std::vector<Packet> sent_until(double time) {
     std::vector<Packet> packets;
-    for (int i = 0; i <= 10; ++i)
-        if (i != 5 && i / 10.0 <= time) packets.push_back({i / 10.0, {5 * i / 10.0, 2 * std::sin(0.6 * i)}});
+    for (int i = 0; i <= 20; ++i)
+        if ((i < 9 || i > 11) && i / 20.0 <= time) packets.push_back({i / 20.0, {5 * i / 20.0, 2 * std::sin(0.3 * i)}});
     return packets;
 }
 

@@ -47,7 +47,7 @@ struct Due {
     COURSE_FIELDS("1, s", steps, spare)
 };
 
-/// How many whole steps fit into the time that was left and this frame together, and what's left then.
+/// How many whole steps fit into `spare` and `dt` together, and what's left after them.
 /// @param spare  what the frame before left [s], 0 to 1
 /// @param dt     how long this frame takes [s], 0 to 1
 /// @param step   how long a step takes [s], 0.001 to 1
@@ -84,15 +84,15 @@ struct Game {
 
 //> Next frame
 /// The game one frame later. The clock ticks, and as many steps are taken as are due, each of them `step_time` long. Then
-/// the runner is drawn between its last two places: all of `spare` there'd be is one step, and it's drawn as far along as
-/// `spare` is of that. A press of *jump* waits until there's a step, which gets it; then it's used up.
+/// the runner is drawn between its last two places: from the one before towards the last, by as much of the way as
+/// `spare` is of a step. A press of *jump* waits for the next step, and that step uses it up.
 /// @param seconds  what the machine's clock shows
 /// @param jump     whether *jump* was pressed in this frame
 /// @throws std::invalid_argument if `spare` isn't from 0 to 1, or a number is not within ±1e5.
 Game next_frame(Game game, double seconds, bool jump);
 
 //> Follow
-/// Where a camera is, one frame later, that moves half of what's left to its target in each half-life.
+/// Where the camera is one frame later. In each half-life it moves half of what's left to its target.
 /// @param half_life  [s], at least 0.001
 /// @param dt         [s], 0 to 1
 /// @throws std::invalid_argument if one of them is beyond these limits, or a number is not within ±1e5.
@@ -126,7 +126,7 @@ struct Job {
 //> A schedule
 struct Schedule {
     double time{}; ///< in the game [s]
-    double lost{}; ///< how long, in all, the game stood still since the machine was too slow [s]
+    double lost{}; ///< how much time, in all, was lost because the machine was too slow [s]
     std::vector<Job> jobs;
     std::vector<int> ran; ///< which jobs ran in this frame, in order; 0 is the first one of `jobs`
     COURSE_FIELDS("s, s, , 1", time, lost, jobs, ran)
@@ -135,8 +135,8 @@ struct Schedule {
 //> Run frame
 /// The schedule one frame later. What's due up to time + dt runs, in the order of the moments when it's due; at the same
 /// moment, in the order of `jobs`. But all costs of a frame together are at most `budget`, unless the first one alone is
-/// more. When the next one doesn't fit, the game stops at the moment it's due, where the next frame goes on; what's missing
-/// to time + dt is lost. Time never goes back.
+/// more. When the next one doesn't fit, the game stops at the moment it's due, where the next frame goes on; the time
+/// from there to time + dt is lost. Time never goes back.
 /// @param dt      [s], 0 to 1
 /// @param budget  how long the machine may work in this frame [s], 0 to 1
 /// @throws std::invalid_argument if there's no job, if a time, a rate, a cost or a count is beyond its limits, or a number
