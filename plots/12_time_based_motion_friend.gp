@@ -11,5 +11,5 @@ set xlabel 'x [m]'; set ylabel 'y [m]'
 set label "three packets\nare lost" at 2.1,0.3 right textcolor rgb INK
 yours = with_yours("ARG3 index 1 using 2:3 every 2 with points lt 2 pt 6 ps 1.0 lw 1.5 title 'yours'")
 plot ARG1 index 1 using 2:3 with lines lt 1 title ours('what you see'), \
-     ARG1 index 0 using 2:3 with points lt 6 pt 15 ps 1.2 title 'packets', \
+     ARG1 index 0 using 2:3 with points lt 6 pt 15 ps 0.8 title 'packets', \
      @yours
