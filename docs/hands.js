@@ -51,5 +51,12 @@ globalThis.demoHands = {
   '10_inverse_kinematics': { // beside the cross, since both answers are the reader's to find
     '': all(drag(1, 0, 0.75, [-2.25, 3.47], [-0.8, 2.4]), drag(0, 1, 2.25, [-2.6, 1.5], [0, 3], [2.6, 1.5]), drag(1, 2.5, 3.25, [2, -0.4], [4.4, 0.6]), drag(0, 3.4, 3.9, [2.6, 1.5], [2.3, -1.9])),
   },
+  '12_time_based_motion': { // it only wonders: where your ship is then is the reader's to say
+    '': drag(0, 0.2, 3.8, [600, -150], [770, -150], [440, -150], [690, -150], [600, -150]),
+    'The game: a tab that sleeps (12.2)': press('s', 2),
+    'The game: whole steps (12.3), frames per second: 20': press('j', 0.25),
+    'The game: run and jump (12.4)': all(press('j', 1.140625), press('j', 3.28125)),
+    'The game: a busy machine (12.7)': (t) => ({ 'cost of a step': t < 0.75 ? 4 : t < 1.5 ? 8 : 12 }),
+  },
 };
 })();

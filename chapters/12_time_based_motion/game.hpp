@@ -42,19 +42,22 @@ inline Tab next_frame(Tab tab, double now) {
 }
 
 //> A lane
-/// A runner, and the time that no step has used yet [s].
 struct Lane {
-    double spare{};
     Runner runner;
+    double spare{};   ///< time that no step has used yet [s]
+    double highest{}; ///< how high it got so far [m]
 };
 
 //> The frame loop: whole steps
 /// One frame that takes dt [s]: as many steps as are due. `jump` is whether the key is down.
-inline Lane next_frame(const Lane &lane, double dt, bool jump) {
+inline Lane next_frame(Lane lane, double dt, bool jump) {
     const Due due = due_steps(lane.spare, dt, step_time);
-    Runner runner = lane.runner;
-    for (int i = 0; i < due.steps; ++i) runner = step(runner, jump);
-    return {due.spare, runner};
+    lane.spare = due.spare;
+    for (int i = 0; i < due.steps; ++i) {
+        lane.runner = step(lane.runner, jump);
+        lane.highest = std::max(lane.highest, lane.runner.place.y());
+    }
+    return lane;
 }
 
 //> One step a frame
@@ -82,7 +85,7 @@ inline double chance(unsigned seed, unsigned number) {
 /// The cactus with this number, from 0: 6.5 to 13 m behind the one before.
 inline Cactus cactus(unsigned seed, int number) {
     const auto another = 2 * unsigned(number);
-    return {14 + 9.75 * number + 3.25 * chance(seed, another), 0.45 + 0.3 * chance(seed, another + 1)};
+    return {9 + 9.75 * number + 3.25 * chance(seed, another), 0.45 + 0.3 * chance(seed, another + 1)};
 }
 
 //> Ouch
@@ -92,7 +95,7 @@ inline bool hits(const Vec2 &from, const Vec2 &to, unsigned seed) {
         const double part = to.x() > from.x() ? (x - from.x()) / (to.x() - from.x()) : 1;
         return from.y() + part * (to.y() - from.y());
     };
-    for (int number = std::max(0, int((from.x() - 18) / 9.75)); cactus(seed, number).x < to.x() + 1; ++number) {
+    for (int number = std::max(0, int((from.x() - 13) / 9.75)); cactus(seed, number).x < to.x() + 1; ++number) {
         const auto [x, height] = cactus(seed, number);
         const double enters = std::max(from.x(), x - half_width), leaves = std::min(to.x(), x + half_width);
         if (enters <= leaves && std::min(height_at(enters), height_at(leaves)) < height) return true;
@@ -138,8 +141,9 @@ inline Cameras next_frame(Cameras cameras, const Vec2 &target, double half_life,
 //> A racer
 struct Racer {
     Ship ship;
-    double crossed{};         ///< when it last crossed the line [s]
-    std::vector<double> laps; ///< how long each lap took [s]
+    double crossed{}; ///< when it last crossed the line [s]
+    double lap{};     ///< how long its last lap took [s]
+    int laps{};       ///< how many it flew
 };
 
 //> The frame loop: laps
@@ -149,8 +153,9 @@ inline void next_frame(Racer &racer, double length, double end, double dt) {
     racer.ship = wrapped.ship;
     if (wrapped.laps == 0) return;
     const double crossed = end - wrapped.since;
-    racer.laps.push_back((crossed - racer.crossed) / wrapped.laps);
+    racer.lap = (crossed - racer.crossed) / wrapped.laps;
     racer.crossed = crossed;
+    racer.laps += wrapped.laps;
 }
 
 //> Thrown away
@@ -159,8 +164,9 @@ inline void next_frame_without_rest(Racer &racer, double length, double end, dou
     racer.ship.x += dt * racer.ship.speed;
     if (racer.ship.x < length) return;
     racer.ship.x = 0;
-    racer.laps.push_back(end - racer.crossed);
+    racer.lap = end - racer.crossed;
     racer.crossed = end;
+    ++racer.laps;
 }
 
 //> A machine
