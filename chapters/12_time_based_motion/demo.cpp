@@ -60,7 +60,7 @@ struct State {
     double guess = 600, flown = -1;      ///< [px]; how long the two ships have flown, -1: they wait [s]
     double misses[5]{};                  ///< of the last five guesses [px]
     int guesses = 0;
-    std::vector<Screen> screens{};      ///< all of 12.1
+    std::array<Screen, 3> screens{};    ///< all of 12.1
     double pale[3]{};                   ///< where ships are that fly 2 px a frame [px]
     Tab tab{};                          ///< all of 12.2
     double machine = 20000, asleep = 0; ///< what the machine's clock shows [s]; how long the tab sleeps yet [s]
@@ -79,11 +79,11 @@ struct State {
     Racer racers[2]{};     ///< all of 12.6
     Machine machines[2]{}; ///< all of 12.7
     Chase chases[2]{};
-    double works[2][24]{}; ///< how long the last frames worked [s]
-    int frames[2]{};       ///< how many there were
-    Line line{};           ///< all of 12.8
-    unsigned packets = 0;  ///< how many the friend has sent
-    double lost[8]{};      ///< when those were sent that never come [s]
+    double works[2][24]{};    ///< how long the last frames worked [s]
+    int frames[2]{};          ///< how many there were
+    std::vector<Sent> line{}; ///< all of 12.8: the last 24 packets that weren't lost
+    unsigned packets = 0;     ///< how many the friend has sent
+    double lost[8]{};         ///< when those were sent that never come [s]
     int losses = 0;
     Vec2 seen{0, 0}, news{0, 0}; ///< where the ship is, by `seen_at` and by the newest packet [m]
     double hops[2][120]{};       ///< how far these two moved in the last frames [m]
@@ -120,13 +120,13 @@ void start(State &now) {
     State fresh = begin();
     fresh.mode = now.mode, fresh.round = now.round, fresh.chosen = now.chosen, fresh.guesses = now.guesses;
     std::copy(now.misses, now.misses + 5, fresh.misses);
-    fresh.screens = {{0.1, 0, {0, cruise}}, {1.0 / 30, 0, {0, cruise}}, {1.0 / 144, 0, {0, cruise}}};
+    fresh.screens = {{{0.1, 0, {0, cruise}}, {1.0 / 30, 0, {0, cruise}}, {1.0 / 144, 0, {0, cruise}}}};
     fresh.tab = {{}, {0, cruise}, {0, cruise}};
     fresh.tab.clock.last = fresh.machine;
     fresh.run.seed = unsigned(now.round);
     for (Racer &racer : fresh.racers) racer.ship.speed = 50;
     for (Machine &machine : fresh.machines) machine.game.jobs = {{120, 0.004, 0}, {10, 0.005, 0}};
-    fresh.line.received = {{0, flight(0)}};
+    fresh.line = std::vector<Sent>(24, {{0, flight(0)}, 0});
     fresh.seen = fresh.news = flight(0);
     now = std::move(fresh);
 }
@@ -251,13 +251,11 @@ void step_busy(State &now, const Input &in) {
 
 void step_friend(State &now, const Input &in) {
     while (0.1 * (now.packets + 1) <= now.time) {
-        ++now.packets;
-        const double sent = 0.1 * now.packets;
-        if (100 * chance(5, 2 * now.packets) >= in["lost"])
-            now.line.sent.push_back({{sent, flight(sent)}, sent + 0.01 + 0.08 * chance(5, 2 * now.packets + 1)});
-        else now.lost[now.losses++ % 8] = sent;
+        const double sent = 0.1 * ++now.packets, late = 0.01 + 0.07 * chance(5, 2 * now.packets + 1);
+        if (100 * chance(5, 2 * now.packets) < in["lost"]) now.lost[now.losses++ % 8] = sent;
+        else now.line[now.packets % 24] = {{sent, flight(sent)}, sent + late};
     }
-    const Vec2 seen = next_frame(now.line, now.time), news = newest(now.line);
+    const Vec2 seen = next_frame(now.line, now.time), news = newest(now.line, now.time);
     const int at = int(std::round(now.time / frame_time)) % 120;
     now.hops[0][at] = (seen - now.seen).norm();
     now.hops[1][at] = (news - now.news).norm();
@@ -363,7 +361,7 @@ void add_box(demo::Picture &seen, Colour colour, const Vec2 &low, const Vec2 &hi
 
 /// What a body looks like from the side, or from above: in hundredths of its size, ahead is to the right.
 using Outline = std::initializer_list<signed char>;
-const Outline hull{0, 0, -75, 36, -105, 50, -95, 16, -95, -16, -105, -50, -75, -36},
+constexpr Outline hull{0, 0, -75, 36, -105, 50, -95, 16, -95, -16, -105, -50, -75, -36},
     dinosaur{-62, 66, -36, 38,  -14, 26,  10, 30, 22, 52, 20,  76, 44,  78,
              46,  98, 36,  104, 6,   104, 0,  96, -2, 70, -20, 58, -42, 56},
     drone{-50, -25, -35, -40, 35, -40, 50, -25, 50, 20, 35, 35, -35, 35, -50, 20},
@@ -671,21 +669,20 @@ Vec2 heading(double time) {
 
 void draw_friend(demo::Picture &seen, const State &now) {
     seen.low = {-5, -3.15}, seen.high = {5, 3.15};
-    for (const Packet &packet : now.line.received) add(seen, Shape::discs, Colour::amber, 0.06, {packet.place});
+    for (const Sent &each : now.line)
+        if (each.arrives <= now.time) add(seen, Shape::discs, Colour::amber, 0.06, {each.packet.place});
     for (int i = 0; i < std::min(8, now.losses); ++i)
-        for (const double side : {0.09, -0.09}) {
-            const Vec2 at = flight(now.lost[i]);
-            add(seen, Shape::line, Colour::pink, 2, {at - Vec2{0.09, side}, at + Vec2{0.09, side}});
-        }
-    add_body(seen, hull, Colour::ink, flight(now.time), 0.85, heading(now.time), 0.28);
-    add_body(seen, hull, Colour::orange, now.news, 0.85, heading(now.time - 0.1), 0.75);
-    add_ship(seen, now.seen, 0.85, Colour::blue, now.time, heading(now.time - 0.1));
+        add_words(seen, flight(now.lost[i]) - Vec2{0.08, 0.08}, "×", Colour::pink);
+    const Vec2 there = flight(now.time), ahead = heading(now.time - 0.1);
+    add_body(seen, hull, Colour::ink, there, 0.85, heading(now.time), 0.28);
+    add_body(seen, hull, Colour::orange, now.news, 0.85, ahead, 0.75);
+    add_ship(seen, now.seen, 0.85, Colour::blue, now.time, ahead);
     add_words(seen, {-4.8, 2.7}, "blue: yours", Colour::blue);
     add_words(seen, {-4.8, -2.95}, "orange: newest packet", Colour::orange);
     add_words(seen, {1.9, -2.95}, "pale: where it is", Colour::dim);
     say(seen, "longest hop, newest packet", "m", *std::max_element(now.hops[1], now.hops[1] + 120));
     say(seen, "longest hop, yours", "m", *std::max_element(now.hops[0], now.hops[0] + 120));
-    say(seen, "yours, behind", "m", (flight(now.time) - now.seen).norm());
+    say(seen, "yours, behind", "m", (there - now.seen).norm());
 }
 
 demo::Picture draw(const State &now, const Input &in) {

@@ -4,6 +4,7 @@
 #include "time_based_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct Screen {
 
 //> The frame loop: three screens
 /// Each screen has frames of its own, and shows all that end by this time [s]. In each of them its ship flies.
-inline void next_frames(std::vector<Screen> &screens, double time) {
+inline void next_frames(std::array<Screen, 3> &screens, double time) {
     for (Screen &screen : screens)
         for (; screen.shown + screen.frame <= time; screen.shown += screen.frame)
             screen.ship = fly(screen.ship, screen.frame);
@@ -186,34 +187,29 @@ inline void next_frame(Machine &machine, double budget) {
     machine.frame = std::max(1.0 / 60, machine.work);
 }
 
-//> A line
-/// A packet on its way, and when it arrives [s].
+//> On the line
+/// A packet, and when it arrives [s].
 struct Sent {
     Packet packet;
     double arrives{};
 };
-struct Line {
-    std::vector<Sent> sent;       ///< what's on its way
-    std::vector<Packet> received; ///< the latest ones, in the order in which they came
-};
 
 //> The frame loop: a friend
-/// One frame, at a time [s]: what arrived is kept, and you see where the friend's ship was a tenth of a second ago.
-inline Vec2 next_frame(Line &line, double time) {
-    const auto arrived = [time](const Sent &each) { return each.arrives <= time; };
-    for (const Sent &each : line.sent)
-        if (arrived(each)) line.received.push_back(each.packet);
-    std::erase_if(line.sent, arrived);
-    if (line.received.size() > 20) line.received.erase(line.received.begin());
-    return seen_at(line.received, time);
+/// One frame, at a time [s]: what arrived by then is all you know, and you see where the ship was a tenth of a second ago.
+inline Vec2 next_frame(const std::vector<Sent> &line, double time) {
+    std::vector<Packet> received;
+    for (const Sent &each : line)
+        if (each.arrives <= time) received.push_back(each.packet);
+    return seen_at(received, time);
 }
 
-//> Newest
-/// Where the newest packet says that the friend's ship was [m].
-inline Vec2 newest(const Line &line) {
-    return std::max_element(line.received.begin(), line.received.end(),
-                            [](const Packet &one, const Packet &other) { return one.sent < other.sent; })
-        ->place;
+//> The newest packet
+/// Where the newest packet that arrived says that the friend's ship was [m].
+inline Vec2 newest(const std::vector<Sent> &line, double time) {
+    Packet found = line.back().packet;
+    for (const Sent &each : line)
+        if (each.arrives <= time && each.packet.sent > found.sent) found = each.packet;
+    return found.place;
 }
 //>
 } // namespace time_based_motion
