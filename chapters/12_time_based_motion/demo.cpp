@@ -113,7 +113,7 @@ Pair pair_of(int round) {
 double truth(const Pair &pair) { return finish * pair.yours / pair.other; }
 
 /// Where the friend's ship really is [m].
-Vec2 flight(double time) { return {4 * std::sin(0.9 * time), 2.2 * std::sin(1.7 * time + 0.5)}; }
+Vec2 flight(double time) { return {4 * std::sin(1.3 * time), 2.2 * std::sin(2.5 * time + 0.5)}; }
 
 /// The choice of the game begins it anew; the other controls do not.
 void start(State &now) {
@@ -408,7 +408,7 @@ void draw_guess(demo::Picture &seen, const State &now) {
     add_screen(seen, {-115, -300}, {850, -20}, "");
     add_number(seen, {-95, 245}, "your friend: ", pair.other, 0, " frames a second");
     add_number(seen, {-95, -75}, "you: ", pair.yours, 0, " frames a second");
-    add_number(seen, {510, 245}, "", pair.speed, 0, " px in each frame", Colour::dim);
+    add_number(seen, {-95, 42}, "", pair.speed, 0, " px in each frame", Colour::dim);
     add_chequers(seen, {finish, 25}, 15, 18);
     add_chequers(seen, {finish, -295}, 15, 18);
     for (int x = 0; x < 800; x += 100) {
@@ -418,7 +418,7 @@ void draw_guess(demo::Picture &seen, const State &now) {
     add_ship(seen, {others, 125}, 90, Colour::blue, now.time);
     add_ship(seen, {yours, -150}, 90, Colour::orange, now.time);
     add_body(seen, hull, Colour::pink, {now.guess, -150}, 90, {1, 0}, 0.6);
-    const Vec2 beside{std::min(now.guess + 15, 640.0), -212};
+    const Vec2 beside{std::min(now.guess + 15, 600.0), -212};
     if (now.flown < 0) {
         add_words(seen, beside, "yours, then?", Colour::pink);
         add(seen, Shape::handle, Colour::pink, 0, {{now.guess, -150}});
@@ -586,9 +586,9 @@ void draw_cameras(demo::Picture &seen, const State &now) {
     add_drone(seen, quick.tenth, 0.55, Colour::orange);
     add_drone(seen, quick.ours, 0.55, Colour::blue);
     add_glow(seen, Shape::discs, Colour::pink, 0.13, {now.target});
-    add_words(seen, slow.tenth + Vec2{-0.5, -0.75}, "a tenth, 30", Colour::orange);
-    add_words(seen, quick.tenth + Vec2{0.4, -0.1}, "a tenth, 144", Colour::orange);
-    add_words(seen, slow.ours + Vec2{-0.6, 0.6}, "ours, both", Colour::blue);
+    add_words(seen, {-5, 2.85}, "orange: a tenth a frame", Colour::orange);
+    add_words(seen, {-5, -3.1}, "blue: by half-life", Colour::blue);
+    add_words(seen, {1.7, -3.1}, "large 30, small 144", Colour::dim);
     say(seen, "a tenth: apart", "m", (slow.tenth - quick.tenth).norm());
     say(seen, "by half-life: apart", "m", (slow.ours - quick.ours).norm());
     say(seen, "a tenth at 144: behind", "m", (quick.tenth - now.target).norm());
@@ -639,8 +639,8 @@ void draw_busy(demo::Picture &seen, const State &now) {
         const Machine &machine = now.machines[i];
         const Chase &chase = now.chases[i];
         const Vec2 middle{i == 0 ? -2.5 : 2.5, 1.5}, ball = middle + chase.ball, hunter = middle + chase.hunter;
-        add_screen(seen, middle - Vec2{2.3, 1.65}, middle + Vec2{2.3, 1.75},
-                   i == 0 ? "all that's due" : "with a budget");
+        add_screen(seen, middle - Vec2{2.3, 1.65}, middle + Vec2{2.3, 1.75}, "");
+        add_words(seen, middle + Vec2{-2.15, 1.35}, i == 0 ? "all that's due" : "with a budget");
         add_solid(seen, Shape::discs, Colour::amber, 0.22, {ball});
         add_solid(seen, Shape::discs, i == 0 ? Colour::orange : Colour::blue, 0.36, {hunter});
         add(seen, Shape::discs, Colour::ink, 0.12, {hunter + 0.1 * chase.heading});
@@ -675,11 +675,11 @@ void draw_friend(demo::Picture &seen, const State &now) {
         add_words(seen, flight(now.lost[i]) - Vec2{0.08, 0.08}, "×", Colour::pink);
     const Vec2 there = flight(now.time), ahead = heading(now.time - 0.1);
     add_body(seen, hull, Colour::ink, there, 0.85, heading(now.time), 0.28);
-    add_body(seen, hull, Colour::orange, now.news, 0.85, ahead, 0.75);
     add_ship(seen, now.seen, 0.85, Colour::blue, now.time, ahead);
+    add_body(seen, hull, Colour::orange, now.news, 0.85, ahead, 0.75);
     add_words(seen, {-4.8, 2.7}, "blue: yours", Colour::blue);
     add_words(seen, {-4.8, -2.95}, "orange: newest packet", Colour::orange);
-    add_words(seen, {1.9, -2.95}, "pale: where it is", Colour::dim);
+    add_words(seen, {1.55, -2.95}, "pale: where it is", Colour::dim);
     say(seen, "longest hop, newest packet", "m", *std::max_element(now.hops[1], now.hops[1] + 120));
     say(seen, "longest hop, yours", "m", *std::max_element(now.hops[0], now.hops[0] + 120));
     say(seen, "yours, behind", "m", (there - now.seen).norm());
