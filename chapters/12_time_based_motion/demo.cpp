@@ -113,7 +113,7 @@ Pair pair_of(int round) {
 double truth(const Pair &pair) { return finish * pair.yours / pair.other; }
 
 /// Where the friend's ship really is [m].
-Vec2 flight(double time) { return {4 * std::sin(1.3 * time), 2.2 * std::sin(2.5 * time + 0.5)}; }
+Vec2 flight(double time) { return {4 * std::sin(1.1 * time), 2.2 * std::sin(2 * time + 0.5)}; }
 
 /// The choice of the game begins it anew; the other controls do not.
 void start(State &now) {
@@ -142,8 +142,10 @@ int frames_due(double &shown, double frame, double time) {
 
 void step_screens(State &now, const Input &in) {
     now.screens[0].frame = in["frame delay"] / 1000;
-    for (std::size_t i = 0; i < 3; ++i) now.pale[i] += 2 * frames_due(now.shown[i], now.screens[i].frame, now.time);
+    const std::array<Screen, 3> before = now.screens;
     next_frames(now.screens, now.time);
+    for (std::size_t i = 0; i < 3; ++i)
+        now.pale[i] += 2 * std::round((now.screens[i].shown - before[i].shown) / before[i].frame);
     if (now.time > width / cruise) start(now);
 }
 
