@@ -53,9 +53,7 @@ globalThis.demoHands = {
   },
   '12_time_based_motion': { // it only wonders: where your ship is then is the reader's to say
     '': drag(0, 0.2, 3.8, [600, -150], [770, -150], [440, -150], [690, -150], [600, -150]),
-    'The game: a tab that sleeps (12.2)': press('s', 2),
-    'The game: whole steps (12.3), frames per second: 20': press('j', 0.25),
-    'The game: run and jump (12.4)': all(press('j', 1.140625), press('j', 3.28125)),
+    'The game: run and jump (12.4)': all(press('j', 0.25), press('j', 0.90625), press('j', 3.0625)),
     'The game: a busy machine (12.7)': (t) => ({ 'cost of a step': t < 0.75 ? 4 : t < 1.5 ? 8 : 12 }),
   },
 };

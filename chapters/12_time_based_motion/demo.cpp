@@ -35,13 +35,13 @@ const demo::About about{"The same game on screens that are fast and slow.",
                          {"s", "Sleep for 2 s", in_games({sleeping})},
                          {"b", "Clock back by an hour", in_games({sleeping})},
                          {"j", "Jump", in_games({whole_steps, running})}}};
-const demo::Still still{2.6};
+const demo::Still still{3.3};
 
 constexpr double frame_time = 1.0 / 60;       ///< of the page that this is seen on [s]
 constexpr double finish = 800;                ///< [px]
 constexpr double cruise = 120;                ///< [px/s]
 constexpr double width = 640;                 ///< of a screen [px]
-constexpr double rings[]{300, 380, 460, 540}; ///< [px]
+constexpr double rings[]{210, 280, 350, 430}; ///< [px]
 constexpr double ring_reach = 16;             ///< a ship in a ring is so near to it [px]
 constexpr double race_speed = 8;              ///< how many seconds of the race pass in a second
 
@@ -65,19 +65,17 @@ struct State {
     Tab tab{};                          ///< all of 12.2
     double machine = 20000, asleep = 0; ///< what the machine's clock shows [s]; how long the tab sleeps yet [s]
     bool through[2][4]{};               ///< which rings the two ships came through in this round
-    Lane lanes[3]{};                    ///< all of 12.3
-    Runner runners[3]{};
-    bool down[6]{};        ///< whether a runner is still to jump
-    double highest[3]{};   ///< how high those got that take one step a frame [m]
-    Run run{};             ///< all of 12.4
-    bool pressed = false;  ///< since the last frame
-    double ouch = 0;       ///< how long the cactus hurts yet [s]
-    Vec2 fell{0, 0};       ///< where [m]
-    Cameras both[2]{};     ///< all of 12.5
-    Vec2 target{0, 0};     ///< [m]
-    bool led = false;      ///< by the pointer
-    Racer racers[2]{};     ///< all of 12.6
-    Machine machines[2]{}; ///< all of 12.7
+    Lane lanes[6]{};                    ///< all of 12.3: with one step a frame, and in whole steps
+    bool down[6]{};                     ///< whether a runner is still to jump
+    Run run{};                          ///< all of 12.4
+    bool pressed = false;               ///< since the last frame
+    double ouch = 0;                    ///< how long the cactus hurts yet [s]
+    Vec2 fell{0, 0};                    ///< where [m]
+    Cameras both[2]{};                  ///< all of 12.5
+    Vec2 target{0, 0};                  ///< [m]
+    bool led = false;                   ///< whether it's the reader who plays
+    Racer racers[2]{};                  ///< all of 12.6
+    Machine machines[2]{};              ///< all of 12.7
     Chase chases[2]{};
     double works[2][24]{};    ///< how long the last frames worked [s]
     int frames[2]{};          ///< how many there were
@@ -118,7 +116,8 @@ Vec2 flight(double time) { return {4 * std::sin(1.1 * time), 2.2 * std::sin(2 * 
 /// The choice of the game begins it anew; the other controls do not.
 void start(State &now) {
     State fresh = begin();
-    fresh.mode = now.mode, fresh.round = now.round, fresh.chosen = now.chosen, fresh.guesses = now.guesses;
+    fresh.mode = now.mode, fresh.round = now.round, fresh.chosen = now.chosen, fresh.guesses = now.guesses,
+    fresh.led = now.led;
     std::copy(now.misses, now.misses + 5, fresh.misses);
     fresh.screens = {{{0.1, 0, {0, cruise}}, {1.0 / 30, 0, {0, cruise}}, {1.0 / 144, 0, {0, cruise}}}};
     fresh.tab = {{}, {0, cruise}, {0, cruise}};
@@ -151,11 +150,12 @@ void step_screens(State &now, const Input &in) {
 
 void step_sleeping(State &now) {
     now.machine += frame_time;
-    if ((now.asleep = std::max(0.0, now.asleep - frame_time)) > 0) return; // no frames
+    if (!now.led && now.asleep == 0 && now.tab.clock.skipped == 0 && now.tab.ship.x > 148) now.asleep = 2; // by itself
+    if ((now.asleep = std::max(0.0, now.asleep - frame_time)) > 0) return;                                 // no frames
     now.tab = next_frame(now.tab, now.machine);
-    for (int i = 0; i < 4; ++i) {
-        now.through[0][i] = now.through[0][i] || std::abs(now.tab.ship.x - rings[i]) <= ring_reach;
-        now.through[1][i] = now.through[1][i] || std::abs(now.tab.raw.x - rings[i]) <= ring_reach;
+    for (int i = 0; i < 8; ++i) {
+        const Ship &ship = i < 4 ? now.tab.ship : now.tab.raw;
+        now.through[i / 4][i % 4] |= std::abs(ship.x - rings[i % 4]) <= ring_reach;
     }
     if (now.tab.ship.x > width + 40) start(now);
 }
@@ -165,26 +165,25 @@ double frame_of_lane(int i, const Input &in) { return 1 / (i == 0 ? in["frames p
 
 void jump_all(State &now) {
     for (bool &down : now.down) down = true;
-    for (int i = 0; i < 3; ++i) now.highest[i] = now.lanes[i].highest = 0;
+    for (Lane &lane : now.lanes) lane.highest = 0;
 }
 
 void step_lanes(State &now, const Input &in) {
-    if (int(now.time / 1.75) > int((now.time - frame_time) / 1.75)) jump_all(now); // by themselves
-    for (int i = 0; i < 3; ++i) {
-        bool &single = now.down[i], &whole = now.down[i + 3];
-        const double frame = frame_of_lane(i, in);
+    if (int(now.time / 1.46) > int((now.time - frame_time) / 1.46)) jump_all(now); // by themselves
+    for (int i = 0; i < 6; ++i) {
+        Lane &lane = now.lanes[i];
+        const double frame = frame_of_lane(i % 3, in);
         for (int due = frames_due(now.shown[i], frame, now.time); due > 0; --due) {
-            now.runners[i] = one_step(now.runners[i], frame, single);
-            now.lanes[i] = next_frame(now.lanes[i], frame, whole);
-            single = single && now.runners[i].place.y() == 0;
-            whole = whole && now.lanes[i].runner.place.y() == 0;
-            now.highest[i] = std::max(now.highest[i], now.runners[i].place.y());
+            if (i >= 3) lane = next_frame(lane, frame, now.down[i]);
+            else lane.runner = one_step(lane.runner, frame, now.down[i]);
+            lane.highest = std::max(lane.highest, lane.runner.place.y());
+            now.down[i] = now.down[i] && lane.runner.place.y() == 0;
         }
     }
 }
 
 void step_running(State &now, const Input &in) {
-    if (now.ouch > 0) {
+    if (now.ouch > 0 || !now.led) {
         now.ouch -= frame_time;
         now.shown[0] = now.time;
         now.pressed = false;
@@ -293,10 +292,11 @@ void press(State &now, const Input &in) {
         ++now.round;
         start(now);
     }
-    if (in.key == "s") now.asleep = 2;
-    if (in.key == "b") now.machine = std::max(0.0, now.machine - 3600);
+    if (in.key == "s") now.asleep = 2, now.led = true;
+    if (in.key == "b") now.machine = std::max(0.0, now.machine - 3600), now.led = true;
     if (in.key != "j" && !in.pressed) return;
-    now.pressed = true;
+    now.pressed = now.led; // the first press starts the game
+    now.led = true;
     if (now.mode == whole_steps) jump_all(now);
 }
 
@@ -305,7 +305,7 @@ State next(State now, const Input &in) {
         now.chosen = chosen;
         now.mode = static_cast<Mode>(chosen);
         now.round = 0;
-        now.guesses = 0;
+        now.guesses = 0, now.led = false;
         start(now);
     }
     if (now.mode == who_is_first && in.handle >= 0 && now.flown < 0)
@@ -349,10 +349,9 @@ void add_number(demo::Picture &seen, const Vec2 &at, const char *before, double 
     int scale = 1;
     for (int i = 0; i < decimals; ++i) scale *= 10;
     const int all = int(std::round(std::min(std::abs(value), 1e6) * scale));
-    std::string &words = seen.shapes.back().text;
-    words += std::to_string(all / scale);
-    std::string rest = std::to_string(all % scale + scale);
+    std::string &words = seen.shapes.back().text, rest = std::to_string(all % scale + scale);
     rest[0] = '.';
+    words += std::to_string(all / scale);
     if (decimals > 0) words += rest;
     words += behind;
 }
@@ -518,14 +517,13 @@ void draw_lanes(demo::Picture &seen, const State &now, const Input &in) {
                         "first, in whole steps", "second, in whole steps", "third, in whole steps"};
     for (int i = 0; i < 6; ++i) {
         const double x = 0.32 + 0.49 * (i % 3) + (i >= 3 ? 1.62 : 0);
-        const Runner &runner = i >= 3 ? now.lanes[i - 3].runner : now.runners[i];
-        const double highest = i >= 3 ? now.lanes[i - 3].highest : now.highest[i];
-        const double y = std::clamp(runner.place.y(), 0.0, 5.0), top = std::clamp(highest, 0.0, 5.0);
+        const Lane &lane = now.lanes[i];
+        const double y = std::clamp(lane.runner.place.y(), 0.0, 5.0), top = std::clamp(lane.highest, 0.0, 5.0);
         add_solid(seen, Shape::line, Colour::ink, 4, {{x - 0.2, top}, {x + 0.2, top}});
-        add_runner(seen, {x, y}, 0.4, i >= 3 ? Colour::blue : Colour::orange, runner.place.x());
+        add_runner(seen, {x, y}, 0.4, i >= 3 ? Colour::blue : Colour::orange, lane.runner.place.x());
         if (top > 0) add_number(seen, {x - 0.14, y > 0.5 * top ? 0.08 : top - 0.14}, "", top, 2, "");
         add_number(seen, {x - 0.1, -0.17}, "", std::round(1 / frame_of_lane(i % 3, in)), 0, "");
-        say(seen, names[i], "m", highest, 3);
+        say(seen, names[i], "m", lane.highest, 3);
     }
 }
 
@@ -565,7 +563,7 @@ void draw_running(demo::Picture &seen, const State &now) {
     add_runner(seen, {0, std::clamp(at.y(), 0.0, 5.0)}, 0.9, now.ouch > 0 ? Colour::pink : Colour::orange, x);
     add_number(seen, {-1.3, 3.75}, "", x, 0, " m");
     add_number(seen, {-1.3, 3.3}, "best ", std::max(now.run.best, x), 0, " m");
-    if (now.ouch > 0) add_words(seen, {0.6, 1.1}, "ouch");
+    if (now.ouch > 0 || !now.led) add_words(seen, {0.6, 1.15}, now.led ? "ouch" : "jump to start");
     say(seen, "score", "m", x, 1);
     say(seen, "best", "m", now.run.best, 1);
     say(seen, "falls", "", now.run.falls, 0);
@@ -664,19 +662,14 @@ void draw_busy(demo::Picture &seen, const State &now) {
     say(seen, "a frame takes, with a budget", "ms", 1000 * now.machines[1].frame, 1);
 }
 
-Vec2 heading(double time) {
-    const Vec2 way = flight(time + 0.01) - flight(time - 0.01);
-    return way / way.norm();
-}
-
 void draw_friend(demo::Picture &seen, const State &now) {
     seen.low = {-5, -3.15}, seen.high = {5, 3.15};
     for (const Sent &each : now.line)
         if (each.arrives <= now.time) add(seen, Shape::discs, Colour::amber, 0.06, {each.packet.place});
     for (int i = 0; i < std::min(8, now.losses); ++i)
         add_words(seen, flight(now.lost[i]) - Vec2{0.08, 0.08}, "×", Colour::pink);
-    const Vec2 there = flight(now.time), ahead = heading(now.time - 0.1);
-    add_body(seen, hull, Colour::ink, there, 0.85, heading(now.time), 0.28);
+    const Vec2 there = flight(now.time), way = there - flight(now.time - 0.1), ahead = way / way.norm();
+    add_body(seen, hull, Colour::ink, there, 0.85, ahead, 0.28);
     add_ship(seen, now.seen, 0.85, Colour::blue, now.time, ahead);
     add_body(seen, hull, Colour::orange, now.news, 0.85, ahead, 0.75);
     add_words(seen, {-4.8, 2.7}, "blue: yours", Colour::blue);

@@ -86,7 +86,7 @@ inline double chance(unsigned seed, unsigned number) {
 /// The cactus with this number, from 0: 6.5 to 13 m behind the one before.
 inline Cactus cactus(unsigned seed, int number) {
     const auto another = 2 * unsigned(number);
-    return {9 + 9.75 * number + 3.25 * chance(seed, another), 0.45 + 0.3 * chance(seed, another + 1)};
+    return {6 + 9.75 * number + 3.25 * chance(seed, another), 0.45 + 0.3 * chance(seed, another + 1)};
 }
 
 //> Ouch
@@ -96,7 +96,7 @@ inline bool hits(const Vec2 &from, const Vec2 &to, unsigned seed) {
         const double part = to.x() > from.x() ? (x - from.x()) / (to.x() - from.x()) : 1;
         return from.y() + part * (to.y() - from.y());
     };
-    for (int number = std::max(0, int((from.x() - 13) / 9.75)); cactus(seed, number).x < to.x() + 1; ++number) {
+    for (int number = std::max(0, int((from.x() - 10) / 9.75)); cactus(seed, number).x < to.x() + 1; ++number) {
         const auto [x, height] = cactus(seed, number);
         const double enters = std::max(from.x(), x - half_width), leaves = std::min(to.x(), x + half_width);
         if (enters <= leaves && std::min(height_at(enters), height_at(leaves)) < height) return true;
