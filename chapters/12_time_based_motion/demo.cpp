@@ -157,7 +157,7 @@ void step_sleeping(State &now) {
         const Ship &ship = i < 4 ? now.tab.ship : now.tab.raw;
         now.through[i / 4][i % 4] |= std::abs(ship.x - rings[i % 4]) <= ring_reach;
     }
-    if (now.tab.ship.x > width + 40) start(now);
+    if (now.tab.ship.x > width + 40 || now.time > 9) start(now);
 }
 
 /// The first one's screen is the reader's.
@@ -174,6 +174,7 @@ void step_lanes(State &now, const Input &in) {
         Lane &lane = now.lanes[i];
         const double frame = frame_of_lane(i % 3, in);
         for (int due = frames_due(now.shown[i], frame, now.time); due > 0; --due) {
+            lane.spare = std::min(lane.spare, 1.0); // if an answer never catches up
             if (i >= 3) lane = next_frame(lane, frame, now.down[i]);
             else lane.runner = one_step(lane.runner, frame, now.down[i]);
             lane.highest = std::max(lane.highest, lane.runner.place.y());
@@ -588,7 +589,7 @@ void draw_cameras(demo::Picture &seen, const State &now) {
     add_glow(seen, Shape::discs, Colour::pink, 0.13, {now.target});
     add_words(seen, {-5, 2.85}, "orange: a tenth a frame", Colour::orange);
     add_words(seen, {-5, -3.1}, "blue: by half-life", Colour::blue);
-    add_words(seen, {1.7, -3.1}, "large 30, small 144", Colour::dim);
+    add_words(seen, {1, -3.1}, "large 30, small 144", Colour::dim);
     say(seen, "a tenth: apart", "m", (slow.tenth - quick.tenth).norm());
     say(seen, "by half-life: apart", "m", (slow.ours - quick.ours).norm());
     say(seen, "a tenth at 144: behind", "m", (quick.tenth - now.target).norm());
