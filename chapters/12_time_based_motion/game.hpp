@@ -90,7 +90,7 @@ inline Cactus cactus(unsigned seed, int number) {
 }
 
 //> Ouch
-/// Whether the way between two places, which the runner's feet went in one frame, leads through a cactus.
+/// Whether the way between two places, which the runner's feet went in one step, leads through a cactus.
 inline bool hits(const Vec2 &from, const Vec2 &to, unsigned seed) {
     const auto height_at = [&](double x) {
         const double part = to.x() > from.x() ? (x - from.x()) / (to.x() - from.x()) : 1;
@@ -113,15 +113,20 @@ struct Run {
 };
 
 //> The frame loop: run and jump
-/// One frame of the game: yours, and whatever stands in the way.
+/// One frame of the game: yours, and what stands in the way of each of its steps.
 inline void next_frame(Run &run, double seconds, bool jump) {
-    const Vec2 from = run.game.now.place;
+    Runner runner = run.game.now;
+    jump = jump || run.game.jump_waits;
     run.game = next_frame(run.game, seconds, jump);
-    const Vec2 to = run.game.now.place;
-    run.best = std::max(run.best, to.x());
-    if (hits(from, to, run.seed)) {
+    const double to = run.game.now.place.x();
+    run.best = std::max(run.best, to);
+    for (int i = 0; i < 16 && runner.place.x() < to - 0.01; ++i, jump = false) {
+        const Vec2 from = runner.place;
+        runner = step(runner, jump);
+        if (!hits(from, runner.place, run.seed)) continue;
         run.game = {}; // from the start, past the same cactuses
         ++run.falls;
+        return;
     }
 }
 
