@@ -252,8 +252,8 @@ void step_busy(State &now, const Input &in) {
 }
 
 void step_friend(State &now, const Input &in) {
-    while (0.1 * (now.packets + 1) <= now.time) {
-        const double sent = 0.1 * ++now.packets, late = 0.01 + 0.07 * chance(5, 2 * now.packets + 1);
+    while (0.05 * (now.packets + 1) <= now.time) {
+        const double sent = 0.05 * ++now.packets, late = 0.01 + 0.04 * chance(5, 2 * now.packets + 1);
         if (100 * chance(5, 2 * now.packets) < in["lost"]) now.lost[now.losses++ % 8] = sent;
         else now.line[now.packets % 24] = {{sent, flight(sent)}, sent + late};
     }

@@ -211,7 +211,7 @@ inline Vec2 next_frame(const std::vector<Sent> &line, double time) {
 //> The newest packet
 /// Where the newest packet that arrived says that the friend's ship was [m].
 inline Vec2 newest(const std::vector<Sent> &line, double time) {
-    Packet found = line.back().packet;
+    Packet found{-1, {0, 0}};
     for (const Sent &each : line)
         if (each.arrives <= time && each.packet.sent > found.sent) found = each.packet;
     return found.place;
