@@ -508,6 +508,11 @@ TEST_CASE("goes on by 16 steps, 1.5 m, when 2 s passed", "[12.4]") {
     const Game then = next_frame(running(), 2, false);
     CHECK_THAT(then.clock, IsNear(Clock{true, 2, 0.25, 1.75}, digits).of("clock"));
     CHECK_THAT(then.now, IsNear(Runner{{1.5, 0}, 0}, digits).of("now"));
+    Game late = running();
+    late.spare = 0.01; // what was left before a long frame is still left after it
+    late = next_frame(late, 0.25 + late.clock.last, false);
+    CHECK_THAT(late.spare, IsNear(0.01, digits).of("spare [s]"));
+    CHECK_THAT(late.shown.x() - late.before.place.x(), IsNear(0.01 * 6, digits).of("how far along it's shown [m]"));
 }
 
 //> Back by an hour
@@ -546,6 +551,7 @@ double left_after_a_second(int frames, double half_life) {
 //> Worked example: one half-life
 TEST_CASE("moves 4 m of 8 m in 0.2 s, with a 0.2 s half-life", "[12.5]") {
     CHECK_THAT(follow({0, 0}, {8, 0}, 0.2, 0.2), IsNear(Vec2{4, 0}, digits));
+    CHECK_THAT(follow({0.004, 0}, {0, 0}, 0.2, 0.2), IsNear(Vec2{0.002, 0}, digits)); // the last millimetres, too
 }
 
 //> Worked example: two and three

@@ -5,7 +5,8 @@
 #include <vector>
 
 /// Section 12: the same game on every screen.
-/// Times are in seconds. Numbers beyond ±1e5 are refused. How many digits must be right stands with the tests.
+/// Times are in seconds. Numbers beyond ±1e5 are refused; for a clock that's after 27 hours. How many digits must be right
+/// stands with the tests.
 namespace time_based_motion {
 
 using course::Vec2;
@@ -102,7 +103,7 @@ Vec2 follow(const Vec2 &camera, const Vec2 &target, double half_life, double dt)
 struct Wrapped {
     Ship ship;      ///< at the end of the frame
     int laps{};     ///< how often it flew over the end in this frame
-    double since{}; ///< how long before the end of the frame it last did so [s]; 0 if it didn't
+    double since{}; ///< how long before the end of the frame it last did so [s]; 0 when `laps` is 0
     COURSE_FIELDS(", 1, s", ship, laps, since)
 };
 
@@ -119,7 +120,7 @@ Wrapped wrap(const Ship &ship, double length, double dt);
 struct Job {
     int rate{};    ///< how often it's due in a second, 1 to 1000: at 1/rate, 2/rate, 3/rate ... [1/s]
     double cost{}; ///< how long the machine needs for it each time [s], 0.0001 to 1
-    int done{};    ///< how often it ran so far
+    int done{};    ///< how often it ran so far, 0 to 1e8
     COURSE_FIELDS("1/s, s, 1", rate, cost, done)
 };
 
@@ -156,7 +157,7 @@ constexpr double longest_guess = 0.25; ///< [s]
 //> Seen at
 /// Where your screen shows the friend's ship at a time [s]: where it was `delay` before. Between two packets it flew straight
 /// and steadily. Before the first packet it's where that one says. After the last one it goes on as it did between the last
-/// two, for `longest_guess` at most, and waits there.
+/// two, for `longest_guess` at most, and waits there. If there's only one packet, it's where that one says.
 /// @param packets  in any order, and perhaps twice; those that aren't the same were sent at least 1 ms apart
 /// @throws std::invalid_argument if there's no packet, if two that aren't the same were sent less than 1 ms apart, or a
 ///         number is not within ±1e5.
