@@ -3,7 +3,7 @@
 load 'style.gp'
 eval canvas(320)
 set output ARG2
-set lmargin 6
+set lmargin 7.5
 set xrange [0:0.8]; set yrange [0:1.3]
 set xtics 0.2; set ytics 0.25
 set xlabel 'time [s]'; set ylabel 'height [m]'
