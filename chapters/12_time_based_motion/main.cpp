@@ -169,11 +169,11 @@ void trace_jumps(std::ostream &out) {
 void trace_ahead(std::ostream &out) {
     out << "# t[s]\tlast step[m]\tlooking back[m]\tlooking ahead[m]\n";
     Game game;
-    for (int i = 0; i <= 120; ++i) { // at 150 frames a second
-        game = next_frame(game, i / 150.0, i == 1);
+    for (int i = 0; i <= 120; ++i) { // at 144 frames a second
+        game = next_frame(game, i / 144.0, i == 1);
         const Vec2 on = game.now.place - game.before.place;
         const double ahead = game.now.place.y() + game.spare / step_time * on.y();
-        out << i / 150.0 << '\t' << game.now.place.y() << '\t' << game.shown.y() << '\t' << ahead << '\n';
+        out << i / 144.0 << '\t' << game.now.place.y() << '\t' << game.shown.y() << '\t' << ahead << '\n';
     }
 }
 
