@@ -176,7 +176,7 @@ void step_lanes(State &now, const Input &in) {
         for (int due = frames_due(now.shown[i], frame, now.time); due > 0; --due) {
             lane.spare = std::min(lane.spare, 1.0); // if an answer never catches up
             if (i >= 3) lane = next_frame(lane, frame, now.down[i]);
-            else lane.runner = one_step(lane.runner, frame, now.down[i]);
+            else lane.runner = step(lane.runner, now.down[i], frame);
             lane.highest = std::max(lane.highest, lane.runner.place.y());
             now.down[i] = now.down[i] && lane.runner.place.y() == 0;
         }

@@ -61,16 +61,6 @@ inline Lane next_frame(Lane lane, double dt, bool jump) {
     return lane;
 }
 
-//> One step a frame
-/// The same runner, with one step a frame, as long as the frame is [s].
-inline Runner one_step(Runner now, double dt, bool jump) {
-    if (jump && now.place.y() == 0) now.climb = jump_speed;
-    now.climb += dt * gravity;
-    now.place += dt * Vec2{run_speed, now.climb};
-    if (now.place.y() <= 0) now.place.y() = now.climb = 0; // landed
-    return now;
-}
-
 //> Cactuses
 struct Cactus {
     double x{}, height{}; ///< [m]

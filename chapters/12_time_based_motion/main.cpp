@@ -1,6 +1,6 @@
 #include "../program.hpp"
 
-#include "time_based_motion.hpp"
+#include "game.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,17 +40,9 @@ double jumped(int frames, bool velocity_first) {
 
 /// How high the game's runner gets, in steps, on a screen of so many frames a second.
 double jumped_in_steps(int frames) {
-    double spare = 0, highest = 0;
-    Runner runner;
-    for (int i = 0; i < frames; ++i) {
-        const Due due = due_steps(spare, 1.0 / frames, step_time);
-        spare = due.spare;
-        for (int k = 0; k < due.steps; ++k) {
-            runner = step(runner, runner.place.x() == 0);
-            highest = std::max(highest, runner.place.y());
-        }
-    }
-    return highest;
+    Lane lane;
+    for (int i = 0; i < frames; ++i) lane = next_frame(lane, 1.0 / frames, lane.runner.place.x() == 0);
+    return lane.highest;
 }
 
 void print_jumps(std::ostream &out) {
@@ -78,12 +70,11 @@ constexpr double track = 800, cruise = 50; ///< [px], [px/s]
 
 /// How long a lap takes in a game whose frames take so long [s]: with the rest and the moment kept, or both thrown away.
 double lap_time(double frame, bool kept) {
-    Ship ship{0, cruise};
-    for (int i = 1;; ++i) {
-        const Wrapped wrapped = wrap(ship, track, frame);
-        if (wrapped.laps > 0) return i * frame - (kept ? wrapped.since : 0);
-        ship = wrapped.ship;
-    }
+    Racer racer{{0, cruise}};
+    for (int i = 1; racer.laps == 0; ++i)
+        if (kept) next_frame(racer, track, i * frame, frame);
+        else next_frame_without_rest(racer, track, i * frame, frame);
+    return racer.lap;
 }
 
 void print_laps(std::ostream &out) {
@@ -97,12 +88,10 @@ void print_laps(std::ostream &out) {
 /// times a second and costs so much [s]. All steps that are due run; or only what fits into a frame.
 std::vector<double> works(double cost, bool all) {
     std::vector<double> work;
-    Schedule now{0, 0, {{120, cost, 0}}, {}};
-    double frame = 1.0 / 60;
+    Machine machine{{0, 0, {{120, cost, 0}}, {}}};
     for (int i = 0; i < 30; ++i) {
-        now = run_frame(now, std::min(frame, 1.0), all ? 1 : 1.0 / 60);
-        work.push_back(double(now.ran.size()) * cost);
-        frame = std::max(1.0 / 60, work.back());
+        next_frame(machine, all ? 1 : 1.0 / 60);
+        work.push_back(machine.work);
     }
     return work;
 }
@@ -133,16 +122,11 @@ void trace_screens(std::ostream &out) {
 //> A tab that sleeps, traced
 void trace_sleep(std::ostream &out) {
     out << "# t[s]\traw difference[px]\tby tick[px]\n";
-    Clock clock;
-    Ship raw{0, 120}, ship = raw;
-    double last = 0;
+    Tab tab{{}, {0, 120}, {0, 120}};
     for (int i = 0; i <= 60; ++i) {
         const double now = i / 30.0 + (i > 20 ? 2 : 0); // from frame 20 to frame 21, it sleeps
-        clock = tick(clock, now);
-        ship = fly(ship, clock.dt);
-        raw.x += raw.speed * (now - last);
-        last = now;
-        out << now << '\t' << raw.x << '\t' << ship.x << '\n';
+        tab = next_frame(tab, now);
+        out << now << '\t' << tab.raw.x << '\t' << tab.ship.x << '\n';
     }
 }
 
@@ -150,16 +134,13 @@ void trace_sleep(std::ostream &out) {
 void trace_jumps(std::ostream &out) {
     out << "# screen[1/s]\tt[s]\tone step a frame[m]\tin steps[m]\n";
     for (const int frames : {10, 30, 144}) {
-        double height = 0, climb = jump_speed, spare = 0;
         Runner runner;
+        Lane lane;
         for (int i = 0; i <= frames * 8 / 10; ++i) {
-            out << frames << '\t' << double(i) / frames << '\t' << std::max(0.0, height) << '\t' << runner.place.y()
+            out << frames << '\t' << double(i) / frames << '\t' << runner.place.y() << '\t' << lane.runner.place.y()
                 << '\n';
-            climb += gravity / frames;
-            height += climb / frames;
-            const Due due = due_steps(spare, 1.0 / frames, step_time);
-            spare = due.spare;
-            for (int k = 0; k < due.steps; ++k) runner = step(runner, runner.place.x() == 0);
+            runner = step(runner, i == 0, 1.0 / frames);
+            lane = next_frame(lane, 1.0 / frames, lane.runner.place.x() == 0);
         }
         out << "\n\n";
     }
@@ -181,12 +162,11 @@ void trace_ahead(std::ostream &out) {
 void trace_cameras(std::ostream &out) {
     out << "# screen[1/s]\tt[s]\ta tenth a frame[m]\tby half-life[m]\n";
     for (const int frames : {30, 144}) {
-        double tenth = 10;
-        Vec2 camera{10, 0};
+        Cameras cameras{{10, 0}, {10, 0}};
         for (int i = 0; i <= frames; ++i) {
-            out << frames << '\t' << double(i) / frames << '\t' << tenth << '\t' << camera.x() << '\n';
-            tenth -= 0.1 * tenth;
-            camera = follow(camera, {0, 0}, 0.1, 1.0 / frames);
+            out << frames << '\t' << double(i) / frames << '\t' << cameras.tenth.x() << '\t' << cameras.ours.x()
+                << '\n';
+            cameras = next_frame(cameras, {0, 0}, 0.1, 1.0 / frames);
         }
         out << "\n\n";
     }

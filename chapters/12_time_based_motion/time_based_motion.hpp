@@ -65,10 +65,11 @@ constexpr double step_time = 1.0 / 64;                         ///< [s]
 constexpr double run_speed = 6, jump_speed = 6, gravity = -16; ///< [m/s], [m/s], [m/s²]
 
 /// The runner one step later. It jumps only from the ground.
-inline Runner step(Runner now, bool jump) {
+/// @param dt  how long the step takes [s]; in a game, always the same
+inline Runner step(Runner now, bool jump, double dt = step_time) {
     if (jump && now.place.y() == 0) now.climb = jump_speed;
-    now.climb += step_time * gravity;
-    now.place += step_time * Vec2{run_speed, now.climb};
+    now.climb += dt * gravity;
+    now.place += dt * Vec2{run_speed, now.climb};
     if (now.place.y() <= 0) now.place.y() = now.climb = 0; // landed
     return now;
 }
