@@ -133,8 +133,8 @@ Place place_of_demo(const Tree &tree, const Section &section, const std::string 
 }
 
 /// Writes the page that can be sent to a friend.
-void share(const Tree &tree, const Section &section, const DemoMark &mark, const fs::path &file) {
-    write_file(file, shared_page(tree, section, mark));
+void share(const Tree &tree, const Demo &demo, const DemoMark &mark, const fs::path &file) {
+    write_file(file, shared_page(tree, demo, mark));
     std::cout << "Written: " << file.string() << ", " << fs::file_size(file) / 1000
               << " kB, with your code in it. Send it to a friend, who opens it with a double click.\n";
 }
@@ -148,14 +148,15 @@ void play(const Tree &tree, const PlayOptions &options) {
         throw Complaint{options.share.string() + " would be a web page: give it a name that ends in .html"};
     if (options.watch && !options.mine) throw Complaint{"--watch is for your own code: ./course play 7 --mine --watch"};
     const std::vector<Demo> all = demos(tree);
+    auto demo = all.end();
     std::string page = "play.html", exercise;
     std::optional<Section> section;
     Place place;
     if (!options.section.empty()) {
         section = tree.section(options.section);
         if (is_number_of_exercise(options.section)) exercise = find_exercise(tree, options.section).exercise.number;
-        if (std::ranges::none_of(all, [&](const Demo &d) { return d.section.name == section->name; }))
-            throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
+        demo = std::ranges::find_if(all, [&](const Demo &d) { return d.section.name == section->name; });
+        if (demo == all.end()) throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
         place = place_of_demo(tree, *section, exercise, options.mine);
         page = page_name(tree, tree.chapter(*section)) + ".html#" + place.id;
     }
@@ -169,7 +170,7 @@ void play(const Tree &tree, const PlayOptions &options) {
         copy_own_site(tree);
         fine = build_own(tree, *section);
     }
-    if (fine && !options.share.empty()) return share(tree, *section, place.mark, options.share);
+    if (fine && !options.share.empty()) return share(tree, *demo, place.mark, options.share);
     const std::string address = ((options.mine ? own_site_folder(tree) : site_folder(tree)) / page).string();
     std::cout << (show(address) ? "Opening " : "Open this address in your browser: ") << "file://" << address << '\n';
     if (options.watch) watch(tree, *section);

@@ -1,15 +1,14 @@
 #pragma once
 // One file to send to a friend: a demo on the student's functions, in a page that needs nothing else.
 
-#include "book/demo_places.hpp"
-#include "ground/tree.hpp"
+#include "site/demos.hpp"
 
 #include <string>
 
 namespace course {
 
-/// The page: the section's demo as it starts at this place, ours and the student's, both compiled before.
+/// The page: a demo as it starts at this place, ours and the student's, both compiled before.
 /// The site must be there.
-std::string shared_page(const Tree &tree, const Section &section, const DemoMark &mark);
+std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark);
 
 } // namespace course
