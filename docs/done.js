@@ -2,6 +2,7 @@
 // contents, a chapter's table of exercises, and what else asks for a mark:
 //   <span data-progress="7"></span>   becomes "2 of 6 done", or "Done"
 //   <a data-go-on hidden></a>         becomes "Go on: 7.2", with its address
+//   <li data-yours="7.2"></li>        says at its end that it's yours
 // Without it nothing is marked, and all can be read.
 (function () {
   'use strict';
@@ -67,7 +68,7 @@
   }
 
   // A chapter's table of exercises, and whatever else asks for it
-  function markOthers() {
+  function markOthers(done) {
     for (const mark of all('td > .done')) mark.remove();
     for (const { number, function: name } of sections().flatMap(({ exercises }) => exercises).filter(isDone))
       for (const cell of all('main td:first-child')) // elsewhere 7.1 is a number like others
@@ -75,6 +76,10 @@
     for (const place of all('[data-progress]')) {
       const exercises = sections().find(({ number }) => number === place.dataset.progress)?.exercises ?? [], count = exercises.filter(isDone).length;
       place.replaceChildren(...(count === 0 ? [] : [tick(count === exercises.length ? 'Done' : `${count} of ${exercises.length} done`)]));
+    }
+    for (const place of all('[data-yours]')) {
+      place.querySelector('.done')?.remove();
+      if (done.has(place.dataset.yours)) place.append(tick('yours'));
     }
     for (const link of all('[data-go-on]')) {
       const next = self.progress?.next;
@@ -89,7 +94,7 @@
     const done = new Set(sections().flatMap(({ exercises }) => exercises.filter(isDone).map(({ number }) => number)));
     for (const box of boxes) markBox(box, done.has(box.dataset.exercise));
     markContents(done);
-    markOthers();
+    markOthers(done);
   }
   show();
   for (const box of boxes) if (box.querySelector('.unfold')) fold(box, true);

@@ -102,10 +102,11 @@ describe('what is done', { concurrency: 1 }, () => {
     assert.deepEqual(said, [['✓ 1 of 6 done', null], ['', null], ['Go on: 7.2', `${seven}#exercise-7.2`]]);
   });
 
-  test('is on the front page: how far in each section, and where to go on', async (t) => {
-    done('7.1');
+  test('is on the front page: how far in each section, what is yours of the last game, and where to go on', async (t) => {
+    done('7.1', '7.5');
     const { page, troubles } = await openCopy(t, 'index.html', { width: 390 });
-    assert.deepEqual(await page.$$eval('.card [data-progress]', (all) => all.map((one) => [one.dataset.progress, one.textContent]).filter(([, said]) => said)), [['7', '✓ 1 of 6 done']]);
+    assert.deepEqual(await page.$$eval('.card [data-progress]', (all) => all.map((one) => [one.dataset.progress, one.textContent]).filter(([, said]) => said)), [['7', '✓ 2 of 6 done']]);
+    assert.deepEqual(await page.$$eval('.parts-of-game .done', (all) => all.map((one) => one.parentElement.textContent.replace(/\s+/g, ' ').trim())), ['7.5 time_of_impact✓ yours']);
     assert.deepEqual(troubles, []);
     await page.getByRole('link', { name: 'Go on: 7.2' }).click();
     await page.waitForURL(/07_segment_intersection\.html#exercise-7\.2$/);
