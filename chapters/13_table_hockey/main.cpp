@@ -1,6 +1,8 @@
 #include "../program.hpp"
 
-#include "table_hockey.hpp"
+#include "game.hpp"
+
+#include <map>
 
 namespace {
 using namespace table_hockey;
@@ -44,8 +46,39 @@ void trace_shots(std::ostream &out) {
     }
 }
 
+/// A hundred matches of the beginner against the machine: how many goals it was ahead, and how often.
+std::map<int, int> leads(Level level) {
+    std::map<int, int> matches;
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        const Goals goals = play_match(seed, level);
+        ++matches[goals.left - goals.right];
+    }
+    return matches;
+}
+
+void print_matches(std::ostream &out) {
+    out << course::row({{"machine", 12}, {"won", 8}, {"drawn", 8}, {"lost", 0}});
+    for (const auto &[level, name] : {std::pair{Level::easy, "easy"}, {Level::difficult, "hard"}}) {
+        int won = 0, drawn = 0, lost = 0;
+        for (const auto &[lead, count] : leads(level)) (lead > 0 ? won : lead == 0 ? drawn : lost) += count;
+        out << course::row(
+            {{name, 12}, {std::to_string(won), 8}, {std::to_string(drawn), 8}, {std::to_string(lost), 0}});
+    }
+}
+
+void trace_matches(std::ostream &out) {
+    out << "goals ahead\teasy\thard\n";
+    std::map<int, int> easy = leads(Level::easy), hard = leads(Level::difficult);
+    for (int lead = -goals_to_win; lead <= goals_to_win; ++lead)
+        out << lead << '\t' << easy[lead] << '\t' << hard[lead] << '\n';
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
-    return course::run(argc, argv, {{"shots", print_shots}, {"13_table_hockey_shots.tsv", trace_shots}});
+    return course::run(argc, argv,
+                       {{"shots", print_shots},
+                        {"matches", print_matches},
+                        {"13_table_hockey_shots.tsv", trace_shots},
+                        {"13_table_hockey_matches.tsv", trace_matches}});
 }
