@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace demo {
 using course::Vec2;
@@ -27,7 +28,8 @@ enum class Material { flat, solid, glow };
 /// colours of a dark page. A yard has a sky, and ground below.
 enum class Stage { paper, felt, yard, night };
 
-/// A slider; or, if it has `options`, a choice among them, whose value is the number of the one that is chosen, from 0.
+/// A slider; or, if it has `options`, a choice among them, whose value is the number of the one that is chosen, from 0; or,
+/// if its step is 0, a key that acts while it's held.
 struct Control {
     std::string_view name, unit;
     double low, high, step, value; ///< value: at the start, then in each frame
@@ -36,6 +38,10 @@ struct Control {
 };
 inline Control choice(std::string_view name, std::vector<std::string_view> options, int chosen) {
     return {name, "", 0, double(options.size()) - 1, 1, double(chosen), options};
+}
+/// A key, as a Key's: 1 while it or its button is down, several at once, too, and 0 otherwise. A tap is 1 for one frame.
+inline Control held(std::string_view name, std::string_view key, std::vector<std::string_view> only_with = {}) {
+    return {name, key, 0, 1, 0, 0, {}, std::move(only_with)};
 }
 struct Key {
     std::string_view key, meaning; ///< as browsers call it: "n", "ArrowUp"; it gets a button of that meaning, too

@@ -4,6 +4,9 @@
 #   play/NN_slug.js     the demo for the site, as WebAssembly: target demos; `./course publish` keeps it in demos/
 #   play/NN_slug_mine.js   the same with the student's file: target NN_slug_play_mine
 #
+# In a demo of section(NN_slug BUILDS_ON ... PLAYS_YOURS) all functions of earlier sections, too, are called through the
+# page, which passes each call on to ours or to the student's.
+#
 # The last two need Debian's Clang 14 with its C library and C++ library for WebAssembly. Without them all the rest is
 # built, and the site has the demos that are kept in demos/.
 find_program(COURSE_WASM_CLANG clang++-14)
@@ -48,15 +51,49 @@ function(wasm_object object source)
     DEPENDS ${source} ${precompiled} DEPFILE ${object}.d VERBATIM COMMENT "Compiling ${shown} for pages")
 endfunction()
 
+# earlier_headers(RESULT section): what is read before a file of this section, the headers that it builds on. Their functions
+# are linked with ours, or called through the page.
+function(earlier_headers result section)
+  set(flags -I${host})
+  if(section_PLAYS_YOURS)
+    list(APPEND flags -include calls.hpp)
+  endif()
+  foreach(one ${COURSE_${section}_BUILDS_ON})
+    string(SUBSTRING ${one} 3 -1 its_slug)
+    list(APPEND flags -include ${one}/${its_slug}.hpp)
+  endforeach()
+  set(${result} ${flags} PARENT_SCOPE)
+endfunction()
+
+# wasm_answers(RESULT whose): flags for a file that answers exercises, ours or yours.
+function(wasm_answers result whose)
+  set(flags -include answers.hpp "-DCOURSE_ANSWERS=\"${whose}\"")
+  if(section_PLAYS_YOURS)
+    list(APPEND flags -DCOURSE_IF_CALLED)
+  endif()
+  if(whose STREQUAL yours)
+    list(APPEND flags ${COURSE_WASM_FUEL} -w)
+  endif()
+  set(${result} ${flags} PARENT_SCOPE)
+endfunction()
+
 # wasm_demo(RESULT name objects and flags...): linked, and packed into a script that gives it this name.
 function(wasm_demo script name)
   set(inputs ${ARGN})
   list(FILTER inputs INCLUDE REGEX "\\.o$")
   cmake_path(REPLACE_EXTENSION script .wasm OUTPUT_VARIABLE linked)
+  set(link ${COURSE_WASM_CLANG})
+  set(to -o ${linked})
+  set(linker)
+  if(section_PLAYS_YOURS)
+    set(linker ${PROJECT_SOURCE_DIR}/tools/play/link.cjs)
+    set(link ${NODE} ${linker} ${linked} ${link})
+    set(to)
+  endif()
   add_custom_command(OUTPUT ${script}
-    COMMAND ${COURSE_WASM_CLANG} ${COURSE_WASM_LINK} ${ARGN} -o ${linked}
+    COMMAND ${link} ${COURSE_WASM_LINK} ${ARGN} ${to}
     COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tools/play/pack.cjs ${linked} ${name} > ${script}
-    DEPENDS ${inputs} ${PROJECT_SOURCE_DIR}/tools/play/pack.cjs VERBATIM COMMENT "Packing the demo ${name}")
+    DEPENDS ${inputs} ${linker} ${PROJECT_SOURCE_DIR}/tools/play/pack.cjs VERBATIM COMMENT "Packing the demo ${name}")
 endfunction()
 
 macro(section_demo)
@@ -89,16 +126,19 @@ macro(section_demo)
 endmacro()
 
 macro(section_wasm)
-  set(calls -I${PROJECT_SOURCE_DIR}/tools/play/host)
+  set(host ${PROJECT_SOURCE_DIR}/tools/play/host)
+  earlier_headers(known_before ${section})
+  wasm_answers(as_ours ours)
+  wasm_answers(as_yours yours)
   set(earlier_wasm)
-  foreach(one ${earlier})
-    string(SUBSTRING ${one} 3 -1 earlier_slug)
-    list(APPEND calls -include ${one}/${earlier_slug}.hpp)
-    list(APPEND earlier_wasm ${play}/${one}_solution.o)
-  endforeach()
-  list(APPEND calls -include calls.hpp)
-  wasm_object(${play}/${section}_page.o ${PROJECT_SOURCE_DIR}/tools/play/host/page.cpp ${calls} -DCOURSE_CALLS "-DDEMO=\"${section}/demo.cpp\"")
-  wasm_object(${play}/${section}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${calls} "-DCOURSE_ANSWERS=\"ours\"")
+  set(earlier_mine)
+  if(section_PLAYS_YOURS)
+    earlier_in_the_page()
+  else()
+    list(TRANSFORM earlier REPLACE "(.+)" "${play}/\\1_solution.o" OUTPUT_VARIABLE earlier_wasm)
+  endif()
+  wasm_object(${play}/${section}_page.o ${host}/page.cpp ${known_before} -include calls.hpp "-DDEMO=\"${section}/demo.cpp\"")
+  wasm_object(${play}/${section}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${known_before} ${as_ours})
   set(objects ${play}/${section}_page.o ${play}/${section}_ours.o ${earlier_wasm})
   wasm_demo(${play}/${section}.js ${section} ${objects} -Wl,--strip-all)
   add_custom_target(${section}_play DEPENDS ${play}/${section}.js)
@@ -106,7 +146,7 @@ macro(section_wasm)
   # What a student's file reads anyway is compiled beforehand: a save is then in the page in a second.
   set(known ${play}/${section}_known.hpp)
   file(CONFIGURE OUTPUT ${known} CONTENT "#include <${section}/${slug}.hpp>\n#include <algorithm>\n#include <cmath>\n")
-  set(calls ${calls} "-DCOURSE_ANSWERS=\"yours\"" ${COURSE_WASM_FUEL} -w)
+  set(calls ${known_before} ${as_yours})
   wasm_object(${known}.pch ${known} ${calls} -x c++-header)
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
     section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section}.cpp ${play}/${section}_mine)
@@ -127,5 +167,34 @@ endmacro()
 macro(section_wasm_of file to)
   wasm_object(${to}.o ${file} ${calls} -include-pch ${known}.pch)
   # The names of functions stay: they say in which exercise something went wrong.
-  wasm_demo(${to}.js ${section}/mine ${objects} ${to}.o -Wl,--strip-debug)
+  wasm_demo(${to}.js ${section}/mine ${objects} ${to}.o ${earlier_mine} -Wl,--strip-debug)
 endmacro()
+
+# Earlier sections for a demo that plays yours of them, too: our solutions, and a student's files, of which some may not
+# compile, and some may be gone.
+macro(earlier_in_the_page)
+  file(GLOB exercises CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/exercises/*.cpp)
+  foreach(one ${earlier})
+    earlier_section_in_the_page(${one} ${play}/${section}_${one})
+    list(APPEND earlier_wasm ${play}/${section}_${one}_ours.o)
+    if(${PROJECT_SOURCE_DIR}/exercises/${one}.cpp IN_LIST exercises)
+      list(APPEND earlier_mine ${play}/${section}_${one}_mine.o)
+    endif()
+  endforeach()
+endmacro()
+
+function(earlier_section_in_the_page one to)
+  set(chapter ${PROJECT_SOURCE_DIR}/chapters/${one})
+  set(file ${PROJECT_SOURCE_DIR}/exercises/${one}.cpp)
+  earlier_headers(known_before ${one})
+  wasm_object(${to}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp ${known_before} ${as_ours})
+  if(NOT file IN_LIST exercises)
+    return()
+  endif()
+  wasm_object(${to}_broken.o ${host}/broken.cpp "-DCOURSE_BROKEN=\"broken ${one}.cpp\"")
+  set(compile ${PROJECT_SOURCE_DIR}/tools/play/earlier.cjs)
+  add_custom_command(OUTPUT ${to}_mine.o
+    COMMAND ${NODE} ${compile} ${to}_broken.o ${to}_mine.o ${COURSE_WASM_CLANG} ${COURSE_WASM_FLAGS} -I${chapter} ${known_before} ${as_yours}
+      -MD -MF ${to}_mine.o.d -c ${file}
+    DEPENDS ${compile} ${file} ${to}_broken.o DEPFILE ${to}_mine.o.d VERBATIM COMMENT "Compiling exercises/${one}.cpp for pages")
+endfunction()

@@ -7,6 +7,8 @@
 #
 # section(08_nt_collisions BUILDS_ON 07_segment_intersection): its header may include that of section 07, and all code of
 # section 08, a student's too, may call section 07's functions. Those are always our solution, never a student's answers.
+# section(13_table_hockey BUILDS_ON 07_segment_intersection PLAYS_YOURS): but in its demo they are the student's, where these
+# are done. See Play.cmake.
 
 option(COURSE_THOROUGH "Judge tests/wrong, and solutions by all generated cases: neither depends on the compiler, so once is enough. OFF, for sanitizers, runs the tests with the solution in one process, too" ON)
 set(COURSE_SECTIONS "" CACHE INTERNAL "")
@@ -48,9 +50,9 @@ endfunction()
 # What this section builds on, and what those sections build on themselves:
 # `earlier` are their names, `earlier_objects` the objects of their solutions.
 macro(find_earlier_sections)
-  cmake_parse_arguments(section "" "" BUILDS_ON ${ARGN})
+  cmake_parse_arguments(section PLAYS_YOURS "" BUILDS_ON ${ARGN})
   if(section_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "section(${section}): after the name comes nothing, or BUILDS_ON and earlier sections, but not ${section_UNPARSED_ARGUMENTS}")
+    message(FATAL_ERROR "section(${section}): after the name comes nothing, or BUILDS_ON and earlier sections, then PLAYS_YOURS or nothing, but not ${section_UNPARSED_ARGUMENTS}")
   endif()
   set(earlier)
   foreach(one ${section_BUILDS_ON})
@@ -133,6 +135,8 @@ macro(section_tests)
   put_into_json(json server $<TARGET_OBJECTS:${section}_server>)
   put_into_json(json missing ${missing})
   put_list_into_json(json earlier ${earlier_objects})
+  string(TOLOWER "${section_PLAYS_YOURS}" plays_yours) # true or false
+  string(JSON json SET "${json}" plays_yours ${plays_yours})
   set_property(GLOBAL PROPERTY course_json_${section} "${json}")
 
   add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)

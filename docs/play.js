@@ -8,6 +8,7 @@
   const nobody = 'The demo'; // stopped outside of the reader's functions
   const beat = 1 / 64; // of a hand that helps [s]
   const film = 250; // how many of them it plays, before it starts again
+  const glow = 0.3; // of a lamp, after its function was called [s]
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   const playable = (self.playable ??= {});
   const make = (name, attributes, ...inside) => {
@@ -30,10 +31,17 @@
   }
   class NotStarted extends Error {}
 
-  // A world: a demo that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
-  async function instantiate(module, yours) {
-    const called = new Set(), fallen = new Map(); // what was called; what ours stand in for, and why
-    let running = [], exports;
+  // Why ours stands in for this function from the start; '' if it needn't. The reader's of an earlier section play once they're done.
+  const isDone = (number) => (self.progress?.sections ?? []).some(({ exercises }) => exercises.some((one) => one.number === number && one.done));
+  function whyOurs(called, section, exports) {
+    const number = called.split(' ')[0], [, broken] = Object.keys(exports).map((name) => /^broken ((\d+)_.*)/.exec(name)).find((found) => Number(found?.[2]) === parseInt(number, 10)) ?? [];
+    return broken ? `${broken} doesn't compile` : !exports[`yours ${called}`] ? 'not in your file' : parseInt(number, 10) === section || isDone(number) ? '' : 'not done yet';
+  }
+
+  // A world: a demo of this section that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
+  async function instantiate(module, yours, section) {
+    const called = new Map(), fallen = new Map(); // what was called, and when last; what ours stand in for, and why
+    let running = [], clock = 0, exports;
     const text = (from) => {
       const bytes = new Uint8Array(exports.memory.buffer);
       return new TextDecoder().decode(bytes.slice(from, bytes.indexOf(0, from)));
@@ -49,7 +57,7 @@
         : `${who} threw ${known ? `std::${known}` : kind === 'i' ? 'a number' : 'something'}${words && `: ${words}`}. In a page no \`catch\` can take that.`);
     }
     function call(name, values) {
-      called.add(name);
+      called.set(name, clock);
       const own = exports[`yours ${name}`];
       if (!yours || fallen.has(name)) return exports[`ours ${name}`](...values);
       const stack = exports.__stack_pointer.value;
@@ -77,8 +85,11 @@
       if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which doesn't exist in a page.`);
     }
     exports = (await WebAssembly.instantiate(module, imports)).exports;
-    if (yours)
-      for (const name of Object.keys(imports.exercises)) if (!exports[`yours ${name}`]) fallen.set(name, 'not in your file');
+    const names = Object.keys(imports.exercises).sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
+    for (const name of yours ? names : []) {
+      const why = whyOurs(name, section, exports);
+      if (why) fallen.set(name, why);
+    }
     exports._initialize();
 
     // The numbers that a call left in memory
@@ -86,17 +97,22 @@
     return {
       called,
       fallen,
+      names,
+      ofMany: new Set(names.map((name) => parseInt(name, 10))).size > 1,
+      calledWithin: (name, seconds) => clock - called.get(name) < seconds,
       begin: () => aboutOf(read(exports.begin(branches))),
       control: (i, value) => exports.control(i, value),
       frame(dt, step, hand) {
         running = [];
+        clock += step ? 1 : dt; // after a step only what it has called glows
         const seen = frameOf(read(exports.frame(dt, step, hand.x, hand.y, hand.inside, hand.pressed, hand.handle, hand.key, branches)));
         if (seen.shapes.some(({ points }) => points.some(([x, y]) => !isFinite(x + y)))) stop(() => lost);
         return seen;
       },
       // Whatever went wrong, in one sentence. The stack has the innermost of the reader's functions by name.
       sentence(error) {
-        const inner = /\byours (\d+\.\d+ \w+)/.exec(error.stack)?.[1] ?? running.at(-1), who = inner ?? nobody;
+        const inner = /\byours (\d+\.\d+ \w+)/.exec(error.stack)?.[1] ?? running.at(-1), [, ours] = /^[^]*?\b(?:yours|ours (\d+\.\d+ \w+))/.exec(error.stack) ?? [];
+        const who = inner && ours ? `${inner} called ${ours}, which` : inner ?? nobody;
         running = [];
         if (error instanceof NotStarted) return `${who} isn't started: ${error.message}.`;
         if (error instanceof Stopped) return error.said(who);
@@ -125,17 +141,19 @@
     const sentence = make('p'), alarm = make('div', { className: 'trouble', hidden: true }, sentence, button('Restart', restart));
     sentence.setAttribute('role', 'alert');
     const sides = ['ours', 'yours'].map((side) => Object.assign(button(side === 'ours' ? 'Ours' : 'Yours', () => (whose = side, restart())), { value: side }));
-    const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }, pause, step, again);
+    const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }, pause, step, again), holds = make('div', { className: 'buttons holds' });
     choose.setAttribute('role', 'group');
     choose.setAttribute('aria-label', 'Whose code');
-    const answers = make('p', { className: 'answers' });
+    const answers = make('p', { className: 'answers' }), lamps = make('ul', { className: 'lamps', hidden: true });
+    lamps.setAttribute('aria-label', 'Functions in this game, yours and ours');
     const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
     const caption = figure.querySelector('figcaption');
-    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), readouts, make('div', { className: 'rows' }, buttons, choose), answers, keys);
+    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), readouts, make('div', { className: 'rows' }, buttons, choose), holds, answers, lamps, keys);
     figure.replaceChildren(make('div', { className: 'board' }, seen, controls));
     if (caption) figure.prepend(caption);
-    const ownKeys = []; // the demo's own: what is shown for each
+    const ownKeys = [], shownOf = []; // what is shown for each of the demo's own keys, and for each control
     const values = [], first = [], dials = []; // of the controls: they outlive a restart; as the place has them; what shows them
+    const lifted = new Set(); // keys that were held until now: a tap is down for one frame
 
     function fail(words) {
       failed = true;
@@ -163,18 +181,20 @@
       answers.textContent = '';
       if (choose.hidden && 'mine' in figure.dataset) howToPlayOnes();
       if (whose === 'yours' && trouble()) return fail(trouble());
-      const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours');
+      const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours', parseInt(name, 10));
       if (start !== starts) return; // another one has overtaken this one
       world = fresh;
       letGo();
       if (ghost !== null) ghost = 0;
       attempt(() => (about = world.begin()));
-      if (controls.childElementCount === 0) describe();
+      if (keys.childElementCount === 0) describe();
       attempt(() => values.forEach((value, i) => world.control(i, value)));
+      hangLamps();
       frame(0);
       if (keys.childElementCount === 0) nameKeys();
       run(running);
     }
+    const shortName = (key) => ({ ArrowUp: '↑', ArrowDown: '↓', ArrowLeft: '←', ArrowRight: '→' })[key] ?? key;
     function nameKeys() {
       const named = (key, meaning) => {
         const words = make('span', {}, make('kbd', { textContent: key }), ` ${meaning}`);
@@ -183,7 +203,8 @@
       };
       named('space', 'pause'), named('.', 'step'), named('r', 'reset');
       if (handles().length > 0) named('h', 'next handle'), named('arrow keys', 'move it');
-      about.keys.forEach(({ key, meaning }, i) => ownKeys[i].push(named({ ArrowUp: '↑', ArrowDown: '↓', ArrowLeft: '←', ArrowRight: '→' }[key] ?? key, meaning.toLowerCase())));
+      about.keys.forEach(({ key, meaning }, i) => ownKeys[i].push(named(shortName(key), meaning.toLowerCase())));
+      about.controls.forEach((control, i) => isHeld(control) && shownOf[i].push(named(shortName(control.unit), control.name)));
       showWhatCounts();
     }
 
@@ -193,8 +214,10 @@
       for (const setting of figure.dataset.start?.split(', ') ?? []) begins(...setting.split(': '));
       about.controls.forEach((control, i) => {
         values[i] = first[i] = control.value;
-        const made = control.options.length > 0 ? choice(control, i) : slider(control, i);
-        controls.append(i === 0 && choosesGames(control) ? make('details', {}, make('summary', { textContent: 'More games' }), made) : made);
+        const made = isHeld(control) ? holder(control, i) : control.options.length > 0 ? choice(control, i) : slider(control, i);
+        shownOf[i] = [made];
+        if (isHeld(control)) holds.append(made);
+        else controls.append(i === 0 && choosesGames(control) ? make('details', {}, make('summary', { textContent: 'More games' }), made) : made);
       });
       about.keys.forEach(({ meaning }, i) => (ownKeys[i] = [button(meaning, () => press(i))], buttons.append(...ownKeys[i])));
       showWhatCounts();
@@ -204,7 +227,7 @@
     // What changes nothing in the mode that is chosen is not shown.
     const counts = ({ onlyWith }) => onlyWith.length === 0 || about.controls.some(({ options }, i) => onlyWith.includes(options[values[i]]));
     function showWhatCounts() {
-      about.controls.forEach((control, i) => (controls.children[i].hidden = !counts(control)));
+      about.controls.forEach((control, i) => shownOf[i].forEach((shown) => (shown.hidden = !counts(control))));
       about.keys.forEach((key, i) => ownKeys[i].forEach((shown) => (shown.hidden = !counts(key))));
     }
     function begins(title, chosen) {
@@ -237,12 +260,55 @@
       return group;
     }
 
+    // Keys that act while they're held, several at once: the reader's own, and a button for each.
+    const isHeld = ({ step: each }) => each === 0;
+    function hold(i, down) {
+      if (!down) return values[i] && (running ? lifted.add(i) : turn(i, 0));
+      lifted.delete(i);
+      if (values[i]) return;
+      turn(i, 1);
+      rest();
+    }
+    function lift() {
+      for (const i of lifted) turn(i, 0);
+      lifted.clear();
+    }
+    const heldBy = (event) => (about?.controls ?? []).findIndex((each) => isHeld(each) && each.unit.toLowerCase() === event.key.toLowerCase() && counts(each));
+    function holder({ name: title }, i) {
+      const it = button(title);
+      const byKey = (down) => (event) => [' ', 'Enter'].includes(event.key) && (event.preventDefault(), hold(i, down));
+      it.addEventListener('pointerdown', (event) => event.button === 0 && (it.setPointerCapture(event.pointerId), hold(i, true)));
+      for (const end of ['pointerup', 'pointercancel', 'blur']) it.addEventListener(end, () => hold(i, false));
+      it.addEventListener('keydown', byKey(true)), it.addEventListener('keyup', byKey(false));
+      it.addEventListener('contextmenu', (event) => event.preventDefault()); // a finger that stays asks for one
+      dials[i] = (now) => it.setAttribute('aria-pressed', String(Boolean(now)));
+      dials[i](0);
+      return it;
+    }
+
+    // A lamp for each function, where a demo plays those of several sections: it glows for a while when it was called.
+    let hung = []; // each with what it shows now
+    function hangLamps() {
+      lamps.hidden = !world.ofMany;
+      hung = lamps.hidden ? [] : world.names.map((called) => {
+        const [number, words] = called.split(' '), mark = make('small'), it = make('li', {}, make('i'), make('span', {}, `${number} `, make('code', { textContent: words }), ' ', mark));
+        return { called, it, mark };
+      });
+      lamps.replaceChildren(...hung.map(({ it }) => it));
+    }
+    function light(lamp) {
+      const why = world.fallen.get(lamp.called), ours = whose === 'ours' || why !== undefined, said = ours ? `ours${why ? `: ${why}` : ''}` : 'yours', lit = world.calledWithin(lamp.called, glow);
+      if (lamp.said !== said) lamp.mark.textContent = lamp.said = said, lamp.it.dataset.whose = ours ? 'ours' : 'yours';
+      if (lamp.lit !== lit) lamp.it.classList.toggle('lit', (lamp.lit = lit));
+    }
+
     // The world goes on by so much, and is as it was if that went wrong.
     function advance(dt, one_step = false) {
       if (!world || failed) return null;
       const seen = attempt(() => world.frame(Math.min(dt, 0.1), one_step, hand));
       hand.pressed = false;
       hand.key = -1;
+      lift();
       return seen;
     }
     function frame(dt, one_step) {
@@ -256,12 +322,13 @@
       if (seen.readouts.map(({ name: title }) => title).join() !== [...readouts.querySelectorAll('dt')].map((each) => each.textContent).join())
         readouts.replaceChildren(...seen.readouts.map(({ name: title, unit }) => make('div', {}, make('dt', { textContent: title }), make('dd', {}, make('b'), ` ${unit}`))));
       readouts.querySelectorAll('b').forEach((shown, i) => (shown.textContent = digits(seen.readouts[i].value, seen.readouts[i].decimals)));
-      if (whose === 'yours') tellWhose();
+      hung.forEach(light);
+      if (whose === 'yours' && !world.ofMany) tellWhose();
       draw();
     }
     const howToPlayOnes = () => answers.append('This is our code. To play with yours, type ', make('code', { textContent: `./course play ${figure.dataset.exercise ?? parseInt(name, 10)} --mine` }));
     function tellWhose() {
-      const number = (exercise) => exercise.split(' ')[0], sorted = [...world.called].sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
+      const number = (exercise) => exercise.split(' ')[0], sorted = world.names.filter((each) => world.called.has(each));
       const yours = sorted.filter((each) => !world.fallen.has(each)).map(number), ours = sorted.filter((each) => world.fallen.has(each));
       const told = (yours.length > 0 ? `Yours: ${yours.join(', ')}. ` : '') + (ours.length > 0 ? `Ours: ${ours.map((each) => `${number(each)} (${world.fallen.get(each)})`).join(', ')}.` : '');
       if (answers.textContent !== told) answers.textContent = told;
@@ -281,7 +348,7 @@
     function turn(i, value) {
       values[i] = value;
       dials[i]?.(value);
-      attempt(() => world.control(i, value));
+      attempt(() => world?.control(i, value));
     }
     let spare = 0; // of the time it has had [s]
     function haunt(dt) {
@@ -407,7 +474,8 @@
       if (!about || event.ctrlKey || event.metaKey || event.altKey) return;
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
       const own = about.keys.findIndex((each) => each.key === event.key && counts(each));
-      if (own >= 0) press(own);
+      if (heldBy(event) >= 0) hold(heldBy(event), true);
+      else if (own >= 0) press(own);
       else if (event.key === ' ') failed || run(!running);
       else if (event.key === '.') failed || one();
       else if (event.key === 'r') restart();
@@ -420,6 +488,9 @@
       } else return;
       event.preventDefault();
     });
+
+    canvas.addEventListener('keyup', (event) => heldBy(event) >= 0 && hold(heldBy(event), false));
+    canvas.addEventListener('blur', () => about?.controls.forEach((each, i) => isHeld(each) && hold(i, false)));
 
     new IntersectionObserver((changes) => (visible = changes.at(-1).isIntersecting) && run(running)).observe(canvas);
     new ResizeObserver(draw).observe(canvas);

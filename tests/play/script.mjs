@@ -38,7 +38,8 @@ const lines = [], rows = [];
 let pointer = [...about.low], inside = 0, held = -1, handles = 0;
 for (let i = 0; i < 2000; i++) {
   const which = Math.floor(chance() * about.controls.length), { low, high, step } = about.controls[which];
-  if (i % 40 === 39) values[which] = low + step * Math.round((chance() * (high - low)) / step);
+  const grain = step || high - low; // a key that is held is down or not
+  if (i % 40 === 39) values[which] = low + grain * Math.round((chance() * (high - low)) / grain);
   if (i % 25 === 0) inside = chance() < 0.6 ? 1 : 0;
   if (i % 10 === 0) held = chance() < 0.3 ? Math.floor(chance() * handles) : -1;
   if (held < 0 || i % 10 === 0) pointer = [0, 1].map((k) => Math.round(64 * (about.low[k] + chance() * (about.high[k] - about.low[k]))) / 64);

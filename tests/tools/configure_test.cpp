@@ -88,7 +88,8 @@ TEST_CASE("a section builds on earlier sections only", "[configure]") {
            {"section(11_particles", "section(11_particles BUILDS_ON 07_segment_intersection)"}}, // a cycle
           "section(07_segment_intersection BUILDS_ON 11_particles): a section can only build on one with a smaller"},
          {{{"section(11_particles", "section(11_particles 07_segment_intersection)"}},
-          "after the name comes nothing, or BUILDS_ON and earlier sections, but not 07_segment_intersection"}}));
+          "after the name comes nothing, or BUILDS_ON and earlier sections, then PLAYS_YOURS or nothing, but not "
+          "07_segment_intersection"}}));
     CAPTURE(complaint);
     const Copy copy;
     const fs::path list = copy.root / "CMakeLists.txt";

@@ -678,10 +678,12 @@ TEST_CASE("a shared demo is one page that asks for nothing else, with ours and t
                "self.playable['07_wall_meeting/mine'] = 'yours';\n");
     DemoMark mark;
     mark.start = "size: 1 & 2";
-    const std::string page = shared_page(book.tree, demos(book.tree).front(), mark);
+    const std::string page = shared_page(book.tree, demos(book.tree).front(), mark, false);
     CHECK_THAT(page, ContainsSubstring("data-demo=\"07_wall_meeting\" data-mine data-start=\"size: 1 &amp; 2\""));
     CHECK_THAT(page, ContainsSubstring("'ours'") && ContainsSubstring("'yours'") && ContainsSubstring("demoPicture"));
     for (const char *outside : {"src=\"", "href=\"", "url(fonts"}) CHECK(page.find(outside) == std::string::npos);
+    CHECK(page.find("self.progress = ") == std::string::npos);
+    CHECK_THAT(shared_page(book.tree, demos(book.tree).front(), mark, true), ContainsSubstring("self.progress = "));
 }
 
 TEST_CASE("play says what it needs before it builds anything") {

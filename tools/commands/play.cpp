@@ -6,6 +6,7 @@
 #include "ground/process.hpp"
 #include "ground/terminal.hpp"
 #include "loop/catalogue.hpp"
+#include "loop/toolbox.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 #include "site/demos.hpp"
@@ -97,14 +98,33 @@ bool build_own(const Tree &tree, const Section &section) {
     return trouble.empty();
 }
 
+/// The student's files in this section's demo.
+std::vector<fs::path> files_of_demo(const Tree &tree, const Section &section) {
+    std::vector<fs::path> files{tree.exercise(section)};
+    if (toolbox(tree, section).plays_yours)
+        for (const Section &each : tree.sections())
+            if (each.number() < section.number() && fs::exists(tree.exercise(each)))
+                files.push_back(tree.exercise(each));
+    return files;
+}
+
+/// When these files were saved last, of those that are there.
+std::vector<fs::file_time_type> dates(const std::vector<fs::path> &files) {
+    std::vector<fs::file_time_type> all;
+    for (const fs::path &file : files) {
+        std::error_code missing;
+        if (const auto date = fs::last_write_time(file, missing); !missing) all.push_back(date);
+    }
+    return all;
+}
+
 /// Compiles again at each save, until Ctrl-C.
 void watch(const Tree &tree, const Section &section) {
     std::cout << "Save your file, and the page takes it up. Ctrl-C ends this.\n" << std::flush;
-    const fs::path file = tree.exercise(section);
-    std::error_code ignored;
-    for (auto seen = fs::last_write_time(file, ignored);; std::this_thread::sleep_for(std::chrono::milliseconds{100})) {
-        const auto now = fs::last_write_time(file, ignored);
-        if (now == seen || ignored) continue;
+    const std::vector<fs::path> files = files_of_demo(tree, section);
+    for (auto seen = dates(files);; std::this_thread::sleep_for(std::chrono::milliseconds{100})) {
+        const auto now = dates(files);
+        if (now == seen || now.size() < files.size()) continue; // an editor may be between two versions of a file
         seen = now;
         build_own(tree, section);
     }
@@ -134,7 +154,7 @@ Place place_of_demo(const Tree &tree, const Section &section, const std::string 
 
 /// Writes the page that can be sent to a friend.
 void share(const Tree &tree, const Demo &demo, const DemoMark &mark, const fs::path &file) {
-    write_file(file, shared_page(tree, demo, mark));
+    write_file(file, shared_page(tree, demo, mark, toolbox(tree, demo.section).plays_yours));
     std::cout << "Written: " << file.string() << ", " << fs::file_size(file) / 1000
               << " kB, with your code in it. Send it to a friend, who opens it with a double click.\n";
 }

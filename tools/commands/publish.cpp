@@ -32,7 +32,7 @@ equal, and each number within one unit of its sixth digit (half of it is the rou
 1e-12 of the largest in its column (a zero with its rounding errors). It also names a figure that is
 not published, and a published one that has lost its script. The SVGs are not compared: another
 gnuplot draws the same figure in other bytes. A kept demo must be, byte for byte, what its sources
-give, and no more than 64,000 bytes; its picture may differ by a tenth of a pixel.
+give, and no more than 64,000 bytes, or 120,000 with PLAYS_YOURS; its picture may differ by a tenth of a pixel.
 
 --release checks the same, and then makes three archives in build/default/release: the sources, the site, and
 the stills of the demos. Their names have the version that ./course --version shows.
@@ -67,15 +67,16 @@ std::vector<Section> changed_demos(const Tree &tree, const std::vector<Section> 
     return changed;
 }
 
-/// What a page loads for a demo, at most: its program, packed [bytes].
-constexpr std::uintmax_t heaviest_demo = 64000;
+/// What a page loads for a demo, at most: its program, packed [bytes]; for one with the functions of many sections, too.
+constexpr std::uintmax_t heaviest_demo = 64000, heaviest_of_many = 120000;
 
 /// "" if the kept demo isn't too heavy.
 std::string too_heavy(const Tree &tree, const Section &section) {
     const fs::path kept = tree.root / demo_file(section);
-    if (!fs::exists(kept) || fs::file_size(kept) <= heaviest_demo) return "";
+    const std::uintmax_t most = toolbox(tree, section).plays_yours ? heaviest_of_many : heaviest_demo;
+    if (!fs::exists(kept) || fs::file_size(kept) <= most) return "";
     return demo_file(section) + " has " + std::to_string(fs::file_size(kept))
-           + " bytes, and a page waits for each: " + std::to_string(heaviest_demo) + " at most.";
+           + " bytes, and a page waits for each: " + std::to_string(most) + " at most.";
 }
 
 /// Keeps the still pictures of the section's demo; a line for each that was not what the demo shows today.

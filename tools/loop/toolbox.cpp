@@ -44,6 +44,7 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
                 w.server = each.at("server").get<std::string>();
                 w.missing = each.at("missing").get<std::string>();
                 w.earlier = each.at("earlier");
+                w.plays_yours = each.value("plays_yours", false);
             }
         return w;
     } catch (const nlohmann::json::exception &) {

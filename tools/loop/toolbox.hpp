@@ -28,6 +28,7 @@ struct Toolbox {
     std::filesystem::path server, missing;
     std::vector<std::filesystem::path> includes; ///< what a student's file may include: files, or folders with headers
     std::vector<std::string> earlier;            ///< objects: the solutions of the sections that this one builds on
+    bool plays_yours = false;                    ///< whether its demo plays the student's functions of those, too
 };
 
 /// @throws Complaint if the course is not built yet, or course.json is broken

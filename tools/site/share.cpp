@@ -3,6 +3,7 @@
 #include "ground/files.hpp"
 #include "ground/text.hpp"
 #include "site/build.hpp"
+#include "site/progress_script.hpp"
 
 #include <regex>
 
@@ -40,12 +41,13 @@ physics. <em>Yours</em> is my code, and <em>Ours</em> is the book's.</p>
 
 } // namespace
 
-std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark) {
+std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark, bool with_progress) {
     const std::string name = demo.section.name;
     std::string page = head + ("<title>" + escaped(demo.about) + "</title>\n") + style(tree)
                        + script(of_site(tree, "theme.js")) + "<main>\n" + figure(demo, mark) + signature + "</main>\n"
                        + script(of_site(tree, demo_file(demo.section)))
                        + script(read_file(tree.build / "play" / (name + "_mine.js")));
+    if (with_progress) page += script(progress_script(tree));
     for (const char *each : {"draw.js", "hands.js", "play.js"}) page += script(of_site(tree, each));
     return page + "</html>\n";
 }

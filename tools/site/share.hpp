@@ -9,6 +9,7 @@ namespace course {
 
 /// The page: a demo as it starts at this place, ours and the student's, both compiled before.
 /// The site must be there.
-std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark);
+/// @param with_progress  the page has to know which exercises are done: it plays the student's functions of these
+std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark, bool with_progress);
 
 } // namespace course

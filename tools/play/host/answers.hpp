@@ -1,0 +1,17 @@
+#pragma once
+// The same for a file that has exercises in it. COURSE_ANSWERS is "ours" or "yours": it defines "ours 7.4 move_and_bounce".
+// COURSE_IF_CALLED: what is exported is what a page may call, which tools/play/link.cjs finds out.
+#include "interface.hpp"
+
+#ifdef COURSE_IF_CALLED
+#define COURSE_EXPORT(name)
+#else
+#define COURSE_EXPORT(name) __attribute__((export_name(name)))
+#endif
+
+#undef COURSE_EXERCISE
+#define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
+    }                                                                                                                  \
+    decltype(function) function __asm__(COURSE_ANSWERS " " number " " #function)                                       \
+        COURSE_EXPORT(COURSE_ANSWERS " " number " " #function);                                                        \
+    namespace subject {
