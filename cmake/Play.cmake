@@ -152,8 +152,11 @@ macro(section_wasm)
     section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section}.cpp ${play}/${section}_mine)
     add_custom_target(${section}_play_mine DEPENDS ${play}/${section}_mine.js)
   endif()
-  # Files that go wrong in a page, each in a way of its own, for tests/site/play.test.mjs
+  # Files that go wrong in a page, each in a way of its own, for tests/site/play.test.mjs; and earlier sections' beside them
   file(GLOB wrong CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section}/*.cpp)
+  if(section_PLAYS_YOURS)
+    earlier_files(earlier_mine ${PROJECT_SOURCE_DIR}/tests/play/${section}/earlier ${play}/wrong/${section})
+  endif()
   foreach(file ${wrong})
     cmake_path(GET file STEM stem)
     file(MAKE_DIRECTORY ${play}/wrong)
@@ -173,28 +176,40 @@ endmacro()
 # Earlier sections for a demo that plays yours of them, too: our solutions, and a student's files, of which some may not
 # compile, and some may be gone.
 macro(earlier_in_the_page)
-  file(GLOB exercises CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/exercises/*.cpp)
   foreach(one ${earlier})
-    earlier_section_in_the_page(${one} ${play}/${section}_${one})
+    earlier_answers(${one} ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp ${play}/${section}_${one}_ours.o ours)
     list(APPEND earlier_wasm ${play}/${section}_${one}_ours.o)
-    if(${PROJECT_SOURCE_DIR}/exercises/${one}.cpp IN_LIST exercises)
-      list(APPEND earlier_mine ${play}/${section}_${one}_mine.o)
-    endif()
   endforeach()
+  earlier_files(earlier_mine ${PROJECT_SOURCE_DIR}/exercises ${play}/${section})
 endmacro()
 
-function(earlier_section_in_the_page one to)
+# earlier_files(RESULT folder to): the objects of those files of earlier sections that are in this folder.
+function(earlier_files result folder to)
+  set(objects)
+  file(GLOB files CONFIGURE_DEPENDS ${folder}/*.cpp)
+  foreach(one ${earlier})
+    if(${folder}/${one}.cpp IN_LIST files)
+      earlier_answers(${one} ${folder}/${one}.cpp ${to}_${one}_mine.o yours)
+      list(APPEND objects ${to}_${one}_mine.o)
+    endif()
+  endforeach()
+  set(${result} ${objects} PARENT_SCOPE)
+endfunction()
+
+# earlier_answers(one file object whose): the exercises of an earlier section in a page. Yours may not compile.
+function(earlier_answers one file object whose)
   set(chapter ${PROJECT_SOURCE_DIR}/chapters/${one})
-  set(file ${PROJECT_SOURCE_DIR}/exercises/${one}.cpp)
   earlier_headers(known_before ${one})
-  wasm_object(${to}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp ${known_before} ${as_ours})
-  if(NOT file IN_LIST exercises)
+  wasm_answers(as ${whose})
+  if(whose STREQUAL ours)
+    wasm_object(${object} ${file} ${known_before} ${as})
     return()
   endif()
-  wasm_object(${to}_broken.o ${host}/broken.cpp "-DCOURSE_BROKEN=\"broken ${one}.cpp\"")
+  wasm_object(${object}.broken ${host}/broken.cpp "-DCOURSE_BROKEN=\"broken ${one}.cpp\"")
   set(compile ${PROJECT_SOURCE_DIR}/tools/play/earlier.cjs)
-  add_custom_command(OUTPUT ${to}_mine.o
-    COMMAND ${NODE} ${compile} ${to}_broken.o ${to}_mine.o ${COURSE_WASM_CLANG} ${COURSE_WASM_FLAGS} -I${chapter} ${known_before} ${as_yours}
-      -MD -MF ${to}_mine.o.d -c ${file}
-    DEPENDS ${compile} ${file} ${to}_broken.o DEPFILE ${to}_mine.o.d VERBATIM COMMENT "Compiling exercises/${one}.cpp for pages")
+  cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE shown)
+  add_custom_command(OUTPUT ${object}
+    COMMAND ${NODE} ${compile} ${object}.broken ${object} ${COURSE_WASM_CLANG} ${COURSE_WASM_FLAGS} -I${chapter} ${known_before} ${as}
+      -MD -MF ${object}.d -c ${file}
+    DEPENDS ${compile} ${file} ${object}.broken DEPFILE ${object}.d VERBATIM COMMENT "Compiling ${shown} for pages")
 endfunction()

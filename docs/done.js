@@ -95,6 +95,7 @@
     for (const box of boxes) markBox(box, done.has(box.dataset.exercise));
     markContents(done);
     markOthers(done);
+    dispatchEvent(new Event('progress')); // for demos that play what is done
   }
   show();
   for (const box of boxes) if (box.querySelector('.unfold')) fold(box, true);

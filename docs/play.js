@@ -32,10 +32,10 @@
   class NotStarted extends Error {}
 
   // Why ours stands in for this function from the start; '' if it needn't. The reader's of an earlier section play once they're done.
-  const isDone = (number) => (self.progress?.sections ?? []).some(({ exercises }) => exercises.some((one) => one.number === number && one.done));
+  const notDone = 'not done yet', isDone = (number) => (self.progress?.sections ?? []).some(({ exercises }) => exercises.some((one) => one.number === number && one.done));
   function whyOurs(called, section, exports) {
     const number = called.split(' ')[0], [, broken] = Object.keys(exports).map((name) => /^broken ((\d+)_.*)/.exec(name)).find((found) => Number(found?.[2]) === parseInt(number, 10)) ?? [];
-    return broken ? `${broken} doesn't compile` : !exports[`yours ${called}`] ? 'not in your file' : parseInt(number, 10) === section || isDone(number) ? '' : 'not done yet';
+    return broken ? `${broken} doesn't compile` : !exports[`yours ${called}`] ? 'not in your file' : parseInt(number, 10) === section || isDone(number) ? '' : notDone;
   }
 
   // A world: a demo of this section that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
@@ -86,10 +86,14 @@
     }
     exports = (await WebAssembly.instantiate(module, imports)).exports;
     const names = Object.keys(imports.exercises).sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
-    for (const name of yours ? names : []) {
-      const why = whyOurs(name, section, exports);
-      if (why) fallen.set(name, why);
+    function lookWhoseTheyAre() {
+      for (const name of yours ? names : []) {
+        const why = whyOurs(name, section, exports);
+        if (why) fallen.set(name, why);
+        else if (fallen.get(name) === notDone) fallen.delete(name);
+      }
     }
+    lookWhoseTheyAre();
     exports._initialize();
 
     // The numbers that a call left in memory
@@ -98,6 +102,7 @@
       called,
       fallen,
       names,
+      lookWhoseTheyAre,
       ofMany: new Set(names.map((name) => parseInt(name, 10))).size > 1,
       calledWithin: (name, seconds) => clock - called.get(name) < seconds,
       begin: () => aboutOf(read(exports.begin(branches))),
@@ -141,7 +146,7 @@
     const sentence = make('p'), alarm = make('div', { className: 'trouble', hidden: true }, sentence, button('Restart', restart));
     sentence.setAttribute('role', 'alert');
     const sides = ['ours', 'yours'].map((side) => Object.assign(button(side === 'ours' ? 'Ours' : 'Yours', () => (whose = side, restart())), { value: side }));
-    const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }, pause, step, again), holds = make('div', { className: 'buttons holds' });
+    const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }, pause, step, again), holds = make('div', { className: 'holds' });
     choose.setAttribute('role', 'group');
     choose.setAttribute('aria-label', 'Whose code');
     const answers = make('p', { className: 'answers' }), lamps = make('ul', { className: 'lamps', hidden: true });
@@ -498,6 +503,7 @@
     new MutationObserver(restyle).observe(document.documentElement, { attributeFilter: ['data-theme'] });
     addEventListener('beforeprint', () => (figure.style.colorScheme = 'light', restyle()));
     addEventListener('afterprint', () => (figure.style.colorScheme = '', restyle()));
+    addEventListener('progress', () => world && (world.lookWhoseTheyAre(), hung.forEach(light)));
     figure.addEventListener('play-again', () => (whose = 'yours', restart()));
     await restart();
     figure.dataset.ready = '';

@@ -6,7 +6,6 @@
 #include "ground/process.hpp"
 #include "ground/terminal.hpp"
 #include "loop/catalogue.hpp"
-#include "loop/toolbox.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 #include "site/demos.hpp"
@@ -86,6 +85,28 @@ void need_compiler(const Tree &tree, bool yes) {
 
 // The student's demo
 
+/// What an earlier section's file is compiled to for this section's demo, if that plays the student's of all.
+fs::path earlier_object(const Tree &tree, const Section &section, const Section &earlier) {
+    return tree.build / "play" / (section.name + '_' + earlier.name + "_mine.o");
+}
+
+/// The sections whose files are in this section's demo, once it's built, beside its own.
+std::vector<Section> sections_of_demo(const Tree &tree, const Section &section) {
+    std::vector<Section> all = tree.sections();
+    std::erase_if(all, [&](const Section &each) { return !fs::exists(earlier_object(tree, section, each)); });
+    return all;
+}
+
+/// A line for each of them that doesn't compile: tools/play/earlier.cjs has left something in its place.
+std::string about_broken(const Tree &tree, const Section &section) {
+    std::string said;
+    for (const Section &each : sections_of_demo(tree, section))
+        if (read_file(earlier_object(tree, section, each)).find("broken " + each.name) != std::string::npos)
+            said += tree.shown(tree.exercise(each)) + " doesn't compile, so the demo has our functions of section "
+                    + each.short_number() + ": ./course check " + each.short_number() + " says why.\n";
+    return said;
+}
+
 /// Compiles the student's file into the demo; a file that cannot be compiled becomes a sentence, there and here.
 /// @return whether it could be compiled
 bool build_own(const Tree &tree, const Section &section) {
@@ -93,19 +114,11 @@ bool build_own(const Tree &tree, const Section &section) {
     const auto began = std::chrono::steady_clock::now();
     const std::string trouble = build_own_demo(tree, section);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-    if (trouble.empty()) std::cout << fmt::format("Your code is in the demo ({:.1f} s).\n", took.count()) << std::flush;
+    if (trouble.empty())
+        std::cout << fmt::format("Your code is in the demo ({:.1f} s).\n", took.count()) << about_broken(tree, section)
+                  << std::flush;
     else std::cout << "Your code is not in the demo: " << trouble << '\n' << std::flush;
     return trouble.empty();
-}
-
-/// The student's files in this section's demo.
-std::vector<fs::path> files_of_demo(const Tree &tree, const Section &section) {
-    std::vector<fs::path> files{tree.exercise(section)};
-    if (toolbox(tree, section).plays_yours)
-        for (const Section &each : tree.sections())
-            if (each.number() < section.number() && fs::exists(tree.exercise(each)))
-                files.push_back(tree.exercise(each));
-    return files;
 }
 
 /// When these files were saved last, of those that are there.
@@ -121,7 +134,8 @@ std::vector<fs::file_time_type> dates(const std::vector<fs::path> &files) {
 /// Compiles again at each save, until Ctrl-C.
 void watch(const Tree &tree, const Section &section) {
     std::cout << "Save your file, and the page takes it up. Ctrl-C ends this.\n" << std::flush;
-    const std::vector<fs::path> files = files_of_demo(tree, section);
+    std::vector<fs::path> files{tree.exercise(section)};
+    for (const Section &each : sections_of_demo(tree, section)) files.push_back(tree.exercise(each));
     for (auto seen = dates(files);; std::this_thread::sleep_for(std::chrono::milliseconds{100})) {
         const auto now = dates(files);
         if (now == seen || now.size() < files.size()) continue; // an editor may be between two versions of a file
@@ -154,7 +168,7 @@ Place place_of_demo(const Tree &tree, const Section &section, const std::string 
 
 /// Writes the page that can be sent to a friend.
 void share(const Tree &tree, const Demo &demo, const DemoMark &mark, const fs::path &file) {
-    write_file(file, shared_page(tree, demo, mark, toolbox(tree, demo.section).plays_yours));
+    write_file(file, shared_page(tree, demo, mark, !sections_of_demo(tree, demo.section).empty()));
     std::cout << "Written: " << file.string() << ", " << fs::file_size(file) / 1000
               << " kB, with your code in it. Send it to a friend, who opens it with a double click.\n";
 }
