@@ -153,7 +153,7 @@
     lamps.setAttribute('aria-label', 'Functions in this game, yours and ours');
     const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
     const caption = figure.querySelector('figcaption');
-    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), readouts, make('div', { className: 'rows' }, buttons, choose), holds, answers, lamps, keys);
+    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), holds, readouts, make('div', { className: 'rows' }, buttons, choose), answers, lamps, keys);
     figure.replaceChildren(make('div', { className: 'board' }, seen, controls));
     if (caption) figure.prepend(caption);
     const ownKeys = [], shownOf = []; // what is shown for each of the demo's own keys, and for each control
