@@ -91,11 +91,11 @@
   }
 
   function show() {
+    dispatchEvent(new Event('progress')); // for demos that play what is done
     const done = new Set(sections().flatMap(({ exercises }) => exercises.filter(isDone).map(({ number }) => number)));
     for (const box of boxes) markBox(box, done.has(box.dataset.exercise));
     markContents(done);
     markOthers(done);
-    dispatchEvent(new Event('progress')); // for demos that play what is done
   }
   show();
   for (const box of boxes) if (box.querySelector('.unfold')) fold(box, true);

@@ -88,7 +88,7 @@ describe('keys that are held', { concurrency: 2, skip: !here && `there is no ${g
   async function twoKeys(demo) {
     const buttons = await demo.figure.locator('.holds button:not([hidden])').all();
     return Promise.all(buttons.slice(0, 2).map(async (button) => {
-      const words = await button.textContent(), hint = demo.figure.locator('.keys > span').filter({ hasText: new RegExp(` ${words}$`) });
+      const words = await button.textContent(), hint = demo.figure.locator('.keys > span').filter({ hasText: new RegExp(`^\\S+ ${words}$`) });
       const shown = await hint.locator('kbd').textContent();
       return { button, key: keyNames[shown] ?? shown, down: async () => (await button.getAttribute('aria-pressed')) === 'true' };
     }));
