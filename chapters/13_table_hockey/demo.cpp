@@ -78,8 +78,9 @@ void look_who_plays(State &now, const Input &in) {
     if (is_played(now) && !was_played) start(now);
 }
 
-Vec2 left_hand(const State &now, const Input &in, Level level) {
-    if (now.mode == two_machines) return machine_hand(now.world, -1, level);
+/// Of two machines, the left one is always the better one.
+Vec2 left_hand(const State &now, const Input &in) {
+    if (now.mode == two_machines) return machine_hand(now.world, -1, Level::difficult);
     if (!is_played(now)) return beginner_hand(now.world, now.matches, now.time);
     return now.by_pointer && in.handle <= 0 ? in.pointer : led(now.world.left, direction_of(in, true));
 }
@@ -100,7 +101,7 @@ void step(State &now, const Input &in, double dt) {
     const Level level = in["The machine"] == 0 ? Level::easy : Level::difficult;
     const int left = now.world.left.goals, right = now.world.right.goals;
     now.world =
-        table_hockey::step(now.world, {left_hand(now, in, level), right_hand(now, in, level), in["The well"] == 1}, dt);
+        table_hockey::step(now.world, {left_hand(now, in), right_hand(now, in, level), in["The well"] == 1}, dt);
     round_off(now.world);
     now.time += dt;
     now.goal_ago[0] = now.world.right.goals != right ? 0 : now.goal_ago[0] + dt;
@@ -149,10 +150,11 @@ void add_words(demo::Picture &seen, const Vec2 &at, std::string_view words, Colo
 void say(demo::Picture &seen, const char *name, const char *unit, double value, int decimals) {
     seen.readouts.push_back({name, unit, std::round(value * 1e6) / 1e6 + 0.0, decimals});
 }
-void add_circle(demo::Picture &seen, Colour colour, double width, double radius, double strength) {
+void add_circle(demo::Picture &seen, Colour colour, double radius, double strength) {
     std::vector<Vec2> points;
-    for (int i = 0; i <= 48; ++i) points.push_back(trajectories::launch_velocity(radius, 7.5 * i));
-    add(seen, Shape::line, colour, width, points, strength);
+    for (int i = 0; i <= 48; ++i) points.push_back(radius * Vec2{std::cos(0.1309 * i), std::sin(0.1309 * i)});
+    points.back() = points.front();
+    add(seen, Shape::line, colour, 2, points, strength);
 }
 
 /// A digit as an old scoreboard shows it: seven bars, of which some are on.
@@ -212,13 +214,13 @@ void add_goals(demo::Picture &seen, const State &now) {
 }
 void add_table(demo::Picture &seen, const State &now, bool well) {
     add(seen, Shape::line, Colour::ink, 2, {{0, -half_width}, {0, half_width}}, 0.3);
-    add_circle(seen, Colour::ink, 2, 0.17, 0.3);
+    add_circle(seen, Colour::ink, 0.17, 0.3);
     add(seen, Shape::discs, Colour::ink, 0.012, {{0, 0}}, 0.4);
     add_frame(seen);
     add_cushions(seen);
     add_goals(seen, now);
     if (!well) return;
-    for (const int ring : {1, 2, 3}) add_circle(seen, Colour::violet, 2, ring * ring * 0.04, 0.8 - 0.2 * ring);
+    for (const int ring : {1, 2, 3}) add_circle(seen, Colour::violet, ring * ring * 0.04, 1.1 - 0.25 * ring);
 }
 
 void add_mallet(demo::Picture &seen, const Player &player, Colour colour) {
@@ -249,8 +251,7 @@ void add_sparks(demo::Picture &seen, const std::vector<Particle> &sparks) {
 
 std::string_view words_for(const State &now) {
     if (is_won(now.world)) return now.world.left.goals > now.world.right.goals ? "blue wins" : "orange wins";
-    if (now.mode == two_machines || is_played(now)) return "";
-    return now.mode == two_players ? "press a key to take over" : "press a key, or point, to take over";
+    return now.mode == two_machines || is_played(now) ? "" : "press a key to take over";
 }
 
 demo::Picture draw(const State &now, const Input &in) {
@@ -258,6 +259,8 @@ demo::Picture draw(const State &now, const Input &in) {
     seen.stage = demo::Stage::felt;
     const auto &[disc, left, right, sparks, serve_to, wait, spare] = now.world;
     add_table(seen, now, in["The well"] == 1);
+    if (now.mode != two_machines) add(seen, Shape::handle, Colour::blue, 0, {left.mallet});
+    if (now.mode == two_players) add(seen, Shape::handle, Colour::orange, 0, {right.mallet});
     add_mallet(seen, left, Colour::blue);
     add_mallet(seen, right, Colour::orange);
     add_disc(seen, disc);
@@ -266,9 +269,7 @@ demo::Picture draw(const State &now, const Input &in) {
     add_arm(seen, right, Colour::orange);
     add_score(seen, -0.16, left.goals, Colour::blue);
     add_score(seen, 0.16, right.goals, Colour::orange);
-    add_words(seen, {-1.22, -0.73}, words_for(now));
-    if (now.mode != two_machines) add(seen, Shape::handle, Colour::blue, 0, {left.mallet});
-    if (now.mode == two_players) add(seen, Shape::handle, Colour::orange, 0, {right.mallet});
+    add_words(seen, {-0.6, -0.73}, words_for(now));
     say(seen, "goals left", "", left.goals, 0);
     say(seen, "goals right", "", right.goals, 0);
     say(seen, "speed of the disc", "m/s", disc.velocity.norm(), 2);

@@ -105,7 +105,7 @@ inline double chance(unsigned seed, unsigned number) {
     mixed = (mixed ^ mixed >> 15) * 2246822519u;
     return double((mixed ^ mixed >> 13) >> 20) / 2048 - 1;
 }
-constexpr double late = 0.04, clumsy = 0.03; ///< [s], [m]
+constexpr double late = 0.045, clumsy = 0.03; ///< [s], [m]
 /// Where the hand of a beginner on the left goes. It sees where the disc was a moment ago, points a little beside it, and
 /// runs after it as soon as it's in its own half.
 inline Vec2 beginner_hand(const World &now, unsigned seed, double time) {
