@@ -220,7 +220,7 @@ void add_table(demo::Picture &seen, const State &now, bool well) {
     add_cushions(seen);
     add_goals(seen, now);
     if (!well) return;
-    for (const int ring : {1, 2, 3}) add_circle(seen, Colour::violet, ring * ring * 0.04, 1.1 - 0.25 * ring);
+    for (const double radius : {0.06, 0.26, 0.42}) add_circle(seen, Colour::violet, radius, 0.9 - 1.2 * radius);
 }
 
 void add_mallet(demo::Picture &seen, const Player &player, Colour colour) {
