@@ -4,9 +4,10 @@
 
 #include <map>
 
-namespace {
 using namespace table_hockey;
+using course::row, course::text;
 
+//> Two shots
 /// Both mallets rest, and somebody on the left has just hit the disc, this many degrees upwards.
 World after_a_shot(double angle) {
     World now = opening();
@@ -18,7 +19,7 @@ bool is_over(const World &now) { return now.left.goals + now.right.goals > 0 || 
 
 /// A turn is when the disc's velocity changes by more than the felt can change it.
 void print_shots(std::ostream &out) {
-    out << course::row({{"shot [°]", 12}, {"turns", 9}, {"time [s]", 12}, {"goals", 0}});
+    out << row({{"shot [°]", 12}, {"turns", 9}, {"time [s]", 12}, {"goals", 0}});
     for (const double angle : {20, 25, 35}) {
         World now = after_a_shot(angle);
         int turns = 0, steps = 0;
@@ -28,10 +29,10 @@ void print_shots(std::ostream &out) {
             if (is_over(now)) continue;
             turns += (now.disc.velocity - before.velocity).norm() > 2 * felt * step_time;
         }
-        out << course::row({{course::text(angle), 12},
-                            {std::to_string(turns), 9},
-                            {course::text(std::round(steps * step_time * 100) / 100), 12},
-                            {std::to_string(now.left.goals) + " : " + std::to_string(now.right.goals), 0}});
+        out << row({{text(angle), 12},
+                    {std::to_string(turns), 9},
+                    {text(std::round(steps * step_time * 100) / 100), 12},
+                    {std::to_string(now.left.goals) + " : " + std::to_string(now.right.goals), 0}});
     }
 }
 
@@ -46,6 +47,7 @@ void trace_shots(std::ostream &out) {
     }
 }
 
+//> A hundred matches
 /// A hundred matches of the beginner against the machine: how many goals it was ahead, and how often.
 std::map<int, int> leads(Level level) {
     std::map<int, int> matches;
@@ -57,12 +59,11 @@ std::map<int, int> leads(Level level) {
 }
 
 void print_matches(std::ostream &out) {
-    out << course::row({{"machine", 12}, {"won", 8}, {"drawn", 8}, {"lost", 0}});
+    out << row({{"machine", 12}, {"won", 8}, {"drawn", 8}, {"lost", 0}});
     for (const auto &[level, name] : {std::pair{Level::easy, "easy"}, {Level::difficult, "hard"}}) {
         int won = 0, drawn = 0, lost = 0;
         for (const auto &[lead, count] : leads(level)) (lead > 0 ? won : lead == 0 ? drawn : lost) += count;
-        out << course::row(
-            {{name, 12}, {std::to_string(won), 8}, {std::to_string(drawn), 8}, {std::to_string(lost), 0}});
+        out << row({{name, 12}, {std::to_string(won), 8}, {std::to_string(drawn), 8}, {std::to_string(lost), 0}});
     }
 }
 
@@ -73,8 +74,7 @@ void trace_matches(std::ostream &out) {
         out << lead << '\t' << easy[lead] << '\t' << hard[lead] << '\n';
 }
 
-} // namespace
-
+//> The parts
 int main(int argc, char **argv) {
     return course::run(argc, argv,
                        {{"shots", print_shots},
