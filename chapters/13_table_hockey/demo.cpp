@@ -34,25 +34,35 @@ constexpr double patience = 10;  ///< so long it waits for a player who went awa
 constexpr double break_time = 4; ///< after a match [s]
 constexpr double lit = 1;        ///< how long the lamps of a goal are on [s]
 
+/// A hand goes where a pointer has shown it last, or as keys say.
+struct Lead {
+    bool by_pointer = false;
+    Vec2 to{0, 0}; ///< [m]
+};
+
 struct State {
     Mode mode = against_the_machine;
     World world = opening();
     unsigned matches = 0;     ///< how many were begun before this one
     double time{};            ///< since this one began [s]
     double idle = patience;   ///< since the last key, or the pointer's last move [s]
-    bool by_pointer = false;  ///< whether it's the pointer that leads the left hand
+    Lead leads[2]{};          ///< of the left hand, and of the right one
     Vec2 pointer{0, 0};       ///< where it was in the frame before [m]
     double goal_ago[2]{9, 9}; ///< since the disc was in the left goal, and in the right one [s]
     double over{};            ///< for how long the match has been over [s]
     double chosen = -1;       ///< which game the page asks for
 };
 
-State begin() { return {}; }
+State begin() {
+    State now;
+    return now;
+}
 
 void start(State &now) {
-    State fresh;
+    State fresh = begin();
     fresh.mode = now.mode, fresh.matches = now.matches + 1, fresh.chosen = now.chosen;
-    fresh.idle = now.idle, fresh.by_pointer = now.by_pointer, fresh.pointer = now.pointer;
+    fresh.idle = now.idle, fresh.pointer = now.pointer;
+    std::copy(now.leads, now.leads + 2, fresh.leads);
     now = fresh;
 }
 
@@ -68,25 +78,28 @@ bool is_played(const State &now) { return now.idle < patience && now.mode != two
 
 /// Whoever comes begins a match, and whoever leaves goes on with it for a while.
 void look_who_plays(State &now, const Input &in) {
-    const bool keys = !direction_of(in, true).isZero(0) || !direction_of(in, false).isZero(0);
-    const bool leads = in.handle >= 0 || (in.inside && now.mode == against_the_machine);
-    const bool moves = leads && (in.handle >= 0 || in.pressed || in.pointer != now.pointer);
+    const bool points = in.handle >= 0 || (in.inside && now.mode == against_the_machine), was_played = is_played(now);
+    if (points && (in.handle >= 0 || in.pressed || in.pointer != now.pointer))
+        now.leads[in.handle > 0] = {true, in.pointer}, now.idle = 0;
     now.pointer = in.pointer;
-    now.by_pointer = moves || (now.by_pointer && leads && !keys);
-    const bool was_played = is_played(now);
-    now.idle = keys || moves || now.by_pointer ? 0 : now.idle + in.dt;
+    now.idle = points && was_played ? 0 : now.idle + in.dt;
+    for (const bool blue : {true, false})
+        if (!direction_of(in, blue).isZero(0)) now.leads[!blue].by_pointer = false, now.idle = 0;
     if (is_played(now) && !was_played) start(now);
 }
 
+Vec2 hand_of(const Lead &lead, const Player &player, const Vec2 &direction) {
+    return lead.by_pointer ? lead.to : led(player, direction);
+}
 /// Of two machines, the left one is always the better one.
 Vec2 left_hand(const State &now, const Input &in) {
     if (now.mode == two_machines) return machine_hand(now.world, -1, Level::difficult);
     if (!is_played(now)) return beginner_hand(now.world, now.matches, now.time);
-    return now.by_pointer && in.handle <= 0 ? in.pointer : led(now.world.left, direction_of(in, true));
+    return hand_of(now.leads[0], now.world.left, direction_of(in, true));
 }
 Vec2 right_hand(const State &now, const Input &in, Level level) {
     if (now.mode != two_players || !is_played(now)) return machine_hand(now.world, 1, level);
-    return now.by_pointer && in.handle == 1 ? in.pointer : led(now.world.right, direction_of(in, false));
+    return hand_of(now.leads[1], now.world.right, direction_of(in, false));
 }
 
 /// Without the last digits: they hang on a machine's sines, and after some hits two machines would play different games.
