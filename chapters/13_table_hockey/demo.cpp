@@ -125,6 +125,7 @@ State next(State now, const Input &in) {
     if (const double chosen = in["The game"]; chosen != now.chosen) {
         now.chosen = chosen;
         now.mode = static_cast<Mode>(chosen);
+        now.leads[0] = now.leads[1] = {};
         now.idle = patience;
         start(now);
     }
