@@ -12,5 +12,5 @@ yours = with_yours("ARG3 using 1:2 with points lt 2 pt 6 ps 1.2 lw 1.5 title 'yo
 set style fill solid 0.5
 set boxwidth 0.38
 plot ARG1 using ($1-0.2):2 with boxes lt 1 dt solid title 'easy machine', \
-     ARG1 using ($1+0.2):3 with boxes lt 5 dt solid fs pattern 4 title 'hard machine', \
+     ARG1 using ($1+0.2):3 with boxes lt 5 dt solid fs empty border lt 5 title 'hard machine', \
      @yours

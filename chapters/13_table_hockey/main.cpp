@@ -38,8 +38,8 @@ void print_shots(std::ostream &out) {
 
 /// Where the disc is after each step, until it's in a goal.
 void trace_shots(std::ostream &out) {
+    out << "# t[s]\tx[m]\ty[m]\n";
     for (const double angle : {20, 25}) {
-        out << "time [s]\tx [m]\ty [m]\n";
         World now = after_a_shot(angle);
         for (int i = 0; !is_over(now); ++i, now = step(now, {}, step_time))
             out << i * step_time << '\t' << now.disc.place.x() << '\t' << now.disc.place.y() << '\n';
@@ -68,7 +68,7 @@ void print_matches(std::ostream &out) {
 }
 
 void trace_matches(std::ostream &out) {
-    out << "goals ahead\teasy\thard\n";
+    out << "# goals_ahead[1]\teasy[1]\thard[1]\n";
     std::map<int, int> easy = leads(Level::easy), hard = leads(Level::difficult);
     for (int lead = -goals_to_win; lead <= goals_to_win; ++lead)
         out << lead << '\t' << easy[lead] << '\t' << hard[lead] << '\n';
