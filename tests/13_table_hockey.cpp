@@ -186,9 +186,9 @@ TEST_CASE("loses 0.19 m/s along a cushion that it hits at 2 m/s: mu (1 + 0.9) 2"
 TEST_CASE("flies on after a bounce, in what's left of the step: no place is lost at 12 m/s", "[13.1]") {
     const World now = after(with({{0, 0.45}, {0, 12}}), 1); // 0.02 m up, 0.03 m left, and 0.9 of it down
     CHECK_THAT(now.disc.place, IsNear(Vec2{0, 0.443}, 1e-3).of(place_of_disc));
-    const World corner = after(with({{0.95, 0.43}, {12, 12}}), 1); // two cushions in one step, a bit slower along each
-    CHECK_THAT(corner.disc.velocity.x(), IsNear(-10.3, 0.5).of("velocity of the disc along x [m/s]"));
-    CHECK_THAT(corner.disc.velocity.y(), IsNear(-10.3, 0.5).of("velocity of the disc along y [m/s]"));
+    const World corner = after(with({{0.95, 0.43}, {12, 12}}), 1); // two cushions in one step
+    CHECK_THAT(corner.disc.place, IsNear(Vec2{0.9437, 0.4636}, 2e-3).of(place_of_disc));
+    CHECK_THAT(corner.disc.velocity, IsNear(Vec2{-9.77, -9.77}, 0.05).of(velocity_of_disc)); // 0.9 (12 - 0.095 * 12)
 }
 
 //> Away from it
@@ -308,12 +308,22 @@ TEST_CASE("serves a disc after a second in the middle, to the player whose turn 
 
 //> Where discs are served
 TEST_CASE("serves no disc that rests 2 cm from the centre line, but one that's 9 mm off", "[13.1]") {
-    const World beside = after(with({{0.02, 0.3}, {0, 0}}), 480);
-    CHECK_THAT(beside.disc, IsNear(Disc{{0.02, 0.3}, {0, 0}}, digits).of("disc"));
+    for (const double x : {-0.02, 0.02}) {
+        const World beside = after(with({{x, 0.3}, {0, 0}}), 480);
+        CHECK_THAT(beside.disc, IsNear(Disc{{x, 0.3}, {0, 0}}, digits).of("disc"));
+    }
     World on_it = with({{-0.009, 0.3}, {0, 0}});
     CHECK_THAT(double(steps_until_served(on_it)), is_a_second(240));
-    const World slow = after(with({{0, 0}, {0, 0.2}}), 264); // on the line, but it moves
-    CHECK_THAT(slow.disc.place.y(), IsNear(0.1595, about).of("y of the disc [m]"));
+    CHECK_THAT(on_it.disc.place, IsNear(Vec2{-0.009, 0.3}, about).of(place_of_disc)); // from where it rests
+}
+
+//> Not yet
+TEST_CASE("serves no disc that still moves along the centre line, until it has rested for a second", "[13.1]") {
+    const World fast = after(with({{0, 0}, {0, 0.2}}), 264);
+    CHECK_THAT(fast.disc.place.y(), IsNear(0.1595, about).of("y of the disc [m]"));
+    World slow = after(with({{0, 0}, {0, 0.04}}), 108); // it stops after 96 steps
+    CHECK_THAT(speed(slow), IsNear(0.0).of(speed_of_disc));
+    CHECK_THAT(double(12 + steps_until_served(slow)), is_a_second(240));
 }
 
 //> Waiting again
@@ -340,7 +350,9 @@ TEST_CASE("makes 8 sparks round the disc when it's hit hard, and none when it's 
         CHECK_THAT((spark.position - Vec2(half_length, half_width)).eval(),
                    IsNear(hard_one.disc.place, digits).of("place of a spark, from the middle [m]"));
     CHECK_THAT(after(with({{0, 0.4695}, {0, 0.25}}), 1).sparks, HasSize(0).of("sparks")); // 0.25 and 0.225 m/s
-    CHECK_THAT(after(with({{0.95, 0}, {20, 0}}), 3).sparks, HasSize(0).of("sparks in a goal"));
+    World scored = with({{0.95, 0}, {20, 0}});
+    scored.sparks = {{{1, 0.5}, {0, 0}, 0, 1}};
+    CHECK_THAT(after(scored, 3).sparks, HasSize(1).of("sparks in a goal")); // the one that flew before
 }
 
 //> Short lives
@@ -695,6 +707,7 @@ TEST_CASE("rejects bad times, sides and sparks, and any number beyond ±1e5, als
     refused_with([](World &bad) { bad.right.side = -1; }, "the right player is on the left");
     refused_with([](World &bad) { bad.right.side = 2; }, "a side of 2");
     refused_with([](World &bad) { bad.sparks.assign(65, bad.sparks.front()); }, "65 sparks");
+    refused_with([](World &bad) { bad.sparks.front().life = too_large; }, "a life just above 1e5 s");
     refused_with([](World &bad) { bad.disc.velocity.x() = too_large; }, "a velocity just above 1e5 m/s");
     CHECK_OUT_OF_RANGE_REFUSED(step, {now, Inputs{}, 0.1});
     CHECK_THAT(step(now, {}, 0.25).spare, IsNear(0.0, step_time).of("spare time [s]")); // good input is still answered
