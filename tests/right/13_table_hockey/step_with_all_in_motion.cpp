@@ -54,8 +54,6 @@ void one_step(World &now, const Inputs &inputs) {
     disc.velocity = inclined_planes::table_friction(disc.velocity, felt, step_time);
     double left = step_time;
     for (int events = 0; events < 40; ++events) {
-        if (events == 20) // squeezed: the mallets stop where they are
-            for (Player *each : players) each->velocity = {0, 0};
         const auto event = next_event(disc, players, left);
         const double t = event ? event->time : left;
         disc.place += t * disc.velocity;
@@ -66,6 +64,7 @@ void one_step(World &now, const Inputs &inputs) {
         if (event->player) {
             const double closing = (event->player->velocity - disc.velocity).dot(n);
             disc.velocity += (1 + mallet_restitution) * closing * n;
+            if (events >= 20) event->player->velocity = {0, 0}; // it squeezes the disc, and stops where it is
         } else {
             disc.velocity = reflection::bounce(disc.velocity, n, cushion);
         }
