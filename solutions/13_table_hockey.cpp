@@ -39,6 +39,7 @@ static MaybeContact first_contact(const Segment &motion, const std::vector<const
     MaybeContact first;
     const auto look = [&](const Segment &wall, double distance, const Player *player) {
         const auto impact = segment_intersection::time_of_impact(motion, distance, wall);
+        if (impact && (motion.end - motion.start).dot(impact->centre - impact->point) > -1e-15) return; // it glides
         if (impact && (!first || impact->t < first->impact.t)) first = {*impact, player};
     };
     for (const Segment &wall : cushions()) look(wall, disc_radius, nullptr);
