@@ -199,6 +199,16 @@ TEST_CASE("lets a disc go that touches a cushion or a mallet, and moves away fro
     CHECK_THAT(at_mallet.disc.place, IsNear(Vec2{-0.32, 0.05}, about).of(place_of_disc));
 }
 
+//> Along a cushion
+TEST_CASE("glides along a cushion at 1 m/s, and isn't held there by a rounding", "[13.1]") {
+    for (const double place : {0.47, std::nextafter(0.47, 1)}) // of two neighbours, one is inside by rounding
+        for (const double x : {-0.1234567, 0.3, 0.8970785})
+            for (const double up : {-5e-15, -1e-16, 0.0, 1e-16, 5e-15}) {
+                const World now = after(with({{x, place}, {-1, up}}), 24);
+                CHECK_THAT(now.disc.place, IsNear(Vec2{x - 0.0995, 0.47}, 1e-3).of(place_of_disc));
+            }
+}
+
 //> A goal post
 TEST_CASE("turns a disc back that hits a goal post in the middle: 2 m/s become 1.8 m/s", "[13.1]") {
     for (const double side : {-1, 1})

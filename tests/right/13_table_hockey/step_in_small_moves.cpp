@@ -42,7 +42,7 @@ void turn(Disc &disc, const Vec2 &from, const Vec2 &velocity, double restitution
 
 bool fits(const World &now, const Vec2 &place) {
     for (const Near &near : {to_mallet(place, now.left.mallet), to_mallet(place, now.right.mallet), to_cushion(place)})
-        if (near.room < 0) return false;
+        if (near.room < -1e-12) return false; // a hair is rounding
     return true;
 }
 

@@ -29,7 +29,8 @@ std::optional<Event> next_event(const Disc &disc, const std::array<Player *, 2> 
     for (const Segment &wall : cushions()) {
         const Vec2 end = disc.place + time * disc.velocity;
         const auto impact = segment_intersection::time_of_impact({disc.place, end}, disc_radius, wall);
-        if (impact && (!first || impact->t * time < first->time))
+        if (!impact || disc.velocity.dot(impact->centre - impact->point) > -1e-13) continue; // it glides
+        if (!first || impact->t * time < first->time)
             first = Event{impact->t * time, impact->centre - impact->point, nullptr};
     }
     for (Player *each : players) {
