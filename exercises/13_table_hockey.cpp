@@ -6,13 +6,16 @@
 namespace table_hockey {
 
 static void require_world(const World &now) {
-    for (const Player *player : {&now.left, &now.right})
+    for (const Player *player : {&now.left, &now.right}) {
         course::require_range(player->pose.first, player->pose.second, player->mallet, player->velocity);
+        course::require(player->goals >= 0, "goals must not be negative", player->goals);
+    }
     course::require_range(now.disc.place, now.disc.velocity, now.wait);
     for (const Particle &spark : now.sparks) particles::require_particle(spark);
     course::require(now.spare >= 0 && now.spare <= step_time, "spare time [s] must be from 0 to a step", now.spare);
     course::require(now.left.side == -1, "the left player's side must be -1", now.left.side);
     course::require(now.right.side == 1, "the right player's side must be 1", now.right.side);
+    course::require(now.serve_to == -1 || now.serve_to == 1, "serve_to must be -1 or 1", now.serve_to);
     course::require(now.sparks.size() <= most_sparks, "there must be 64 sparks at most", double(now.sparks.size()));
 }
 static void require_inputs(const Inputs &inputs, double dt) {

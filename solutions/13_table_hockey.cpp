@@ -4,13 +4,16 @@ namespace table_hockey {
 
 //> Solution: a good world
 static void require_world(const World &now) {
-    for (const Player *player : {&now.left, &now.right})
+    for (const Player *player : {&now.left, &now.right}) {
         course::require_range(player->pose.first, player->pose.second, player->mallet, player->velocity);
+        course::require(player->goals >= 0, "goals must not be negative", player->goals);
+    }
     course::require_range(now.disc.place, now.disc.velocity, now.wait);
     for (const Particle &spark : now.sparks) particles::require_particle(spark);
     course::require(now.spare >= 0 && now.spare <= step_time, "spare time [s] must be from 0 to a step", now.spare);
     course::require(now.left.side == -1, "the left player's side must be -1", now.left.side);
     course::require(now.right.side == 1, "the right player's side must be 1", now.right.side);
+    course::require(now.serve_to == -1 || now.serve_to == 1, "serve_to must be -1 or 1", now.serve_to);
     course::require(now.sparks.size() <= most_sparks, "there must be 64 sparks at most", double(now.sparks.size()));
 }
 static void require_inputs(const Inputs &inputs, double dt) {
@@ -48,13 +51,13 @@ static MaybeContact first_contact(const Segment &motion, const std::vector<const
 }
 
 //> Solution: a mallet moves
-static void move(Disc &disc, Player &player, const Player &other, const Vec2 &wanted) {
+static void move(Disc &disc, Player &player, const Vec2 &wanted) {
     const Player moved = follow_hand(player, wanted);
     if ((moved.mallet - disc.place).norm() < disc_radius + mallet_radius) {
         hit(disc, moved);
         const Vec2 to =
             nt_collisions::push_apart({moved.mallet, mallet_radius, 0}, {disc.place, disc_radius, 1 / disc_mass}).b;
-        if (first_contact({disc.place, to}, {&other})) { // no room: the mallet stays
+        if (first_contact({disc.place, to}, {})) { // no room: the mallet stays
             player.velocity = {0, 0};
             return;
         }
@@ -104,8 +107,8 @@ World step(World now, const Inputs &inputs, double dt) {
     now.spare = due.spare;
     for (int i = 0; i < due.steps; ++i) {
         const Disc before = now.disc;
-        move(now.disc, now.left, now.right, inputs.left);
-        move(now.disc, now.right, now.left, inputs.right);
+        move(now.disc, now.left, inputs.left);
+        move(now.disc, now.right, inputs.right);
         move_disc(now, inputs.well);
         now.sparks = next_sparks(now.sparks, before, now.disc);
         score(now);

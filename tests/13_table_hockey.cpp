@@ -302,7 +302,7 @@ auto is_a_second(double steps) { return IsNear(steps, 3 / steps).of("steps until
 
 } // namespace
 
-//> A serve
+//> Served
 TEST_CASE("serves a disc after a second in the middle, to the player whose turn it is", "[13.1]") {
     for (const int side : {-1, 1})
         for (const int score : {0, 1, 2}) {
@@ -352,7 +352,7 @@ TEST_CASE("waits a whole second after a goal, also when half of one had passed b
 
 // -------------------------------------------------------------------------------------------------- sparks and the well
 
-//> Sparks
+//> Hard and soft
 TEST_CASE("makes 8 sparks round the disc when it's hit hard, and none when it's hit softly", "[13.1]") {
     const World hard_one = after(with({{0, 0.46}, {0, 4}}), 1);
     CHECK_THAT(hard_one.sparks, HasSize(8).of("sparks"));
@@ -703,7 +703,7 @@ TEST_CASE("comes to the same world when it's asked twice, with another game in b
 }
 
 //>
-TEST_CASE("rejects bad times, sides and sparks, and any number beyond ±1e5, also when no step is due", "[13.1]") {
+TEST_CASE("rejects bad times, sides, goals and sparks, and numbers beyond ±1e5, also when no step is due", "[13.1]") {
     World now = opening();
     now.sparks = {{{1, 0.5}, {0.1, 0}, 0.1, 0.4}};
     for (const double bad : {-1e-9, -0.1, 0.2501, 1.0}) CHECK_REFUSED(step(now, {}, bad), "dt isn't from 0 to 0.25 s");
@@ -718,6 +718,8 @@ TEST_CASE("rejects bad times, sides and sparks, and any number beyond ±1e5, als
     refused_with([](World &bad) { bad.left.side = 1; }, "the left player is on the right");
     refused_with([](World &bad) { bad.right.side = -1; }, "the right player is on the left");
     refused_with([](World &bad) { bad.right.side = 2; }, "a side of 2");
+    refused_with([](World &bad) { bad.serve_to = 0; }, "a serve to nobody");
+    refused_with([](World &bad) { bad.right.goals = -1; }, "-1 goals");
     refused_with([](World &bad) { bad.sparks.assign(65, bad.sparks.front()); }, "65 sparks");
     refused_with([](World &bad) { bad.sparks.front().life = too_large; }, "a life just above 1e5 s");
     refused_with([](World &bad) { bad.disc.velocity.x() = too_large; }, "a velocity just above 1e5 m/s");

@@ -144,7 +144,8 @@ inline std::vector<Particle> next_sparks(const std::vector<Particle> &sparks, co
 /// - A disc that rests on the centre line is served, with `serve_velocity`, when it has waited for `serve_time`.
 /// @param dt  [s], 0 to 0.25
 /// @throws std::invalid_argument if dt isn't from 0 to 0.25, if `spare` isn't from 0 to `step_time`, if a player is on the
-///         wrong side, if there are too many sparks, or a number is not within ±1e5.
+///         wrong side or has less than 0 goals, if `serve_to` isn't -1 or 1, if there are too many sparks, or one that
+///         section 11 refuses, or a number is not within ±1e5.
 World step(World now, const Inputs &inputs, double dt);
 
 //> Opening

@@ -1,6 +1,7 @@
 // 13.1: moves of a millimetre at most, its own arithmetic for all that happens, and goals that are looked for at once
 #include "table_hockey.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -89,6 +90,8 @@ World step(World now, const Inputs &inputs, double dt) {
     for (const Player *each : {&now.left, &now.right})
         course::require_range(each->mallet, each->velocity, each->pose.first, each->pose.second);
     course::require_range(now.disc.place, now.disc.velocity, now.wait, inputs.left, inputs.right);
+    course::require(std::min(now.left.goals, now.right.goals) >= 0, "goals must not be negative", -1);
+    course::require(now.serve_to * now.serve_to == 1, "serve_to must be -1 or 1", now.serve_to);
     for (const Particle &spark : now.sparks) particles::require_particle(spark);
     if (!(dt >= 0 && dt <= 0.25) || !(now.spare >= 0 && now.spare <= step_time) || now.left.side != -1
         || now.right.side != 1 || now.sparks.size() > 64)

@@ -2,6 +2,7 @@
 #include "table_hockey.hpp"
 
 #include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace table_hockey {
@@ -85,6 +86,8 @@ World step(World now, const Inputs &inputs, double dt) {
     for (const Player *each : {&now.left, &now.right})
         course::require_range(each->pose.first, each->pose.second, each->mallet, each->velocity);
     course::require_range(now.disc.place, now.disc.velocity, now.wait, now.spare, inputs.left, inputs.right, dt);
+    course::require(std::min(now.left.goals, now.right.goals) >= 0, "goals must not be negative", -1);
+    course::require(now.serve_to * now.serve_to == 1, "serve_to must be -1 or 1", now.serve_to);
     for (const Particle &spark : now.sparks) particles::require_particle(spark);
     const bool good = dt >= 0 && dt <= 0.25 && now.spare >= 0 && now.spare <= step_time && now.left.side == -1
                       && now.right.side == 1 && now.sparks.size() <= 64;
