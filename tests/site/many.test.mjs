@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { describe, test } from 'node:test';
-import { copyOf, inaccessible, site, wrong } from './browser.mjs';
+import { address, copyOf, inaccessible, site, wrong } from './browser.mjs';
 import { openDemo, seven } from './demo.mjs';
 
 // Its files in tests/play: the reader has solved its own exercise, and of the earlier ones in earlier/ one, which is called
@@ -35,6 +35,9 @@ describe('a demo of many sections', { concurrency: 1, skip: !here && `there is n
     assert.ok(lamps.every(({ says, whose }) => says.endsWith(' ours') && whose === 'ours'));
     assert.equal((await demo.lamp(right)).glows, true);
     assert.ok(lamps.some(({ glows }) => !glows), 'some are for rare moments');
+    await demo.page.goto(address('index.html'));
+    const parts = await demo.page.$$eval('.parts-of-game li', (all) => all.map((part) => part.textContent.replace(/\s+/g, ' ').trim()));
+    assert.deepEqual(lamps.map(({ says }) => says.replace(/ ours$/, '')), parts, 'the front page names them all');
   });
 
   test('and one of a single section has none', async (t) => {
