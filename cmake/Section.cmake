@@ -188,8 +188,8 @@ macro(section_answers)
     list(APPEND answers ${found})
   endforeach()
   set(unit ${PROJECT_BINARY_DIR}/answers/${section})
-  add_custom_command(OUTPUT ${unit}.cpp ${unit}.txt
-    COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${section} ${unit}.cpp ${unit}.txt ${kinds}
+  add_custom_command(OUTPUT ${unit}.cpp ${unit}.txt ${unit}_mistakes.txt
+    COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${section} ${unit}.cpp ${unit}.txt ${unit}_mistakes.txt ${kinds}
     DEPENDS answers-in-one ${answers} solutions/${section}.cpp ${chapter}/${slug}.hpp VERBATIM COMMENT "")
   add_executable(${section}_answers ${unit}.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
   stand_behind_student_header(${section}_answers course_student_flags)
@@ -199,6 +199,11 @@ macro(section_answers)
   set_target_properties(${section}_answers PROPERTIES OUTPUT_NAME answers RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
   add_test(NAME ${section}.answers COMMAND ${section}_tests $<TARGET_FILE:${section}_answers> --answers ${unit}.txt)
   set_tests_properties(${section}.answers PROPERTIES PROCESSORS 2)
+  if(COURSE_THOROUGH) # what `check` knows mistakes by is what comes out of them
+    add_test(NAME ${section}.mistakes COMMAND ${section}_tests $<TARGET_FILE:${section}_answers>
+      --mistakes ${unit}_mistakes.txt --kept ${PROJECT_SOURCE_DIR}/tests/mistakes/${section}.tsv)
+    set_tests_properties(${section}.mistakes PROPERTIES PROCESSORS 2 LABELS thorough)
+  endif()
 endmacro()
 
 # A program that serves the functions of one file, and the test that its verdicts are as expected.

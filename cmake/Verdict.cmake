@@ -5,6 +5,7 @@ add_library(course_verdict STATIC
   ${PROJECT_SOURCE_DIR}/tools/verdict/tests/session.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/tests/shut_in.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/tests/subject.cpp
+  ${PROJECT_SOURCE_DIR}/tools/verdict/shared/signature.cpp
   ${PROJECT_SOURCE_DIR}/tools/verdict/shared/verdict.cpp)
 target_include_directories(course_verdict PUBLIC ${PROJECT_SOURCE_DIR}/tools)
 target_link_libraries(course_verdict PUBLIC course_flags nlohmann_json::nlohmann_json)

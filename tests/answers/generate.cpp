@@ -1,8 +1,9 @@
 // Puts all of a section's wrong and right answers into one C++ file, and lists how each is to be judged.
 //
-//     answers-in-one ROOT NN_slug UNIT LIST KIND...
+//     answers-in-one ROOT NN_slug UNIT LIST MISTAKES KIND...
 //
-// It writes UNIT, the C++ file, and LIST, for the section's tests: a line `NAME EXERCISE EXPECTED` for each answer. A
+// It writes UNIT, the C++ file; LIST, for the section's tests: a line `NAME EXERCISE EXPECTED` for each answer; and
+// MISTAKES, a line `NAME EXERCISE what you did` for each whose claim begins with "you": `check` says that to a reader. A
 // KIND is `wrong` or `right`. An answer is a file, tests/KIND/NN_slug/name.cpp, or an entry in tests/KIND/NN_slug.diff:
 //
 //     7.2 meet_leaves_the_ends_open: a touch is no meeting
@@ -109,6 +110,7 @@ using Change = std::vector<std::pair<char, Line>>;
 struct Answer {
     Line head;
     std::string exercise, name, verdict; ///< if that matters: "8 of 13, yours t = 0.5"
+    std::string claim;
     std::vector<Change> changes;
 };
 
@@ -121,7 +123,7 @@ std::vector<Answer> read_differences(const fs::path &file) {
         std::smatch found;
         const char sign = line.text.empty() ? '\n' : line.text[0];
         if (std::regex_match(line.text, found, head)) {
-            answers.push_back({line, found[1], found[2], found[3], {}});
+            answers.push_back({line, found[1], found[2], found[3], found[4], {}});
             open = false;
         } else if (code_of(line.text).empty() || sign == '#') {
             open = false;
@@ -219,6 +221,7 @@ class Unit {
                 Lines lines = solution.of(answer.exercise);
                 for (const Change &change : answer.changes) apply(change, answer, lines, solution_file);
                 add_lines(kind + '_' + answer.name, answer.exercise, lines, answer.head, answer.verdict);
+                note(kind + '_' + answer.name, answer.exercise, answer.claim);
             }
         std::set<fs::path> files;
         if (fs::exists(folder))
@@ -230,6 +233,8 @@ class Unit {
     std::string code_of_all() const { return "#include \"choose.hpp\"\n" + code.str(); }
     /// How each answer is to be judged, by its name: "7.2 red".
     const std::map<std::string, std::string> &judgements() const { return judged; }
+    /// What a reader did who gave such an answer, by its name: "7.2 you leave the ends open".
+    const std::map<std::string, std::string> &mistakes() const { return told; }
 
   private:
     void add_lines(const std::string &name, const std::string &exercise, const Lines &lines, const Line &head,
@@ -241,7 +246,7 @@ class Unit {
     }
 
     void add_file(const std::string &name, const fs::path &file) {
-        static const std::regex head{R"(// (\d+\.\d+): .+)"};
+        static const std::regex head{R"(// (\d+\.\d+): (.+))"};
         const Lines lines = read(file);
         std::smatch found;
         if (lines.empty() || !std::regex_match(lines[0].text, found, head))
@@ -252,6 +257,7 @@ class Unit {
         code << "\nnamespace " << name << " { using namespace " << slug << "; }\n#define " << slug << ' ' << name
              << "\n#include " << file << "\n#undef " << slug << '\n';
         list(name, found[1], lines[0]);
+        note(name, found[1], found[2]);
     }
 
     void list(const std::string &name, const std::string &number, const Line &head, const std::string &verdict = "") {
@@ -266,28 +272,38 @@ class Unit {
              << "::" << exercise->function << "};\n";
     }
 
+    void note(const std::string &name, const std::string &exercise, const std::string &claim) {
+        if (name.starts_with("wrong_") && claim.starts_with("you ")) told[name] = exercise + ' ' + claim;
+    }
+
     fs::path root;
     std::string section, slug;
     fs::path solution_file;
     Solution solution;
     std::vector<Exercise> exercises;
     std::ostringstream code;
-    std::map<std::string, std::string> judged;
+    std::map<std::string, std::string> judged, told;
 };
+
+std::string lines_of(const std::map<std::string, std::string> &entries) {
+    std::string text;
+    for (const auto &[name, rest] : entries) text += name + ' ' + rest + '\n';
+    return text;
+}
 
 } // namespace
 
 int main(int argc, char **argv) try {
-    if (argc < 6) {
-        std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST KIND...\n";
+    if (argc < 7) {
+        std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST MISTAKES KIND...\n";
         return 2;
     }
     Unit unit{argv[1], argv[2]};
-    for (int kind = 5; kind < argc; ++kind) unit.add(argv[kind]);
+    for (int kind = 6; kind < argc; ++kind) unit.add(argv[kind]);
 
-    std::ostringstream list;
-    for (const auto &[answer, judgement] : unit.judgements()) list << answer << ' ' << judgement << '\n';
-    for (const auto &[file, text] : {std::pair{argv[3], unit.code_of_all()}, {argv[4], list.str()}})
+    for (const auto &[file, text] : {std::pair{argv[3], unit.code_of_all()},
+                                     {argv[4], lines_of(unit.judgements())},
+                                     {argv[5], lines_of(unit.mistakes())}})
         if (!(std::ofstream{file} << text << std::flush))
             throw std::runtime_error{std::string{file} + " cannot be written"};
 } catch (const std::exception &error) {

@@ -41,8 +41,8 @@ int second() { return two(); }
     }
     Finished put_together(const std::string &differences) const {
         write(wrong, differences);
-        return run(
-            {ANSWERS_IN_ONE, tree.root.string(), "07_wall_meeting", path("unit.cpp"), path("list"), "right", "wrong"});
+        return run({ANSWERS_IN_ONE, tree.root.string(), "07_wall_meeting", path("unit.cpp"), path("list"),
+                    path("mistakes"), "right", "wrong"});
     }
     std::string path(const std::string &file) const { return (tree.root / file).string(); }
 

@@ -10,6 +10,7 @@
 #include "loop/judge.hpp"
 #include "loop/junit.hpp"
 #include "loop/memory.hpp"
+#include "loop/mistakes.hpp"
 #include "loop/progress.hpp"
 #include "site/progress_script.hpp"
 
@@ -32,6 +33,7 @@ struct CheckOptions {
     unsigned seed = 2026;
     bool watch = false;
     bool verbose = false;
+    bool no_diagnosis = false;
 };
 
 /// What the tests said of one exercise.
@@ -79,7 +81,8 @@ void print_failure(const Verdict &verdict) {
 }
 
 /// An exercise in one line; what is wrong below it: the first failure in full, since one is fixed at a time.
-void print(const Outcome &outcome, bool verbose) {
+/// @param mistakes  what is known of them
+void print(const Outcome &outcome, bool verbose, const std::string &mistakes) {
     const auto &[exercise, verdicts] = outcome;
     const Verdict *failure = outcome.first_failure();
     const auto passed = std::ranges::count_if(verdicts, &Verdict::passed);
@@ -107,6 +110,8 @@ void print(const Outcome &outcome, bool verbose) {
     if (failures > 1 + most && !verbose && failure->kind != Kind::missing)
         std::cout << painted(Colour::dim, "      and " + std::to_string(failures - 1 - most) + " more (-v shows all)")
                   << '\n';
+    if (const std::string known = known_mistake(mistakes, verdicts); !known.empty())
+        std::cout << "    " << painted(Colour::yellow, "This is what comes out when " + known) << '\n';
 }
 
 /// Whether all tests failed for one reason, which has nothing to do with any of them: the code never got as far.
@@ -283,9 +288,15 @@ class Check {
             of_all.file.clear();
             print_failure(of_all);
         } else
-            for (const auto &outcome : outcomes) print(outcome, options.verbose);
+            for (const auto &outcome : outcomes) print(outcome, options.verbose, mistakes_of(section));
         if (only && outcomes.front().first_failure() == nullptr) print_after(section);
         else print_next(outcomes, section);
+    }
+
+    /// The table of known mistakes; a section may have none.
+    std::string mistakes_of(const Section &section) const {
+        const fs::path file = file_of_mistakes(tree, section);
+        return options.no_diagnosis || !fs::exists(file) ? "" : '\n' + read_file(file);
     }
 
     /// What to do after the exercise that was asked for, and is passed: the next one that was open when it was last
@@ -349,6 +360,7 @@ void add_check(CLI::App &app, const Tree &tree) {
         ->check(given);
     command->add_flag("-w,--watch", options->watch, "check again whenever you save");
     command->add_flag("-v,--verbose", options->verbose, "show every test and every failure whole");
+    command->add_flag("--no-diagnosis", options->no_diagnosis, "don't say which known mistake gives the same");
     command->add_option("--file", options->file, "judge this file instead of the one in exercises/")->check(given);
     command->add_option("--junit", options->junit, "write the verdicts to this file as well, as JUnit XML")
         ->check(given);

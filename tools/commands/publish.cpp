@@ -8,6 +8,7 @@
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "loop/diagnosis.hpp"
+#include "loop/mistakes.hpp"
 #include "loop/toolbox.hpp"
 #include "site/demos.hpp"
 #include "site/own_site.hpp"
@@ -33,6 +34,9 @@ equal, and each number within one unit of its sixth digit (half of it is the rou
 not published, and a published one that has lost its script. The SVGs are not compared: another
 gnuplot draws the same figure in other bytes. A kept demo must be, byte for byte, what its sources
 give, and no more than 64,000 bytes, or 120,000 with PLAYS_YOURS; its picture may differ by a tenth of a pixel.
+
+--mistakes keeps, for ./course check, what comes out of the wrong answers in tests/wrong whose words begin
+with "you". It takes minutes, so that ./course test --all tells when it's due, and not --check.
 
 --release checks the same, and then makes three archives in build/default/release: the sources, the site, and
 the stills of the demos. Their names have the version that ./course --version shows.
@@ -109,6 +113,23 @@ void publish_all(const Tree &tree, const std::vector<Section> &sections) {
     if (changed.empty()) std::cout << "What is published is up to date.\n";
 }
 
+// Mistakes
+
+void publish_mistakes(const Tree &tree, const Section &section) {
+    if (const Finished built = build_target(tree, section.name + "_answers"); built.code != 0)
+        throw Complaint{"the answers of section " + section.short_number()
+                        + " cannot be compiled: " + first_error(built.out + built.err)};
+    const Finished known =
+        run({tree.test_program(section).string(), (tree.build / "subjects" / section.name / "answers").string(),
+             "--mistakes", (tree.build / "answers" / (section.name + "_mistakes.txt")).string()});
+    if (known.code != 0)
+        throw Complaint{"the answers of section " + section.short_number() + " cannot be judged: " + known.err};
+    const fs::path file = file_of_mistakes(tree, section);
+    if (fs::exists(file) && read_file(file) == known.out) return;
+    write_file(file, known.out);
+    std::cout << tree.shown(file) << '\n' << std::flush;
+}
+
 void check_all(const Tree &tree, const std::vector<Section> &sections) {
     std::vector<std::string> found = strays(tree);
     for (const Section &section : sections) std::ranges::copy(outdated(tree, section), std::back_inserter(found));
@@ -131,16 +152,22 @@ void check_all(const Tree &tree, const std::vector<Section> &sections) {
 
 void add_publish(CLI::App &app, const Tree &tree) {
     const auto words = std::make_shared<std::string>();
-    const auto check = std::make_shared<bool>(), releases = std::make_shared<bool>();
+    const auto check = std::make_shared<bool>(), releases = std::make_shared<bool>(),
+               mistakes = std::make_shared<bool>();
     CLI::App *command = app.add_subcommand("publish", "Keep the drawn figures in plots/, where the chapters show them");
     command->footer(about_publish);
     command->add_option("section", *words, "its number, name or file; all without it");
     command->add_flag("--check", *check, "only say what differs");
+    command->add_flag("--mistakes", *mistakes, "keep what known mistakes are known by, and nothing else");
     command->add_flag("--release", *releases, "make the archives of a release")->excludes("section");
-    command->callback([&tree, words, check, releases] {
+    command->callback([&tree, words, check, releases, mistakes] {
         const auto sections = words->empty() ? tree.sections() : std::vector{tree.section(*words)};
         {
             const Lock lock{tree};
+            if (*mistakes) {
+                for (const Section &section : sections) publish_mistakes(tree, section);
+                return;
+            }
             for (const Section &section : sections) draw_figures(tree, section);
             *check || *releases ? check_all(tree, sections) : publish_all(tree, sections);
         }

@@ -3,12 +3,14 @@
 //     07_segment_intersection SUBJECT               what a student reads
 //     07_segment_intersection SUBJECT --json        the same for the `course` program, a line of JSON for each verdict
 //     07_segment_intersection SUBJECT --answers F   judges the answers of tests/wrong and tests/right that file F lists
+//     07_segment_intersection SUBJECT --mistakes F  what is known of those of tests/wrong that file F lists, by what comes out
 //     07_segment_intersection --catalogue           the section's exercises and tests, as JSON
 //
 // Catch2 finds the tests and runs them. What it would print is never looked at: the session owns the verdict.
 
 #include "ground/kernel.hpp"
 #include "ground/lines.hpp"
+#include "verdict/shared/signature.hpp"
 #include "verdict/tests/session.hpp"
 
 #include <catch2/catch_session.hpp>
@@ -342,6 +344,108 @@ int judge_answers(const std::string &subject, const std::string &list, unsigned 
     return code != all_well ? code : right == all.size() ? 0 : 1;
 }
 
+/// A known mistake, as tests/answers/generate.cpp lists it.
+struct Mistake {
+    std::string name, exercise, words;
+};
+
+/// What all tests of its exercise say of it, with each of two seeds, if none of them takes too long.
+std::vector<Verdict> verdicts_on(const std::string &subject, const Mistake &mistake) {
+    Session here{subject, {}, mistake.name};
+    verdicts.clear();
+    for (const unsigned seed : {2026u, 7u})
+        for (unsigned place = 0; place < all_tests().size(); ++place) {
+            if (exercise_of(*all_tests()[place]) != mistake.exercise) continue;
+            run_tests(here, seed, {place, static_cast<unsigned>(all_tests().size())});
+            if (!here.trouble().empty()) throw MachineTrouble{here.trouble()};
+            if (verdicts.back().kind == Kind::too_long) return {};
+        }
+    return verdicts;
+}
+
+/// Prints which tests stop each wrong answer of a list, by their places in the file, from 1: "7.2 wrong_meet_never 3 4 9".
+/// One that stops where others stop too, and that no reader would give, can go.
+/// @return the exit code
+int print_kills(const std::string &subject, const std::string &list) {
+    std::vector<Answer> answers;
+    std::ifstream in{list};
+    for (Answer next; in >> next.name >> next.exercise && std::getline(in, next.expect);)
+        if (next.name.starts_with("wrong_")) answers.push_back(next);
+    std::vector<unsigned> all(answers.size());
+    std::iota(all.begin(), all.end(), 0u);
+    std::vector<std::string> told;
+    const Job judge_one = [&](unsigned which, NamelessFile &lines) {
+        const auto &[name, exercise, expect] = answers[which];
+        Session here{subject, {}, name};
+        verdicts.clear();
+        std::string stopped_by = exercise + ' ' + name;
+        for (unsigned place = 0; place < all_tests().size(); ++place) {
+            if (exercise_of(*all_tests()[place]) != exercise) continue;
+            run_tests(here, 2026, {place, static_cast<unsigned>(all_tests().size())});
+            if (!here.trouble().empty()) throw MachineTrouble{here.trouble()};
+            if (!verdicts.back().passed()) stopped_by += ' ' + std::to_string(place + 1);
+            if (verdicts.back().kind == Kind::too_long) break; // the others would wait as long
+        }
+        lines.append(stopped_by + '\n');
+    };
+    const int code = share(all.size(), all, judge_one, told);
+    std::ranges::sort(told);
+    for (const std::string &line : told) std::cout << line << '\n';
+    return code;
+}
+
+/// Prints what `check` knows mistakes by: which tests generate their input, so that what they say proves nothing, and a
+/// line for each mistake: its exercise, the signature of what comes out in all others, and what the reader did.
+/// @return the exit code
+/// @param kept  a file that must be the same; "": nothing need be
+int print_mistakes(const std::string &subject, const std::string &list, const std::string &kept) {
+    std::vector<Mistake> mistakes;
+    std::ifstream in{list};
+    for (Mistake next; in >> next.name >> next.exercise && std::getline(in >> std::ws, next.words);)
+        mistakes.push_back(next);
+    std::vector<unsigned> all(mistakes.size());
+    std::iota(all.begin(), all.end(), 0u);
+    std::vector<std::string> told;
+    const Job judge_one = [&](unsigned which, NamelessFile &lines) {
+        for (const Verdict &verdict : verdicts_on(subject, mistakes[which]))
+            lines.append(std::to_string(which) + ' ' + to_line(verdict));
+    };
+    if (const int code = all.empty() ? +all_well : share(all.size(), all, judge_one, told); code != all_well)
+        return code;
+
+    std::vector<std::map<std::string, std::vector<Verdict>>> seen(mistakes.size()); // of each mistake, by tests
+    for (const std::string &line : told)
+        if (auto verdict = from_line(line.substr(line.find(' ')))) {
+            auto &of = seen[std::stoul(line)][verdict->test];
+            of.push_back(std::move(*verdict));
+        }
+    const auto call_of = [](const Verdict &verdict) {
+        return verdict.call ? verdict.call->arguments : std::vector<std::string>{};
+    };
+    std::set<std::pair<std::string, std::string>> generated;
+    for (const auto &of : seen)
+        for (const auto &[test, both] : of)
+            if (seen_by(both.front()) != seen_by(both.back()) || call_of(both.front()) != call_of(both.back()))
+                generated.insert({both.front().exercise, test});
+    std::set<std::string> lines;
+    for (const auto &[exercise, test] : generated) lines.insert(exercise + "\tgenerated\t" + test);
+    for (std::size_t i = 0; i < mistakes.size(); ++i) {
+        std::vector<Verdict> failed;
+        for (const auto &[test, both] : seen[i])
+            if (!both.front().passed() && !generated.contains({mistakes[i].exercise, test}))
+                failed.push_back(both.front());
+        if (!failed.empty()) lines.insert(mistakes[i].exercise + '\t' + signature(failed) + '\t' + mistakes[i].words);
+    }
+    std::string text;
+    for (const std::string &line : lines) text += line + '\n';
+    if (kept.empty()) std::cout << text;
+    std::ifstream file{kept};
+    const std::string before{std::istreambuf_iterator<char>{file}, {}};
+    if (kept.empty() || before == text) return all_well;
+    std::cout << kept << " isn't what comes out of the wrong answers; type: ./course publish --mistakes\n" << text;
+    return 1;
+}
+
 } // namespace
 
 CATCH_REGISTER_LISTENER(Listener)
@@ -349,7 +453,7 @@ CATCH_REGISTER_LISTENER(Listener)
 int course::cases(int full) { return all_cases ? full : full / 100; }
 
 int main(int argc, char **argv) try {
-    std::string subject, answers, exercise, expect;
+    std::string subject, answers, kills, mistakes, kept, exercise, expect;
     bool json = false, list = false;
     unsigned seed = 2026;
     using Catch::Clara::Opt;
@@ -363,6 +467,9 @@ int main(int argc, char **argv) try {
             "\"8 of 13, yours 0.5\"")
         | Opt(all_cases)["--all-cases"]("every generated case, instead of a hundredth")
         | Opt(answers, "list")["--answers"]("judge the answers that this file lists, which `subject` holds")
+        | Opt(kills, "list")["--kills"]("print which tests stop each of the wrong answers that this file lists")
+        | Opt(mistakes, "list")["--mistakes"]("print what the mistakes that this file lists are known by")
+        | Opt(kept, "file")["--kept"]("which must be what --mistakes would print")
         | Opt(list)["--catalogue"]("list the exercises as JSON, and leave");
     if (const auto parsed = line.parse({argc, argv}); !parsed) {
         std::cerr << parsed.errorMessage() << '\n' << line;
@@ -375,6 +482,8 @@ int main(int argc, char **argv) try {
     hide_from_other_processes();
     if (json) return run_side_by_side(subject, seed, exercise);
     if (!answers.empty()) return judge_answers(subject, answers, seed);
+    if (!kills.empty()) return print_kills(subject, kills);
+    if (!mistakes.empty()) return print_mistakes(subject, mistakes, kept);
     tell = [](const Verdict &verdict) { std::cout << in_words(verdict); };
     prepare_for_subjects(cores().front());
     const bool good = judge_known(subject, {}, exercise, expect.empty() ? "all" : expect, seed);

@@ -1,0 +1,21 @@
+#pragma once
+// Mistakes that have a name: what comes out of a student's function is looked up among what comes out of tests/wrong.
+
+#include "ground/tree.hpp"
+#include "verdict/shared/verdict.hpp"
+
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// tests/mistakes/NN_slug.tsv, which `course publish` keeps. A line is an exercise, a tab, and either `generated`, a tab and a
+/// test that generates its input, or the signature of what comes out, a tab and what a student did who gets that.
+std::filesystem::path file_of_mistakes(const Tree &tree, const Section &section);
+
+/// What a student did who gets this from the tests of one exercise: "you leave the ends open.", or two such with "or when"
+/// between them. Empty if nothing is known that gives all of that. Where a single test failed, its value must be telling:
+/// 0, 1 or a number that went in comes out of too many mistakes.
+std::string known_mistake(const std::string &table, const std::vector<Verdict> &verdicts);
+
+} // namespace course
