@@ -170,6 +170,16 @@ TEST_CASE("asked for one exercise, check speaks of no other that is passed, and 
     CHECK(check("7.9", our_answer).code == 2);
 }
 
+TEST_CASE("check says which known mistake gives the same, unless it's told not to") {
+    const std::string known = "This is what comes out when you ";
+    CHECK(count(check("7.1", "tests/verdicts/wrong_answer.cpp").out, known) == 1);
+    const auto silent = course::run(
+        course::course_command({COURSE_ROOT, COURSE_BUILD}, {"check", "7.1", "--no-diagnosis", "--file",
+                                                             COURSE_ROOT "/tests/verdicts/wrong_answer.cpp"}));
+    CHECK(silent.code == 1);
+    CHECK(count(silent.out, known) == 0);
+}
+
 TEST_CASE("a file that isn't the student's is neither read nor told of while his is compiled, whoever runs the check") {
     if (!course::protection_of_this_kernel().files) SKIP("this kernel has no Landlock");
     REQUIRE(check("7.2", our_answer).code == 0); // and all of section 7 is built

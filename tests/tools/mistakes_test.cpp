@@ -1,0 +1,81 @@
+// Mistakes that have a name: a verdict's numbers are looked up among what comes out of tests/wrong.
+
+#include "loop/mistakes.hpp"
+#include "verdict/shared/signature.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <functional>
+
+using namespace course;
+
+namespace {
+
+Verdict red(const std::string &test, const std::string &yours) {
+    return {.exercise = "7.2",
+            .test = test,
+            .kind = Kind::wrong,
+            .call = Call{"meet", {"first = {start (4, 7) m}", "t = 0.25 s"}, 0, yours},
+            .yours = yours};
+}
+Verdict green(const std::string &test) { return {.exercise = "7.2", .test = test}; }
+
+/// What `check` finds out of a table with this mistake.
+std::string line(const std::vector<Verdict> &failed, const std::string &words) {
+    return "\n7.2\t" + signature(failed) + '\t' + words + '\n';
+}
+
+} // namespace
+
+TEST_CASE("a mistake is known by what all failing tests saw, in any order") {
+    const Verdict one = red("crosses", "t = 0.7"), other = red("touches", "t = 3");
+    const std::string table = line({one, other}, "you swap them");
+    CHECK(known_mistake(table, {one, green("misses"), other}) == "you swap them.");
+    CHECK(known_mistake(table, {other, one}) == "you swap them.");
+    CHECK(known_mistake(table, {one}).empty());
+    CHECK(known_mistake(table, {one, other, red("misses", "t = 5")}).empty());
+    CHECK(known_mistake(table, {one, red("touches", "t = 4")}).empty());
+    CHECK(known_mistake(table, {green("crosses")}).empty());
+    CHECK(known_mistake("", {one, other}).empty());
+}
+
+TEST_CASE("how a test ended, what it's about and what was accepted belong to what it saw; its file and line don't") {
+    const std::vector<std::function<void(Verdict &)>> changes{
+        [](Verdict &v) { v.kind = Kind::crashed; }, [](Verdict &v) { v.label = "speed"; },
+        [](Verdict &v) { v.call->answer = "t = 9"; }, [](Verdict &v) { v.accepted = {"dt < 0"}; }};
+    const Verdict before = red("crosses", "t = 0.7");
+    for (const auto &change : changes) {
+        Verdict after = before;
+        change(after);
+        CHECK(seen_by(after) != seen_by(before));
+    }
+    Verdict elsewhere = before;
+    elsewhere.file = "tests/07.cpp";
+    elsewhere.line = 9;
+    CHECK(seen_by(elsewhere) == seen_by(before));
+}
+
+TEST_CASE("tests that generate their input say nothing about a mistake") {
+    const Verdict one = red("crosses", "t = 0.7"), other = red("touches", "t = 3");
+    const std::string table = line({one, other}, "you swap them") + "7.2\tgenerated\trandom ones\n";
+    CHECK(known_mistake(table, {one, other, red("random ones", "t = 0.123")}) == "you swap them.");
+    CHECK(known_mistake(table, {red("random ones", "t = 0.123")}).empty());
+}
+
+TEST_CASE("a single failing test names a mistake only by a number that is neither 0, 1 nor an input") {
+    for (const char *usual : {"t = 0", "t = 1", "t = 0.25", "t = 7", "nothing", "(4, 7) m"}) {
+        INFO(usual);
+        const Verdict one = red("crosses", usual);
+        CHECK(known_mistake(line({one}, "you swap them"), {one}).empty());
+    }
+    const Verdict telling = red("crosses", "t = 0.7");
+    CHECK(known_mistake(line({telling}, "you swap them"), {telling}) == "you swap them.");
+}
+
+TEST_CASE("two mistakes that give the same are both named, three are not, and a question keeps its mark") {
+    const std::vector<Verdict> failed{red("crosses", "t = 0.7"), red("touches", "t = 3")};
+    const std::string one = line(failed, "you swap them"),
+                      two = line(failed, "you begin at the end: where does it start?");
+    CHECK(known_mistake(one + two, failed) == "you swap them, or when you begin at the end: where does it start?");
+    CHECK(known_mistake(one + two + line(failed, "you guess"), failed).empty());
+}
