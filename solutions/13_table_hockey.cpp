@@ -22,7 +22,7 @@ static void require_inputs(const Inputs &inputs, double dt) {
 }
 
 //> Solution: a hit
-/// The mallet is as heavy as its arm is strong: nothing that the disc does moves it.
+/// Behind the mallet there's an arm, so nothing the disc does moves it.
 static void hit(Disc &disc, const Player &player) {
     const double of_disc = nt_collisions::decompose(disc.velocity, disc.place, player.mallet).normal;
     const double of_mallet = nt_collisions::decompose(player.velocity, disc.place, player.mallet).normal;
@@ -72,7 +72,7 @@ static void move_disc(World &now, bool well) {
     if (well) disc.velocity += step_time * gravity_wells::softened_gravity(disc.place, well_strength, well_softening);
     disc.velocity = inclined_planes::table_friction(disc.velocity, felt, step_time);
     double time = step_time;
-    for (int contacts = 0; contacts < 20; ++contacts) { // squeezed, it would meet both sides for ever
+    for (int contacts = 0; contacts < 20; ++contacts) { // squeezed, it would meet both sides forever
         const Segment motion{disc.place, motion::uniform_motion(disc.place, disc.velocity, time)};
         const MaybeContact contact = first_contact(motion, {&now.left, &now.right});
         disc.place = contact ? contact->impact.centre : motion.end;

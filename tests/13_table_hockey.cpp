@@ -161,7 +161,7 @@ TEST_CASE("has both players, arm and all, where follow_hand puts them, when no d
 // ---------------------------------------------------------------------------------------------------------- it bounces
 
 //> A cushion
-TEST_CASE("gives a disc at 2 m/s back 1.8 m/s at a cushion, at each of the six", "[13.1]") {
+TEST_CASE("sends a disc that hits a cushion at 2 m/s back at 1.8 m/s, at each of the six", "[13.1]") {
     struct Shot {
         Vec2 place, way;
     };
@@ -210,7 +210,7 @@ TEST_CASE("glides along a cushion at 1 m/s, and isn't held there by a rounding",
 }
 
 //> A goal post
-TEST_CASE("turns a disc back that hits a goal post in the middle: 2 m/s become 1.8 m/s", "[13.1]") {
+TEST_CASE("sends back a disc that hits a goal post head-on: 2 m/s becomes 1.8 m/s", "[13.1]") {
     for (const double side : {-1, 1})
         for (const double up : {-1, 1}) {
             const World now = after(with({{0.9 * side, 0.15 * up}, {2 * side, 0}}, {-0.5, -0.3}, {0.5, -0.3}), 16);
@@ -238,7 +238,7 @@ TEST_CASE("changes only a disc's speed towards a mallet's middle, and nothing al
 }
 
 //> A mallet hits
-TEST_CASE("drives a disc that rests away at 4.5 m/s, when a mallet hits it at 2.5 m/s", "[13.1]") {
+TEST_CASE("sends a resting disc off at 4.5 m/s when a mallet hits it at 2.5 m/s", "[13.1]") {
     World now = with({{-0.3, 0}, {0, 0}}, {-0.7, 0}, right_corner);
     now = after(now, {{-0.1, 0}, right_corner, false}, 40);
     CHECK_THAT(now.disc.velocity, IsNear(Vec2{4.5, 0}, 2 * about).of(velocity_of_disc));      // (1 + 0.8) * 2.5
@@ -249,7 +249,7 @@ TEST_CASE("drives a disc that rests away at 4.5 m/s, when a mallet hits it at 2.
 }
 
 //> A mallet gives way
-TEST_CASE("gives a disc at 4 m/s only 1.3 m/s, forwards, when the mallet gives way at 2.5 m/s", "[13.1]") {
+TEST_CASE("lets a disc at 4 m/s follow at 1.3 m/s when it hits a mallet that backs away at 2.5 m/s", "[13.1]") {
     World now = with({{-0.05, 0}, {-4, 0}}, {-0.2, 0}, right_corner);
     now = after(now, {{-0.95, 0}, right_corner, false}, 24);
     CHECK_THAT(now.disc.velocity, IsNear(Vec2{-1.3, 0}, 2 * about).of(velocity_of_disc)); // -4 + 1.8 * (4 - 2.5)
@@ -258,7 +258,7 @@ TEST_CASE("gives a disc at 4 m/s only 1.3 m/s, forwards, when the mallet gives w
 // ------------------------------------------------------------------------------------------------------ goals and serves
 
 //> A goal
-TEST_CASE("counts a disc in one goal for the player at the other, and puts it in the middle", "[13.1]") {
+TEST_CASE("gives a goal to the player at the other end, and puts the disc in the middle", "[13.1]") {
     for (const int side : {-1, 1}) {
         const World now = after(with({{0.9 * side, 0.05}, {6.0 * side, 0}}), 12);
         CHECK_THAT(now.left.goals, IsNear(side == 1 ? 1 : 0).of("goals of the left player"));
@@ -603,7 +603,7 @@ TEST_CASE("keeps a disc on the table, and out of the mallet, when it's squeezed 
 }
 
 //> Into a corner, and between mallets
-TEST_CASE("keeps a disc whole that two mallets squeeze, or that one squeezes into a corner", "[13.1]") {
+TEST_CASE("keeps a disc on the table when two mallets squeeze it, or one pushes it into a corner", "[13.1]") {
     World now = with({{-0.96, 0.46}, {0, 0}}, {-0.7, 0.2}, right_corner);
     for (int s = 0; s < 60; ++s) check_laws(now = after(now, {{-1.2, 0.7}, right_corner, false}, 1));
     Dice dice;

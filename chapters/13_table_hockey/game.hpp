@@ -1,6 +1,6 @@
 #pragma once
-// What this game has around its step: who leads the hands. Keys do, or a machine, or a beginner who never tires, so that
-// the machine can be tried out in a hundred matches. All of it takes values: nothing in here looks at a clock.
+// What this game needs around its step: somebody to move the hands. That's the keys, or a machine, or a beginner who
+// never gets tired, so that we can try the machine in a hundred matches. Nothing in here looks at a clock.
 #include "table_hockey.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ inline View view_of(const World &now, int side) {
             seen_from(side, own.mallet),
             seen_from(side, other.mallet)};
 }
-constexpr double touch = disc_radius + mallet_radius; ///< so far apart are a disc and a mallet that touch [m]
+constexpr double touch = disc_radius + mallet_radius; ///< from disc to mallet, when they touch [m]
 
 //> Foresight
 /// How high the disc will be when it gets to this x [m], if it comes from the right. A cushion is a mirror: the disc flies

@@ -18,7 +18,7 @@
 #include <vector>
 
 /// Section 13: a game of table hockey, seen from above, in which all of this course runs.
-/// Numbers beyond ±1e5 are refused. How exact a game must be stands with the tests.
+/// Numbers beyond ±1e5 are refused. How exact a game has to be, the tests say.
 namespace table_hockey {
 
 using course::Vec2;
@@ -135,16 +135,17 @@ inline std::vector<Particle> next_sparks(const std::vector<Particle> &sparks, co
 
 //> Step
 /// The world dt later. Time is used up in steps of `step_time`, and what's less than a step waits in `spare`. In each step:
-/// - Each mallet follows the hand. A disc in its way is hit, and gives way; one that can't give way stops the mallet.
-/// - The well pulls, if it's on, and the felt slows the disc down.
-/// - The disc moves. It bounces off cushions, goal posts and mallets, each with its restitution, and passes through none.
+/// - Each mallet follows its hand. It hits a disc in its way and pushes it aside; without room for that, the mallet stops.
+/// - The well pulls, if it's on, and the felt slows the disc down. Then the disc moves. It bounces off cushions, goal posts
+///   and mallets, each with its restitution, and passes through none.
 /// - Sparks fly, as in `next_sparks`, which compares the disc with what it was before the step.
-/// - A disc whose centre is beyond a goal line is a goal for the player on the other side. It's put in the middle, at rest,
-///   and the player who let it in gets the serve.
-/// - A disc that rests on the centre line is served, with `serve_velocity`, when it has waited for `serve_time`.
+/// - When the disc's centre is beyond a goal line, it's a goal for the player at the other end. The disc goes back to the
+///   middle, at rest, and the player who let it in gets the serve.
+/// - A disc that rested on the centre line for `serve_time` is served, with `serve_velocity`. When it moves, the wait starts
+///   again.
 /// @param dt  [s], 0 to 0.25
 /// @throws std::invalid_argument if dt isn't from 0 to 0.25, if `spare` isn't from 0 to `step_time`, if a player is on the
-///         wrong side or has less than 0 goals, if `serve_to` isn't -1 or 1, if there are too many sparks, or one that
+///         wrong side or has fewer than 0 goals, if `serve_to` isn't -1 or 1, if there are too many sparks, or one that
 ///         section 11 refuses, or a number is not within ±1e5.
 World step(World now, const Inputs &inputs, double dt);
 
