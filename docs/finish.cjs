@@ -103,7 +103,6 @@ const tables = (html) => html.replace(/<t[hd] align="\w+">/g, (cell) => cell.rep
 
 // The hints of an exercise are a row of chips, and what a hint is about is seen once it is open.
 const chips = (html) => html
-  .replace(/<summary>Hint \d+: still red\?<\/summary>/g, '<summary>Still red?</summary>')
   .replace(/<summary>(Hint \d+)(: [^]*?)<\/summary>/g, '<summary>$1<span>$2</span></summary>')
   .replace(/(?:<details class="hint">[^]*?<\/details>\s*)+/g, (row) => `<div class="hints">${row.trimEnd()}</div>\n`);
 

@@ -102,14 +102,6 @@ Vec2 right_hand(const State &now, const Input &in, Level level) {
     return hand_of(now.leads[1], now.world.right, direction_of(in, false));
 }
 
-/// Without the last digits: they hang on a machine's sines, and after some hits two machines would play different games.
-void round_off(World &now) {
-    const auto rounded = [](Vec2 &v) { v = (v * (1 << 30)).array().round() / (1 << 30); };
-    for (Vec2 *each : {&now.disc.place, &now.disc.velocity, &now.left.mallet, &now.left.velocity, &now.right.mallet,
-                       &now.right.velocity})
-        rounded(*each);
-}
-
 void step(State &now, const Input &in, double dt) {
     const Level level = in["The machine"] == 0 ? Level::easy : Level::difficult;
     const int left = now.world.left.goals, right = now.world.right.goals;

@@ -125,12 +125,21 @@ struct Goals {
     int left{}, right{};
 };
 
+/// Rounds places to a millionth of a metre, and so on: a machine's sines may differ in their last digit, and after some
+/// hits it would play another game.
+inline void round_off(World &now) {
+    for (Vec2 *each : {&now.disc.place, &now.disc.velocity, &now.left.mallet, &now.left.velocity, &now.right.mallet,
+                       &now.right.velocity})
+        *each = (*each * (1 << 20)).array().round() / (1 << 20);
+}
+
 /// A beginner on the left against the machine, until one of them has won or time is up.
 inline Goals play_match(unsigned seed, Level level) {
     World now = opening();
     for (int frame = 0; frame * frame_time < match_time && !is_won(now); ++frame) {
         const Inputs inputs{beginner_hand(now, seed, frame * frame_time), machine_hand(now, 1, level)};
         now = step(now, inputs, frame_time);
+        round_off(now);
     }
     return {now.left.goals, now.right.goals};
 }

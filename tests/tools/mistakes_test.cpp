@@ -55,6 +55,16 @@ TEST_CASE("how a test ended, what it's about and what was accepted belong to wha
     CHECK(seen_by(elsewhere) == seen_by(before));
 }
 
+TEST_CASE("rounding changes nothing about what a test saw, nor does the sign of a zero; six digits do") {
+    const auto seen = [](const char *yours) { return seen_by(red("crosses", yours)); };
+    CHECK(seen("(0.123456789, -0) m/s") == seen("(0.123456781, 0) m/s"));
+    CHECK(seen("x = -3.48647101e-08 m") == seen("x = -3.48647093e-08 m"));
+    CHECK(seen("1.2e-16") == seen("0"));
+    CHECK(seen("(1, 2)") != seen("(1, -2)"));
+    CHECK(seen("0.12345") != seen("0.12346"));
+    CHECK(seen("nothing") != seen("0"));
+}
+
 TEST_CASE("tests that generate their input say nothing about a mistake") {
     const Verdict one = red("crosses", "t = 0.7"), other = red("touches", "t = 3");
     const std::string table = line({one, other}, "you swap them") + "7.2\tgenerated\trandom ones\n";

@@ -145,8 +145,8 @@ TEST_CASE(
         if (std::regex_match(line, found, red)) CHECK(tests.find('"' + found[1].str() + '"') != std::string::npos);
         for (std::sregex_iterator at{line.begin(), line.end(), count}, end; at != end; ++at)
             if (at->str(2) == tests_of(exercise)) named.insert(exercise + ", " + at->str());
-        const bool in_list = line.starts_with("> - `")
-                             || line.starts_with("- `"); // below "If another `yours` stands …:", or "still red?"
+        const bool in_list =
+            line.starts_with("> - `") || line.starts_with("- `"); // below "If another `yours` stands …:"
         if (!in_list && line.find("`yours`") == line.npos && line.find("`returned`") == line.npos) continue;
         for (std::sregex_iterator at{line.begin(), line.end(), code}, end; at != end; ++at)
             if (at->str(1).find_first_of("0123456789") != line.npos) named.insert(exercise + ", yours " + at->str(1));
@@ -175,4 +175,15 @@ TEST_CASE("what a chapter says of its peers in one number is no less than any di
         while (std::getline(kept, line)) CHECK(std::stod(line) < std::stod(found[1]));
     }
     CHECK(said > 0);
+}
+
+TEST_CASE("a beginner wins most matches against the easy machine of table hockey, and some against the hard one") {
+    const std::string chapter = course::read_file(root / "chapters/13_table_hockey/README.md"); // woven: the program's
+    const auto won = [&](const std::string &level) {
+        std::smatch found;
+        REQUIRE(std::regex_search(chapter, found, std::regex{"\n" + level + " +(\\d+) +\\d+ +\\d+\n"}));
+        return std::stoi(found[1]);
+    };
+    CHECK((won("easy") >= 60 && won("easy") <= 90));
+    CHECK((won("hard") >= 10 && won("hard") <= 40));
 }

@@ -2,14 +2,40 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace course {
+namespace {
+
+/// A text whose numbers have six digits: what's within 1e-9 of 0 is 0, without a minus.
+std::string rounded(const std::string &text) {
+    std::string result;
+    for (const char *at = text.c_str(); *at != '\0';) {
+        char *end = nullptr;
+        const bool begins = (std::isdigit(static_cast<unsigned char>(*at)) || *at == '-')
+                            && (result.empty() || !std::isalnum(static_cast<unsigned char>(result.back())));
+        const double number = begins ? std::strtod(at, &end) : 0;
+        if (!begins || end == at) {
+            result += *at++;
+            continue;
+        }
+        std::array<char, 32> digits{};
+        std::snprintf(digits.data(), digits.size(), "%.6g", std::abs(number) < 1e-9 ? 0 : number);
+        result += digits.data();
+        at = end;
+    }
+    return result;
+}
+
+} // namespace
 
 std::string seen_by(const Verdict &verdict) {
     std::string text = verdict.test + '\n' + std::string{name_of(verdict.kind)} + '\n' + verdict.label + '\n'
-                       + verdict.yours + '\n' + (verdict.call ? verdict.call->answer : "") + '\n';
+                       + rounded(verdict.yours) + '\n' + (verdict.call ? rounded(verdict.call->answer) : "") + '\n';
     if (verdict.yours.empty() && verdict.accepted.empty()) text += verdict.sentence + '\n';
     for (const std::string &input : verdict.accepted) text += input + '\n';
     return text;

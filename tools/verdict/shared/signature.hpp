@@ -8,7 +8,8 @@
 
 namespace course {
 
-/// What one test saw, as a verdict shows it: how it ended, and the values. Without the file and its line.
+/// What one test saw, as a verdict shows it: how it ended, and the values, with six digits, so that it doesn't matter in
+/// what order somebody adds. Without the file and its line.
 std::string seen_by(const Verdict &verdict);
 
 /// A short name of all that these failed tests saw, in any order: sixteen digits.
