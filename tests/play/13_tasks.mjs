@@ -57,10 +57,10 @@ const two = { 'The game': 'two players' }, begins = { keys: ['orange left'] };
     });
 }
 // Somebody who swings about without looking scores, too, in one way or another, and the score counts.
-const pointing = (reach, beat) => (i) => ({ at: [-0.85 + reach * Math.sin(i / 9), 0.15 * Math.sin(i / beat)] });
+const pointing = (reach, beat) => (i) => ({ at: [-0.85 + reach * Math.abs(Math.sin(i / 9)), 0.3 * Math.sin(i / beat)] });
 const pressing = (beat, other) => (i) => ({ keys: [Math.sin(i / beat) > 0 ? 'blue right' : 'blue left', Math.sin(i / other) > 0 ? 'blue up' : 'blue down'] });
 for (const [how, leads] of [
-  ['by pointer', [pointing(0.05, 31), pointing(0.2, 31), pointing(0.1, 13)]],
+  ['by pointer', [pointing(0.3, 7), pointing(0.4, 37), pointing(0.5, 37)]],
   ['by keys', [pressing(6, 2.7), pressing(6, 5.1), pressing(4, 7)]],
 ]) {
   const all = leads.map((lead) => played({}, times(60 * 40, lead))), scored = all.map((seen) => seen.findIndex((picture) => goals(picture)[0] > 0));

@@ -231,61 +231,61 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
     };
 
     const auto before = snapshot(copy.root);
-    succeeds(course({"new", "13_springs"}));
+    succeeds(course({"new", "14_springs"}));
     const auto after = snapshot(copy.root);
     CHECK(after.size() == before.size() + files_of_springs.size());
     for (const auto &[file, text] : before)
         if (file != "CMakeLists.txt" && file != "book.md" && after.at(file) != text) FAIL(file << " has changed");
     CHECK(after.at("CMakeLists.txt") != before.at("CMakeLists.txt"));
-    CHECK_THAT(after.at("book.md"), ContainsSubstring("](chapters/13_springs/README.md)"));
+    CHECK_THAT(after.at("book.md"), ContainsSubstring("](chapters/14_springs/README.md)"));
 
     const auto settings = nlohmann::json::parse(read_file(fs::path{COURSE_BUILD} / "course.json"));
     succeeds(run({"cmake", "-S", copy.root.string(), "-B", copy.build.string(), "-G", "Ninja", "-DCOURSE_QUICK=OFF",
                   "-DCMAKE_CXX_COMPILER=" + settings.at("compiler").get<std::string>()}));
     std::vector<std::string> build{"cmake", "--build", copy.build.string(), "--target"};
-    for (const char *target : {"13_springs", "13_springs_loop", "13_springs_subject_solution",
-                               "13_springs_subject_stub", "13_springs_answers"})
+    for (const char *target : {"14_springs", "14_springs_loop", "14_springs_subject_solution",
+                               "14_springs_subject_stub", "14_springs_answers"})
         build.push_back(target);
     const Finished built = run(build);
     succeeds(built);
     CHECK(built.out.find("warning:") == std::string::npos);
     const Finished tested = run({"ctest", "--test-dir", copy.build.string(), "--output-on-failure", "-R",
-                                 "^13_springs\\.(solution|stub|answers)"});
+                                 "^14_springs\\.(solution|stub|answers)"});
     succeeds(tested);
     CHECK_THAT(tested.out, ContainsSubstring("100% tests passed, 0 tests failed out of 3"));
 
-    const Finished untouched = course({"check", "13"});
+    const Finished untouched = course({"check", "14"});
     CHECK(untouched.code == 1);
-    CHECK_THAT(untouched.out, ContainsSubstring("13.1 pull, core: not started"));
-    succeeds(course({"check", "13", "--file", copy.solution(copy.section("13")).string()}));
+    CHECK_THAT(untouched.out, ContainsSubstring("14.1 pull, core: not started"));
+    succeeds(course({"check", "14", "--file", copy.solution(copy.section("14")).string()}));
 
-    const fs::path stamp = copy.build / "loop/13_springs.checked", tomorrow = copy.root / "cmake/dated_tomorrow";
+    const fs::path stamp = copy.build / "loop/14_springs.checked", tomorrow = copy.root / "cmake/dated_tomorrow";
     write_file(tomorrow, "");
     fs::last_write_time(tomorrow, fs::file_time_type::clock::now() + std::chrono::hours{24});
-    CHECK(course({"check", "13"}).code == 1);
+    CHECK(course({"check", "14"}).code == 1);
     const auto built_at = fs::last_write_time(stamp);
-    CHECK(course({"check", "13"}).code == 1);
+    CHECK(course({"check", "14"}).code == 1);
     CHECK(fs::last_write_time(stamp) == built_at); // once, and not with every check
     fs::remove(tomorrow);
 
-    const Finished mine = course({"run", "13", "--mine"});
+    const Finished mine = course({"run", "14", "--mine"});
     CHECK(mine.code == 1);
     CHECK_THAT(mine.err, ContainsSubstring(": needs pull: "));
-    const Finished debug = course({"debug", "13.1", "--print"});
+    const Finished debug = course({"debug", "14.1", "--print"});
     succeeds(debug);
     CHECK_THAT(debug.out, StartsWith("gdb -q -ex 'break springs::pull' --args "));
-    CHECK(run({(copy.build / "debug" / "13_springs").string(), "[13.1]"}).code != 0); // not started
+    CHECK(run({(copy.build / "debug" / "14_springs").string(), "[14.1]"}).code != 0); // not started
 
-    const fs::path traces = copy.build / "traces", trace = traces / "13_springs_pull.tsv",
+    const fs::path traces = copy.build / "traces", trace = traces / "14_springs_pull.tsv",
                    svg = copy.build / "pull.svg";
     fs::create_directories(traces);
-    succeeds(run({(copy.build / "chapters" / "13_springs").string(), "--out", traces.string()}));
-    succeeds(course({"draw", "--script", (copy.root / "plots" / "13_springs_pull.gp").string(), "--trace",
+    succeeds(run({(copy.build / "chapters" / "14_springs").string(), "--out", traces.string()}));
+    succeeds(course({"draw", "--script", (copy.root / "plots" / "14_springs_pull.gp").string(), "--trace",
                      trace.string(), "--out", svg.string()}));
-    CHECK(rounded(read_trace(trace, "the trace")) == after.at("plots/13_springs_pull.tsv"));
+    CHECK(rounded(read_trace(trace, "the trace")) == after.at("plots/14_springs_pull.tsv"));
 
-    succeeds(course({"weave", "13"}));
-    succeeds(course({"weave", "--check", "13"}));
-    CHECK(read_file(copy.chapter(copy.section("13")))
-          == after.at("chapters/13_springs/README.md")); // nothing was left to weave
+    succeeds(course({"weave", "14"}));
+    succeeds(course({"weave", "--check", "14"}));
+    CHECK(read_file(copy.chapter(copy.section("14")))
+          == after.at("chapters/14_springs/README.md")); // nothing was left to weave
 }

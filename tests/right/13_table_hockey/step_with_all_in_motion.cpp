@@ -1,8 +1,8 @@
 // 13.1: mallets and disc move at the same time, from event to event; between a mallet and a wall, the mallet stops there
 #include "table_hockey.hpp"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace table_hockey {
