@@ -12,8 +12,6 @@ const drag = (handle, from, to, ...way) => (t) => {
 };
 // Once, or so many times a second, a power of two, up to another time
 const press = (key, from, to = from + 1 / 64, each = 1) => (t) => (t >= from && t < to && (each * (t - from)) % 1 === 0 ? { press: key } : {});
-// A key that acts while it's held, from one time to another, as often as one likes
-const hold = (name, ...spans) => (t) => ({ [name]: spans.some(([from, to]) => t >= from && t < to) ? 1 : 0 });
 // Where a picture moves by its demo's own key, and the page waits for a reader to press it
 const onPageOnly = (hand) => Object.assign(hand, { onPageOnly: true });
 const all = (...hands) => (t) => Object.assign({}, ...hands.map((hand) => hand(t)));

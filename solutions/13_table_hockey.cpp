@@ -46,14 +46,14 @@ static MaybeContact first_contact(const Segment &motion, const std::vector<const
         if (impact && (!first || impact->t < first->impact.t)) first = {*impact, player};
     };
     for (const Segment &wall : cushions()) look(wall, disc_radius, nullptr);
-    for (const Player *each : players) look({each->mallet, each->mallet}, disc_radius + mallet_radius, each);
+    for (const Player *each : players) look({each->mallet, each->mallet}, touch, each);
     return first;
 }
 
 //> Solution: a mallet moves
 static void move(Disc &disc, Player &player, const Vec2 &wanted) {
     const Player moved = follow_hand(player, wanted);
-    if ((moved.mallet - disc.place).norm() < disc_radius + mallet_radius) {
+    if ((moved.mallet - disc.place).norm() < touch) {
         hit(disc, moved);
         const Vec2 to =
             nt_collisions::push_apart({moved.mallet, mallet_radius, 0}, {disc.place, disc_radius, 1 / disc_mass}).b;

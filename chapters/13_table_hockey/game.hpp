@@ -28,7 +28,6 @@ inline View view_of(const World &now, int side) {
             seen_from(side, own.mallet),
             seen_from(side, other.mallet)};
 }
-constexpr double touch = disc_radius + mallet_radius; ///< from disc to mallet, when they touch [m]
 
 //> Foresight
 /// How high the disc will be when it gets to this x [m], if it comes from the right. A cushion is a mirror: the disc flies
@@ -66,15 +65,10 @@ inline Vec2 best_shot(const View &view) {
 }
 
 //> A strike
-/// The nearest place that a mallet can get to.
-inline Vec2 within_reach(const Vec2 &place) {
-    const Vec2 low{mallet_radius - half_length, mallet_radius - half_width}, high{-touch, -low.y()};
-    return place.cwiseMax(low).cwiseMin(high);
-}
 /// Where the hand goes to hit the disc that way: behind it, and then through it. A mallet that's in front of it goes round.
 /// A disc that lies in a corner gets a tap, and room to come out.
 inline Vec2 strike(const Vec2 &mallet, const Disc &disc, const Vec2 &shot) {
-    const Vec2 place = disc.place, way = place - mallet, behind = within_reach(place - 2 * touch * shot);
+    const Vec2 place = disc.place, way = place - mallet, behind = in_own_half(place - 2 * touch * shot);
     if (place.x() < guard_line) return disc.velocity.norm() < 0.1 ? place : guard(disc, false);
     if (way.normalized().dot((place - behind).normalized()) > 0.95) return place;
     if (way.x() > touch / 2) return behind;

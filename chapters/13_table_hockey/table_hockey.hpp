@@ -14,7 +14,6 @@
 #include "../course.hpp"
 #include "../interface.hpp"
 
-#include <algorithm>
 #include <vector>
 
 /// Section 13: a game of table hockey, seen from above, in which all of this course runs.
@@ -86,15 +85,20 @@ struct Inputs {
 /// A place, as the left player would see it; and back again.
 inline Vec2 seen_from(int side, const Vec2 &place) { return {-side * place.x(), place.y()}; }
 
+//> Its own half
+constexpr double touch = disc_radius + mallet_radius; ///< from disc to mallet, when they touch [m]
+/// The nearest place that the left player's mallet can get to [m]: it touches a disc on the centre line, and no more.
+inline Vec2 in_own_half(const Vec2 &place) {
+    const Vec2 low{mallet_radius - half_length, mallet_radius - half_width}, high{-touch, -low.y()};
+    return place.cwiseMax(low).cwiseMin(high);
+}
+
 //> Follow the hand
 /// The player one step of `step_time` later. The mallet goes straight to the wanted place, no faster than `mallet_speed`,
 /// and stays in its own half of the table. It knows nothing of the disc.
 inline Player follow_hand(Player now, const Vec2 &wanted) {
-    const Vec2 from = seen_from(now.side, now.mallet), to = seen_from(now.side, wanted), base{shoulder, 0};
-    const double high = half_width - mallet_radius;
-    const Vec2 goal{std::clamp(to.x(), mallet_radius - half_length, -mallet_radius - disc_radius),
-                    std::clamp(to.y(), -high, high)};
-    const Vec2 way = goal - from;
+    const Vec2 from = seen_from(now.side, now.mallet), goal = in_own_half(seen_from(now.side, wanted));
+    const Vec2 way = goal - from, base{shoulder, 0};
     const double most = mallet_speed * step_time, far = way.norm();
     const Vec2 next = far > most ? Vec2{from + most / far * way} : goal;
     now.pose = inverse_kinematics::continued(arm, now.pose, next - base);

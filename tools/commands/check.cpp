@@ -287,8 +287,10 @@ class Check {
             of_all.test = "no test could start:";
             of_all.file.clear();
             print_failure(of_all);
-        } else
-            for (const auto &outcome : outcomes) print(outcome, options.verbose, mistakes_of(section));
+        } else {
+            const std::string mistakes = mistakes_of(section);
+            for (const auto &outcome : outcomes) print(outcome, options.verbose, mistakes);
+        }
         if (only && outcomes.front().first_failure() == nullptr) print_after(section);
         else print_next(outcomes, section);
     }

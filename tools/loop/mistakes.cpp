@@ -4,7 +4,6 @@
 #include "verdict/shared/signature.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <sstream>
 

@@ -28,6 +28,7 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
+#include <initializer_list>
 #include <iostream>
 #include <map>
 #include <numeric>
@@ -311,22 +312,33 @@ bool judge_known(const std::string &subject, const std::string &answer, const st
 
 /// An answer of tests/wrong or tests/right, as tests/answers/generate.cpp lists it.
 struct Answer {
-    std::string name, exercise, expect;
+    std::string name, exercise, rest; ///< rest: how it's to be judged, or what a reader did who gave it
 };
+
+std::vector<Answer> read_list(const std::string &file) {
+    std::vector<Answer> answers;
+    std::ifstream in{file};
+    for (Answer next; in >> next.name >> next.exercise && std::getline(in >> std::ws, next.rest);)
+        answers.push_back(next);
+    return answers;
+}
+
+/// Does a job for each of so many answers, and adds what it tells.
+/// @return as `share`
+int share_all(std::size_t count, const Job &job, std::vector<std::string> &told) {
+    std::vector<unsigned> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    return count == 0 ? +all_well : share(count, all, job, told);
+}
 
 /// Judges many answers, which are in one subject, and tells of those that are not judged as expected.
 /// @return the exit code
 int judge_answers(const std::string &subject, const std::string &list, unsigned seed) {
-    std::vector<Answer> answers;
-    std::ifstream in{list};
-    for (Answer next; in >> next.name >> next.exercise && std::getline(in >> std::ws, next.expect);)
-        answers.push_back(next);
+    const std::vector<Answer> answers = read_list(list);
     if (answers.empty()) {
         std::cerr << list << " lists no answers\n";
         return 2;
     }
-    std::vector<unsigned> all(answers.size());
-    std::iota(all.begin(), all.end(), 0u);
     const std::string good = "as expected";
     const Job judge_one = [&](unsigned which, NamelessFile &lines) {
         const auto &[name, exercise, expect] = answers[which];
@@ -336,29 +348,25 @@ int judge_answers(const std::string &subject, const std::string &list, unsigned 
             if (!verdict.passed()) lines.append(in_words(verdict));
     };
     std::vector<std::string> told;
-    const int code = share(all.size(), all, judge_one, told);
+    const int code = share_all(answers.size(), judge_one, told);
     const auto right = static_cast<std::size_t>(std::ranges::count(told, good));
     for (const std::string &line : told)
         if (line != good) std::cout << line << '\n';
-    std::cout << right << " of " << all.size() << " answers are judged as expected (seed " << seed << ")\n";
-    return code != all_well ? code : right == all.size() ? 0 : 1;
+    std::cout << right << " of " << answers.size() << " answers are judged as expected (seed " << seed << ")\n";
+    return code != all_well ? code : right == answers.size() ? 0 : 1;
 }
 
-/// A known mistake, as tests/answers/generate.cpp lists it.
-struct Mistake {
-    std::string name, exercise, words;
-};
-
-/// What all tests of its exercise say of it, with each of two seeds, if none of them takes too long.
-std::vector<Verdict> verdicts_on(const std::string &subject, const Mistake &mistake) {
-    Session here{subject, {}, mistake.name};
+/// What the tests of its exercise say of an answer, with each of these seeds, until one takes too long: others would, too.
+const std::vector<Verdict> &verdicts_on(const std::string &subject, const Answer &answer,
+                                        std::initializer_list<unsigned> seeds) {
+    Session here{subject, {}, answer.name};
     verdicts.clear();
-    for (const unsigned seed : {2026u, 7u})
+    for (const unsigned seed : seeds)
         for (unsigned place = 0; place < all_tests().size(); ++place) {
-            if (exercise_of(*all_tests()[place]) != mistake.exercise) continue;
+            if (exercise_of(*all_tests()[place]) != answer.exercise) continue;
             run_tests(here, seed, {place, static_cast<unsigned>(all_tests().size())});
             if (!here.trouble().empty()) throw MachineTrouble{here.trouble()};
-            if (verdicts.back().kind == Kind::too_long) return {};
+            if (verdicts.back().kind == Kind::too_long) return verdicts;
         }
     return verdicts;
 }
@@ -367,28 +375,19 @@ std::vector<Verdict> verdicts_on(const std::string &subject, const Mistake &mist
 /// One that stops where others stop too, and that no reader would give, can go.
 /// @return the exit code
 int print_kills(const std::string &subject, const std::string &list) {
-    std::vector<Answer> answers;
-    std::ifstream in{list};
-    for (Answer next; in >> next.name >> next.exercise && std::getline(in, next.expect);)
-        if (next.name.starts_with("wrong_")) answers.push_back(next);
-    std::vector<unsigned> all(answers.size());
-    std::iota(all.begin(), all.end(), 0u);
-    std::vector<std::string> told;
+    std::vector<Answer> answers = read_list(list);
+    std::erase_if(answers, [](const Answer &answer) { return !answer.name.starts_with("wrong_"); });
+    const auto place_of = [](const Verdict &verdict) {
+        return std::ranges::find(all_tests(), verdict.test, &Catch::TestCaseInfo::name) - all_tests().begin();
+    };
     const Job judge_one = [&](unsigned which, NamelessFile &lines) {
-        const auto &[name, exercise, expect] = answers[which];
-        Session here{subject, {}, name};
-        verdicts.clear();
-        std::string stopped_by = exercise + ' ' + name;
-        for (unsigned place = 0; place < all_tests().size(); ++place) {
-            if (exercise_of(*all_tests()[place]) != exercise) continue;
-            run_tests(here, 2026, {place, static_cast<unsigned>(all_tests().size())});
-            if (!here.trouble().empty()) throw MachineTrouble{here.trouble()};
-            if (!verdicts.back().passed()) stopped_by += ' ' + std::to_string(place + 1);
-            if (verdicts.back().kind == Kind::too_long) break; // the others would wait as long
-        }
+        std::string stopped_by = answers[which].exercise + ' ' + answers[which].name;
+        for (const Verdict &verdict : verdicts_on(subject, answers[which], {2026}))
+            if (!verdict.passed()) stopped_by += ' ' + std::to_string(place_of(verdict) + 1);
         lines.append(stopped_by + '\n');
     };
-    const int code = share(all.size(), all, judge_one, told);
+    std::vector<std::string> told;
+    const int code = share_all(answers.size(), judge_one, told);
     std::ranges::sort(told);
     for (const std::string &line : told) std::cout << line << '\n';
     return code;
@@ -399,19 +398,15 @@ int print_kills(const std::string &subject, const std::string &list) {
 /// @return the exit code
 /// @param kept  a file that must be the same; "": nothing need be
 int print_mistakes(const std::string &subject, const std::string &list, const std::string &kept) {
-    std::vector<Mistake> mistakes;
-    std::ifstream in{list};
-    for (Mistake next; in >> next.name >> next.exercise && std::getline(in >> std::ws, next.words);)
-        mistakes.push_back(next);
-    std::vector<unsigned> all(mistakes.size());
-    std::iota(all.begin(), all.end(), 0u);
-    std::vector<std::string> told;
+    const std::vector<Answer> mistakes = read_list(list);
     const Job judge_one = [&](unsigned which, NamelessFile &lines) {
-        for (const Verdict &verdict : verdicts_on(subject, mistakes[which]))
-            lines.append(std::to_string(which) + ' ' + to_line(verdict));
+        const auto &said = verdicts_on(subject, mistakes[which], {2026, 7});
+        if (said.empty() || said.back().kind == Kind::too_long)
+            return; // nobody knows what the other tests would have seen
+        for (const Verdict &verdict : said) lines.append(std::to_string(which) + ' ' + to_line(verdict));
     };
-    if (const int code = all.empty() ? +all_well : share(all.size(), all, judge_one, told); code != all_well)
-        return code;
+    std::vector<std::string> told;
+    if (const int code = share_all(mistakes.size(), judge_one, told); code != all_well) return code;
 
     std::vector<std::map<std::string, std::vector<Verdict>>> seen(mistakes.size()); // of each mistake, by tests
     for (const std::string &line : told)
@@ -434,7 +429,7 @@ int print_mistakes(const std::string &subject, const std::string &list, const st
         for (const auto &[test, both] : seen[i])
             if (!both.front().passed() && !generated.contains({mistakes[i].exercise, test}))
                 failed.push_back(both.front());
-        if (!failed.empty()) lines.insert(mistakes[i].exercise + '\t' + signature(failed) + '\t' + mistakes[i].words);
+        if (!failed.empty()) lines.insert(mistakes[i].exercise + '\t' + signature(failed) + '\t' + mistakes[i].rest);
     }
     std::string text;
     for (const std::string &line : lines) text += line + '\n';
