@@ -19,10 +19,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES Clang) # 14 crashes in templates that it reads 
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 target_compile_options(course_harness PUBLIC "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>") # GCC 12's own mistake about std::string, seen once its headers are precompiled
-set(COURSE_OPTIMIZE_TESTS ${COURSE_OPTIMIZATION})
-if(COURSE_OPTIMIZATION STREQUAL "-O1")
-  set(COURSE_OPTIMIZE_TESTS -Og) # compiled in three quarters of the time, and a check is as quick; at -O0 it is not
-endif()
+set(COURSE_OPTIMIZE_TESTS -Og CACHE STRING "For tests: compiled in three quarters of the time of -O1, and a check is as quick; at -O0 it is not")
 set_target_properties(course_harness PROPERTIES COURSE_OPTIMIZE ${COURSE_OPTIMIZE_TESTS})
 target_precompile_headers(course_harness PRIVATE ${PROJECT_SOURCE_DIR}/tests/section_test.hpp) # and all section tests
 
