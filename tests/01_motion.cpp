@@ -70,15 +70,15 @@ TEST_CASE("a speed from a number beyond ±1e5, infinite or not a number is refus
 
 //> Worked example: uniform motion
 TEST_CASE("30 s at 4 m/s are a displacement of 120 m, from any start", "[1.2]") {
-    CHECK_THAT(uniform_motion({200, 80}, {4, 0}, 30), IsNear(Vec2{320, 80}, rounding)); // 200 + 4 · 30
+    CHECK_THAT(uniform_motion({200, 80}, {4, 0}, 30), IsNear(Vec2{320, 80}, rounding).since("200 + 4 · 30 = 320"));
     CHECK_THAT(uniform_motion({0, 0}, {4, 0}, 30), IsNear(Vec2{120, 0}, rounding));
-    CHECK_THAT(uniform_motion({200, 80}, {0, -4}, 30), IsNear(Vec2{200, -40}, rounding)); // 80 - 4 · 30
+    CHECK_THAT(uniform_motion({200, 80}, {0, -4}, 30), IsNear(Vec2{200, -40}, rounding).since("80 - 4 · 30 = -40"));
 }
 
 //> Both components
 TEST_CASE("x and y move independently of each other, for negative t too", "[1.2]") {
-    CHECK_THAT(uniform_motion({1, -2}, {3, 0.5}, 4), IsNear(Vec2{13, 0}, rounding));          // 1 + 12, -2 + 2
-    CHECK_THAT(uniform_motion({1, -2}, {3, 0.5}, -4), IsNear(Vec2{-11, -4}, rounding));       // 1 - 12, -2 - 2
+    CHECK_THAT(uniform_motion({1, -2}, {3, 0.5}, 4), IsNear(Vec2{13, 0}, rounding).since("x: 1 + 12, y: -2 + 2"));
+    CHECK_THAT(uniform_motion({1, -2}, {3, 0.5}, -4), IsNear(Vec2{-11, -4}, rounding).since("x: 1 - 12, y: -2 - 2"));
     CHECK_THAT(uniform_motion({1, -2}, {-3, 0.5}, 0.5), IsNear(Vec2{-0.5, -1.75}, rounding)); // half a second
     CHECK_THAT(uniform_motion({1, -2}, {3, 0.5}, 0), IsNear(Vec2{1, -2}));
     CHECK_THAT(uniform_motion({1, -2}, {0, 0}, 9), IsNear(Vec2{1, -2}));
@@ -168,8 +168,9 @@ TEST_CASE("Table 13.1: from rest with 2 m/s², the velocity is 0, 2, 4, 6, 8, 10
 
 //> By hand: thrown up
 TEST_CASE("a stone thrown up at 7 m/s under 10 m/s² is 2.4 m up after 0.6 s, still rising at 1 m/s", "[1.3]") {
-    // on average (7 + 1)/2 = 4 m/s, for 0.6 s; and 3 m/s sideways, 1.8 m, which nothing changes
-    CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, 0.6), IsNear(State{{2.8, 2.4}, {3, 1}}, rounding));
+    CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, 0.6),
+               IsNear(State{{2.8, 2.4}, {3, 1}}, rounding)
+                   .since("it rises (7 + 1)/2 = 4 m/s · 0.6 s, and moves 3 m/s · 0.6 s sideways"));
     // it falls past the same height at the same speed, 0.2 s later
     CHECK_THAT(accelerated_motion({{1, 0}, {3, 7}}, {0, -10}, 0.8), IsNear(State{{3.4, 2.4}, {3, -1}}, rounding));
     // and was 2 m below, and faster, before
@@ -321,14 +322,16 @@ std::vector<PointMass> random_bodies(Dice &dice, int count) {
 const std::vector<PointMass> three{{{0, 0}, 1}, {{4, 0}, 1}, {{0, 3}, 2}};
 
 TEST_CASE("1 kg at (0, 0), 1 kg at (4, 0) and 2 kg at (0, 3) balance at (1, 1.5)", "[1.4]") {
-    // x: (1 · 0 + 1 · 4 + 2 · 0) / 4 = 1;  y: (1 · 0 + 1 · 0 + 2 · 3) / 4 = 1.5
-    CHECK_THAT(centre_of_mass(three), IsNear(Vec2{1, 1.5}, rounding));
+    CHECK_THAT(centre_of_mass(three),
+               IsNear(Vec2{1, 1.5}, rounding).since("x: (1 · 0 + 1 · 4 + 2 · 0) / 4, y: (1 · 0 + 1 · 0 + 2 · 3) / 4"));
 }
 
 //> A seesaw
 TEST_CASE("two bodies balance nearer to the heavier one", "[1.4]") {
-    CHECK_THAT(centre_of_mass({{{2, 7}, 3}, {{6, -1}, 3}}), IsNear(Vec2{4, 3}, rounding)); // equal: the middle
-    CHECK_THAT(centre_of_mass({{{2, 7}, 9}, {{6, -1}, 3}}), IsNear(Vec2{3, 5}, rounding)); // 1 : 3, so a quarter
+    CHECK_THAT(centre_of_mass({{{2, 7}, 3}, {{6, -1}, 3}}),
+               IsNear(Vec2{4, 3}, rounding).since("equal masses balance in the middle"));
+    CHECK_THAT(centre_of_mass({{{2, 7}, 9}, {{6, -1}, 3}}),
+               IsNear(Vec2{3, 5}, rounding).since("at 3 to 1 it's a quarter of the way"));
     CHECK_THAT(centre_of_mass({{{2, 7}, 3}, {{6, -1}, 9}}), IsNear(Vec2{5, 1}, rounding));
     CHECK_THAT(centre_of_mass({{{2, 7}, 0}, {{6, -1}, 9}}), IsNear(Vec2{6, -1}, rounding)); // no mass at (2, 7)
 }
@@ -610,9 +613,9 @@ using Corners = std::vector<Vec2>;
 
 //> An L
 TEST_CASE("an L of 3 m² around (0.5, 1.5) and 2 m² around (2, 0.5) has its centroid at (1.1, 1.1)", "[1.6]") {
-    // x: (3 · 0.5 + 2 · 2) / 5 = 1.1;  y: (3 · 1.5 + 2 · 0.5) / 5 = 1.1
     const Corners l{{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 0}};
-    CHECK_THAT(centroid(l), IsNear(Vec2{1.1, 1.1}, rounding));
+    CHECK_THAT(centroid(l),
+               IsNear(Vec2{1.1, 1.1}, rounding).since("x: (3 · 0.5 + 2 · 2) / 5, y: (3 · 1.5 + 2 · 0.5) / 5"));
     CHECK_THAT(centroid({l.rbegin(), l.rend()}), IsNear(Vec2{1.1, 1.1}, rounding)); // the other way round
 }
 
@@ -795,8 +798,9 @@ constexpr double fit_tolerance = 1e-8; // what the header promises
 
 TEST_CASE("6, 11 and 27 m after 1, 2 and 4 s come from 3 m, 2 m/s and 2 m/s²", "[1.7]") {
     // 5 m/s on average from 1 to 2 s, so 5 m/s at 1.5 s; 8 m/s on average from 2 to 4 s, so 8 m/s at 3 s
-    // a = (8 - 5) / (3 - 1.5) = 2 m/s²; v_0 = 5 - 2 · 1.5 = 2 m/s; x_0 = 6 - 2 · 1 - 2/2 · 1² = 3 m
-    CHECK_THAT(fit_motion({1, 6}, {2, 11}, {4, 27}), IsNear(Motion{3, 2, 2}, fit_tolerance));
+    CHECK_THAT(fit_motion({1, 6}, {2, 11}, {4, 27}),
+               IsNear(Motion{3, 2, 2}, fit_tolerance)
+                   .since("a = (8 - 5) / (3 - 1.5) = 2, v_0 = 5 - 2 · 1.5 = 2, x_0 = 6 - 2 · 1 - 2/2 · 1² = 3"));
 }
 
 //> Three rows of a table

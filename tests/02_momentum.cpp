@@ -33,8 +33,9 @@ std::pair<Cart, Cart> random_pair(Dice &dice) {
 
 //> Worked example: four forces
 TEST_CASE("rope, string, weight and rail together: 4 N to the right accelerate 2 kg by 2 m/s²", "[2.1]") {
-    // to the right 6 - 2 = 4 N, up 4 + 1 - 20 + 15 = 0 N; 4 N / 2 kg = 2 m/s²
-    CHECK_THAT(acceleration_due_to({{6, 4}, {-2, 1}, {0, -20}, {0, 15}}, 2), IsNear(Vec2{2, 0}, rounding));
+    CHECK_THAT(acceleration_due_to({{6, 4}, {-2, 1}, {0, -20}, {0, 15}}, 2),
+               IsNear(Vec2{2, 0}, rounding)
+                   .since("to the right 6 - 2 = 4 N, up 4 + 1 - 20 + 15 = 0 N, and 4 N / 2 kg = 2 m/s²"));
 }
 
 //> One newton, one kilogram
@@ -138,8 +139,10 @@ TEST_CASE("a mass of 0, a negative mass, or a force or mass out of range is refu
 
 //> Worked example: elastic
 TEST_CASE("2 kg at 4 m/s and 3 kg at -2 m/s part at -3.2 and 2.8 m/s", "[2.2]") {
-    // squeezed together: 2 · 4 + 3 · (-2) = 2 N s, shared by 5 kg: 0.4 m/s. A has lost 3.6 m/s, and loses them again.
-    CHECK_THAT(elastic_collision({2, 4}, {3, -2}), IsNear(Velocities{-3.2, 2.8}, rounding));
+    CHECK_THAT(
+        elastic_collision({2, 4}, {3, -2}),
+        IsNear(Velocities{-3.2, 2.8}, rounding)
+            .since("together both move at (2 · 4 - 3 · 2) / 5 = 0.4 m/s: A has lost 3.6 m/s, and loses them again"));
 }
 
 //> Equal masses
@@ -152,10 +155,13 @@ TEST_CASE("carts of the same mass swap their velocities", "[2.2]") {
 
 //> One at rest
 TEST_CASE("1 kg at 3 m/s comes back from 2 kg at rest; 2 kg at 3 m/s roll on behind 1 kg", "[2.2]") {
-    CHECK_THAT(elastic_collision({1, 3}, {2, 0}), IsNear(Velocities{-1, 2}, rounding)); // together: 3 / 3 = 1 m/s
-    CHECK_THAT(elastic_collision({2, 3}, {1, 0}), IsNear(Velocities{1, 4}, rounding));  // together: 6 / 3 = 2 m/s
+    CHECK_THAT(elastic_collision({1, 3}, {2, 0}),
+               IsNear(Velocities{-1, 2}, rounding).since("squeezed together both move at 3 / 3 = 1 m/s"));
+    CHECK_THAT(elastic_collision({2, 3}, {1, 0}),
+               IsNear(Velocities{1, 4}, rounding).since("squeezed together both move at 6 / 3 = 2 m/s"));
     CHECK_THAT(elastic_collision({2, 0}, {1, -3}), IsNear(Velocities{-2, 1}, rounding));
-    CHECK_THAT(elastic_collision({3, 5}, {1, 1}), IsNear(Velocities{3, 7}, rounding)); // together: 16 / 4 = 4 m/s
+    CHECK_THAT(elastic_collision({3, 5}, {1, 1}),
+               IsNear(Velocities{3, 7}, rounding).since("squeezed together both move at 16 / 4 = 4 m/s"));
 }
 
 //>
@@ -301,13 +307,14 @@ TEST_CASE("a cart with a mass of 0 or less, or with a number out of range, is re
 
 //> Worked example: clay
 TEST_CASE("2 kg of clay at 4 m/s and 3 kg at -2 m/s move on together at 0.4 m/s", "[2.3]") {
-    // 2 · 4 + 3 · (-2) = 2 N s, shared by 5 kg
-    CHECK_THAT(collide({2, 4}, {3, -2}, 0), IsNear(Velocities{0.4, 0.4}, rounding));
+    CHECK_THAT(collide({2, 4}, {3, -2}, 0),
+               IsNear(Velocities{0.4, 0.4}, rounding).since("2 · 4 + 3 · (-2) = 2 N s are shared by 5 kg"));
 }
 
 //> Between clay and rubber
 TEST_CASE("between clay and rubber: the two carts part at a quarter, half, three quarters of 6 m/s", "[2.3]") {
-    CHECK_THAT(collide({2, 4}, {3, -2}, 0.25), IsNear(Velocities{-0.5, 1}, rounding)); // 0.4 - 3.6/4, 0.4 + 2.4/4
+    CHECK_THAT(collide({2, 4}, {3, -2}, 0.25),
+               IsNear(Velocities{-0.5, 1}, rounding).since("0.4 - 3.6/4 = -0.5 and 0.4 + 2.4/4 = 1"));
     CHECK_THAT(collide({2, 4}, {3, -2}, 0.5), IsNear(Velocities{-1.4, 1.6}, rounding));
     CHECK_THAT(collide({2, 4}, {3, -2}, 0.75), IsNear(Velocities{-2.3, 2.2}, rounding));
 }
@@ -474,8 +481,10 @@ TEST_CASE("a restitution beyond 0 to 1, a mass of 0 or less, or a number out of 
 
 //> Worked example: from the centre of mass
 TEST_CASE("the centre of mass of the two carts moves at 0.4 m/s; from it they are seen at 3.6 and -2.4 m/s", "[2.4]") {
-    // (2 · 4 + 3 · (-2)) / 5 = 0.4; 4 - 0.4, -2 - 0.4; 2/2 · 3.6² + 3/2 · 2.4² = 12.96 + 8.64 J
-    CHECK_THAT(centre_of_mass_frame({2, 4}, {3, -2}), IsNear(CentreOfMassFrame{0.4, 3.6, -2.4, 21.6}, 1e-11));
+    CHECK_THAT(
+        centre_of_mass_frame({2, 4}, {3, -2}),
+        IsNear(CentreOfMassFrame{0.4, 3.6, -2.4, 21.6}, 1e-11)
+            .since("(2 · 4 - 3 · 2) / 5 = 0.4, 4 - 0.4 = 3.6, -2 - 0.4 = -2.4, and 2/2 · 3.6² + 3/2 · 2.4² = 21.6"));
 }
 
 //> Simple frames
@@ -595,10 +604,15 @@ TEST_CASE("seen from a centre of mass: a mass of 0 or less, or a number out of r
 
 //> Worked example: impulse
 TEST_CASE("the impulse between the two carts is 14.4 N s if they are rubber, 7.2 N s if they are clay", "[2.5]") {
-    // 1 N s takes 1/2 + 1/3 = 5/6 m/s away from the 6 m/s of approach: 7.2 N s take all, and 14.4 N s reverse them
-    CHECK_THAT(impulse({1.0 / 2, 4}, {1.0 / 3, -2}, 1), IsNear(14.4, rounding));
-    CHECK_THAT(impulse({1.0 / 2, 4}, {1.0 / 3, -2}, 0.5), IsNear(10.8, rounding));
-    CHECK_THAT(impulse({1.0 / 2, 4}, {1.0 / 3, -2}, 0), IsNear(7.2, rounding));
+    CHECK_THAT(impulse({1.0 / 2, 4}, {1.0 / 3, -2}, 1),
+               IsNear(14.4, rounding)
+                   .since("1 N s takes 1/2 + 1/3 = 5/6 m/s away: 7.2 N s take all of 6 m/s, and 14.4 N s reverse it"));
+    CHECK_THAT(
+        impulse({1.0 / 2, 4}, {1.0 / 3, -2}, 0.5),
+        IsNear(10.8, rounding)
+            .since("1 N s takes 1/2 + 1/3 = 5/6 m/s away: 7.2 N s take all of 6, and 3.6 N s give half of it back"));
+    CHECK_THAT(impulse({1.0 / 2, 4}, {1.0 / 3, -2}, 0),
+               IsNear(7.2, rounding).since("1 N s takes 1/2 + 1/3 = 5/6 m/s away, and 6 / (5/6) = 7.2"));
 }
 
 //> The carts of 2.3
@@ -756,8 +770,9 @@ TEST_CASE("two carts in a row collide as in 2.2; a third one is pushed on by the
     CHECK_THAT(newtons_cradle({{2, 4}, {3, -2}}), IsNear(List{-3.2, 2.8}, 1e-10));
     // nearly equal carts do not quite swap: together 1 / 2.000001
     CHECK_THAT(newtons_cradle({{1, 1}, {1.000001, 0}}), IsNear(List{-1e-6 / 2.000001, 2 / 2.000001}, 1e-10));
-    // 2 and 1 kg: 2, 8 m/s; 1 and 3 kg: together 8/4 = 2: -4, 4; 2 and 1 kg: together 0: -2, 4; and 4 do not approach 4
-    CHECK_THAT(newtons_cradle({{2, 6}, {1, 0}, {3, 0}}), IsNear(List{-2, 4, 4}, 1e-10));
+    CHECK_THAT(newtons_cradle({{2, 6}, {1, 0}, {3, 0}}),
+               IsNear(List{-2, 4, 4}, 1e-10)
+                   .since("the left pair parts at 2, 8 m/s, the right one at -4, 4, and the left one then at -2, 4"));
     // seen in a mirror, the leftmost pair is another one: 3 and 1 kg first, but only the right pair approaches at first
     CHECK_THAT(newtons_cradle({{3, 0}, {1, 0}, {2, -6}}), IsNear(List{-4, -4, 2}, 1e-10));
 }

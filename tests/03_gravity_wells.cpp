@@ -22,8 +22,8 @@ PointMass random_body(Dice &dice) { return {dice.point(-50, 50), dice.real(0.1, 
 
 //> Worked example: 8 m from a black hole
 TEST_CASE("a ship of 2 kg, 8 m to the right of a black hole of 800 kg, is pulled to the left with 25 N", "[3.1]") {
-    // G = 1: 2 kg · 800 kg / (8 m)² = 1600 / 64 = 25 N
-    CHECK_THAT(gravity({{8, 0}, 2}, {{0, 0}, 800}, 1), IsNear(Vec2{-25, 0}, rounding));
+    CHECK_THAT(gravity({{8, 0}, 2}, {{0, 0}, 800}, 1),
+               IsNear(Vec2{-25, 0}, rounding).since("2 kg · 800 kg / (8 m)² = 1600 / 64 = 25 N"));
 }
 
 //> Twice as far
@@ -35,8 +35,8 @@ TEST_CASE("twice as far away the pull is a quarter, and at half the distance fou
 
 //> At an angle
 TEST_CASE("the pull points from the ship to the hole: from (3, 4), 64 N pull with (-38.4, -51.2) N", "[3.1]") {
-    // 5 m away: 1600 / 25 = 64 N, along (-3, -4) / 5
-    CHECK_THAT(gravity({{3, 4}, 2}, {{0, 0}, 800}, 1), IsNear(Vec2{-38.4, -51.2}, rounding));
+    CHECK_THAT(gravity({{3, 4}, 2}, {{0, 0}, 800}, 1),
+               IsNear(Vec2{-38.4, -51.2}, rounding).since("it's 5 m away: 1600 / 25 = 64 N, along (-3, -4) / 5"));
     CHECK_THAT(gravity({{-4, 3}, 2}, {{0, 0}, 800}, 1), IsNear(Vec2{51.2, -38.4}, rounding));
 }
 
@@ -180,8 +180,9 @@ TEST_CASE("a negative mass or G, or a number out of range, is refused by gravity
 
 //> Worked example: thrown upwards
 TEST_CASE("thrown upwards at 10 m/s from 15 m, with g = 10 m/s², it reaches the floor after 3 s", "[3.2]") {
-    // it hits the floor at √(10² + 2 · 10 · 15) = √400 = 20 m/s; from 10 up to 20 down are 30 m/s, at 10 m/s each second
-    CHECK_THAT(time_to_fall(15, 10, 10), IsNear(3.0, rounding));
+    CHECK_THAT(time_to_fall(15, 10, 10),
+               IsNear(3.0, rounding)
+                   .since("it hits the floor at √(10² + 2 · 10 · 15) = 20 m/s, and from 10 up to 20 down are 30 m/s"));
 }
 
 //> Dropped
@@ -193,9 +194,10 @@ TEST_CASE("what is dropped falls 5, 20 and 45 m in 1, 2 and 3 s, with g = 10 m/s
 
 //> Thrown downwards
 TEST_CASE("thrown downwards at 10 m/s from 15 m, with g = 10 m/s², it reaches the floor after 1 s", "[3.2]") {
-    // from 10 down to 20 down are 10 m/s
-    CHECK_THAT(time_to_fall(15, -10, 10), IsNear(1.0, rounding));
-    CHECK_THAT(time_to_fall(40, -10, 10), IsNear(2.0, rounding)); // √(100 + 800) = 30
+    CHECK_THAT(time_to_fall(15, -10, 10), IsNear(1.0, rounding).since("from 10 down to 20 down are 10 m/s"));
+    CHECK_THAT(time_to_fall(40, -10, 10),
+               IsNear(2.0, rounding)
+                   .since("it hits the floor at √(100 + 800) = 30 m/s, and from 10 down to 30 down are 20 m/s"));
 }
 
 //> From the floor
@@ -419,8 +421,8 @@ TEST_CASE("a negative height or dt, a g of 0 or less, or a number out of range, 
 
 //> Worked example: a circle
 TEST_CASE("around a black hole of 800 kg, at 8 m, a ship circles at 10 m/s", "[3.4]") {
-    // G = 1: it is accelerated by 800 / 64 = 12.5 m/s², and 10² / 8 is 12.5, too
-    CHECK_THAT(circular_orbit_speed(800, 8, 1), IsNear(10.0, rounding));
+    CHECK_THAT(circular_orbit_speed(800, 8, 1),
+               IsNear(10.0, rounding).since("it's pulled with 800 / 64 = 12.5 m/s², and 10² / 8 is 12.5, too"));
 }
 
 //> Nearer and farther
@@ -514,10 +516,12 @@ State random_ship(Dice &dice, double mu) {
 
 //> Worked example: one step
 TEST_CASE("8 m from a well of 800 m³/s², at 10 m/s across, a step of 0.1 s leads to (7.875, 1) m", "[3.5]") {
-    // it is pulled with 800 / 64 = 12.5 m/s²: in 0.1 s it gains (-1.25, 0) m/s, and at (-1.25, 10) m/s moves by (-0.125, 1)
-    CHECK_THAT(orbit_step({{8, 0}, {0, 10}}, 800, 0.1), IsNear(State{{7.875, 1}, {-1.25, 10}}, rounding));
-    // from (3, 4): 800 / 25 = 32 m/s² along (-0.6, -0.8)
-    CHECK_THAT(orbit_step({{3, 4}, {2, 1}}, 800, 0.5), IsNear(State{{-0.8, -1.9}, {-7.6, -11.8}}, rounding));
+    CHECK_THAT(orbit_step({{8, 0}, {0, 10}}, 800, 0.1),
+               IsNear(State{{7.875, 1}, {-1.25, 10}}, rounding)
+                   .since("it's pulled with 800 / 64 = 12.5 m/s², and at (-1.25, 10) m/s it moves by (-0.125, 1)"));
+    CHECK_THAT(orbit_step({{3, 4}, {2, 1}}, 800, 0.5),
+               IsNear(State{{-0.8, -1.9}, {-7.6, -11.8}}, rounding)
+                   .since("it's pulled with 800 / 25 = 32 m/s², along (-0.6, -0.8), for 0.5 s"));
 }
 
 //> Round and round
@@ -610,9 +614,10 @@ TEST_CASE("a negative mu or dt, or a number out of range, is refused by orbit_st
 
 //> Worked example: softened by 3 m
 TEST_CASE("4 m from a well of 1000 m³/s² that is softened by 3 m, the pull is 32 m/s²", "[3.6]") {
-    // √(4² + 3²) = 5 m, and 1000 · 4 / 5³ = 32 m/s²
-    CHECK_THAT(softened_gravity({4, 0}, 1000, 3), IsNear(Vec2{-32, 0}, rounding));
-    CHECK_THAT(softened_gravity({0, -3}, 1000, 4), IsNear(Vec2{0, 24}, rounding));
+    CHECK_THAT(softened_gravity({4, 0}, 1000, 3),
+               IsNear(Vec2{-32, 0}, rounding).since("√(4² + 3²) = 5 m, and 1000 · 4 / 5³ = 32 m/s²"));
+    CHECK_THAT(softened_gravity({0, -3}, 1000, 4),
+               IsNear(Vec2{0, 24}, rounding).since("√(3² + 4²) = 5 m, and 1000 · 3 / 5³ = 24 m/s²"));
 }
 
 //> Far away

@@ -50,7 +50,8 @@ double landing_time(const State &muzzle, double g) {
 
 //> Worked example: 60 degrees
 TEST_CASE("at 20 m/s and 60° a shell flies at 10 m/s to the right and 17.32 m/s up", "[4.1]") {
-    CHECK_THAT(launch_velocity(20, 60), IsNear(Vec2{10, std::sqrt(300)}, rounding)); // 10² + 300 = 20²
+    CHECK_THAT(launch_velocity(20, 60),
+               IsNear(Vec2{10, std::sqrt(300)}, rounding).since("half of 20 is 10, and 10² + 300 = 20²"));
 }
 
 //> Right, up, left, down
@@ -141,8 +142,9 @@ TEST_CASE("fired from the ground at (15, 20) m/s, with g = 10 m/s², a shell lan
 
 //> Worked example: from a cliff
 TEST_CASE("fired from a cliff of 25 m at (15, 20) m/s, with g = 10 m/s², it lands after 5 s", "[4.2]") {
-    // it hits the ground at √(20² + 2 · 10 · 25) = √900 = 30 m/s; from 20 up to 30 down are 50 m/s, at 10 m/s each second
-    CHECK_THAT(time_of_flight({{0, 25}, {15, 20}}, 10), IsNear(5.0, rounding));
+    CHECK_THAT(time_of_flight({{0, 25}, {15, 20}}, 10),
+               IsNear(5.0, rounding)
+                   .since("it hits the ground at √(20² + 2 · 10 · 25) = 30 m/s, and from 20 up to 30 down are 50 m/s"));
 }
 
 //> Sideways
@@ -666,8 +668,9 @@ TEST_CASE("a muzzle below the ground, a g of 0 or less, or a number out of range
 
 //> Worked example: a terrace
 TEST_CASE("from the ground at (15, 20) m/s, a shell comes down to a terrace of 15 m 45 m away", "[4.7]") {
-    // it passes there at √(20² - 2 · 10 · 15) = 10 m/s; from 20 up to 10 down are 30 m/s: 3 s
-    CHECK_THAT(range_at_height({{0, 0}, {15, 20}}, 10, 15), IsNear(45.0, rounding));
+    CHECK_THAT(range_at_height({{0, 0}, {15, 20}}, 10, 15),
+               IsNear(45.0, rounding)
+                   .since("it passes there at √(20² - 2 · 10 · 15) = 10 m/s: from 20 up to 10 down is 3 s, at 15 m/s"));
     CHECK_THAT(range_at_height({{0, 0}, {-15, 20}}, 10, 15), IsNear(-45.0, rounding));
 }
 

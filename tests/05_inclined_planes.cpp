@@ -595,14 +595,16 @@ TEST_CASE("a negative deceleration or dt, or a number out of range, is refused b
 
 //> Worked example: half as fast
 TEST_CASE("with mu_k 0.45, 9.6 m/s up a board of 3 in 5 get 4.8 m far, and come back at 4.8 m/s", "[5.7]") {
-    // up: 6 + 0.45 · 8 = 9.6 m/s² against it, so it rests after 1 s; back: 6 - 3.6 = 2.4 m/s², for 2 s
-    CHECK_THAT(up_and_back({10, 0.5, 0.45}, 9.6, std::asin(3.0 / 5), 10), IsNear(UpAndBack{4.8, 4.8}, rounding));
+    CHECK_THAT(up_and_back({10, 0.5, 0.45}, 9.6, std::asin(3.0 / 5), 10),
+               IsNear(UpAndBack{4.8, 4.8}, rounding)
+                   .since("up, 6 + 0.45 · 8 = 9.6 m/s² brake it for 1 s; back, 6 - 3.6 = 2.4 m/s² pull for 2 s"));
 }
 
 //> Worked example: it stays
 TEST_CASE("on a board of 7 in 25, with mu_k 0.3, 5.68 m/s get 2.84 m far, and the box stays there", "[5.7]") {
-    // up: 2.8 + 0.3 · 9.6 = 5.68 m/s² against it, so it rests after 1 s
-    CHECK_THAT(up_and_back({10, 0.5, 0.3}, 5.68, std::asin(7.0 / 25), 10), IsNear(UpAndBack{2.84, 0}, rounding));
+    CHECK_THAT(
+        up_and_back({10, 0.5, 0.3}, 5.68, std::asin(7.0 / 25), 10),
+        IsNear(UpAndBack{2.84, 0}, rounding).since("up, 2.8 + 0.3 · 9.6 = 5.68 m/s² brake it, so it rests after 1 s"));
 }
 
 //> It stays, since it rests
@@ -746,8 +748,9 @@ TEST_CASE("at rest, pulled with 12 N, it slips: less 6 N of friction, 2 kg get 3
 
 //> Worked example: it goes on
 TEST_CASE("moving at 0.9 m/s, pulled with 8 N, it goes on: what would hold it at rest does not stop it", "[5.8]") {
-    // (8 N - 6 N) / 2 kg = 1 m/s²: 1 m/s after a tenth of a second
-    CHECK_THAT(stick_slip_step({1, 0.9, 0.4}, block, spring, 10, 0.1), IsNear(Pulled{1.1, 1, 0.32}, rounding));
+    CHECK_THAT(
+        stick_slip_step({1, 0.9, 0.4}, block, spring, 10, 0.1),
+        IsNear(Pulled{1.1, 1, 0.32}, rounding).since("(8 N - 6 N) / 2 kg = 1 m/s²: 1 m/s after a tenth of a second"));
     // nor does it matter how slow it is, or which way it goes
     CHECK_THAT(stick_slip_step({1, 5e-4, 0.4}, block, spring, 10, 0.1),
                IsNear(Pulled{1.01005, 0.1005, 0.40995}, rounding));
@@ -871,8 +874,9 @@ TEST_CASE("moving at 0.9 m/s against a pull of 2 N, it goes on: the spring takes
     // Friction of 0.3 · 20 N = 6 N takes 3 m/s more: after a tenth of a second, 0.9 - 0.4 = 0.5 m/s are left. The box moves
     // on by 0.05 m, and the spring's end by 0.02 m: the stretch is -0.1 + 0.02 - 0.05 = -0.13 m
     CHECK_THAT(stick_slip_step({1, 0.9, -0.1}, block, spring, 10, 0.1), IsNear(Pulled{1.05, 0.5, -0.13}, rounding));
-    // with a slack spring only friction brakes: 2 - 0.3 = 1.7 m/s, and 0.17 m; 0 + 0.02 - 0.17 = -0.15 m
-    CHECK_THAT(stick_slip_step({1, 2, 0}, block, spring, 10, 0.1), IsNear(Pulled{1.17, 1.7, -0.15}, rounding));
+    CHECK_THAT(stick_slip_step({1, 2, 0}, block, spring, 10, 0.1),
+               IsNear(Pulled{1.17, 1.7, -0.15}, rounding)
+                   .since("a slack spring does nothing, and friction takes 3 m/s²: 1.7 m/s are left after 0.1 s"));
     const Spring other_way{20, -0.2};
     CHECK_THAT(stick_slip_step({-1, -0.9, 0.1}, block, other_way, 10, 0.1),
                IsNear(Pulled{-1.05, -0.5, 0.13}, rounding));

@@ -367,8 +367,8 @@ TEST_CASE("with restitution 0.5, without friction, (0, -5) leaves at (-3.6, -0.2
 
 //> Worked example: a rough wall
 TEST_CASE("with restitution 0.5 and mu_k = 0.3, (0, -5) leaves at (-2.16, 0.88) m/s", "[6.4]") {
-    // the tangential speed, 3 m/s, loses 0.3 · (4 + 2) = 1.8 m/s
-    CHECK_THAT(bounce({0, -5}, {-0.6, 0.8}, {0.5, 0.3}), IsNear(Vec2{-2.16, 0.88}, rounding));
+    CHECK_THAT(bounce({0, -5}, {-0.6, 0.8}, {0.5, 0.3}),
+               IsNear(Vec2{-2.16, 0.88}, rounding).since("the tangential speed, 3 m/s, loses 0.3 · (4 + 2) = 1.8 m/s"));
 }
 
 //> No more than there is

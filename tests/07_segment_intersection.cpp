@@ -80,14 +80,14 @@ TEST_CASE("moving or scaling both segments leaves t and s as they are", "[7.1]")
 }
 
 TEST_CASE("horizontal and vertical walls are hit from either side", "[7.1]") {
-    // (2, 5) + t (6, -8) is at y = 1 for t = 1/2, at x = 5; that is 2 of the 8 m from (3, 1) to (11, 1)
     CHECK_THAT(intersect_lines({{2, 5}, {8, -3}}, {{3, 1}, {11, 1}}),
-               IsNear(LineIntersection{0.5, 0.25, {5, 1}}, rounding));
+               IsNear(LineIntersection{0.5, 0.25, {5, 1}}, rounding)
+                   .since("(2, 5) + t (6, -8) is at y = 1 for t = 1/2, and x = 5 is 2 of the 8 m along the wall"));
     CHECK_THAT(intersect_lines({{8, -3}, {2, 5}}, {{3, 1}, {11, 1}}),
                IsNear(LineIntersection{0.5, 0.25, {5, 1}}, rounding));
-    // ... and at x = 3.5 for t = 1/4, at y = 3; that is 3 of the 4 m from (3.5, 0) to (3.5, 4)
     CHECK_THAT(intersect_lines({{2, 5}, {8, -3}}, {{3.5, 0}, {3.5, 4}}),
-               IsNear(LineIntersection{0.25, 0.75, {3.5, 3}}, rounding));
+               IsNear(LineIntersection{0.25, 0.75, {3.5, 3}}, rounding)
+                   .since("(2, 5) + t (6, -8) is at x = 3.5 for t = 1/4, and y = 3 is 3 of the 4 m along the wall"));
     CHECK_THAT(intersect_lines({{0, 2}, {9, 2}}, {{3, 7}, {3, -3}}),
                IsNear(LineIntersection{1.0 / 3, 0.5, {3, 2}}, rounding));
 }
@@ -633,12 +633,14 @@ const std::vector<Vec2> cave{{0.5, 1}, {6, 0}, {11.5, 1.5}, {10, 6.5}, {6.5, 3.5
 const std::vector<Vec2> room{{0, 0}, {20, 0}, {11, 12}, {2, 8}};
 
 TEST_CASE("the worked examples: the ball bounces off a wall, and moves on for the rest of the time", "[7.4]") {
-    // 3 m above the floor, falling 1.5 m/s: there after 2 s, at x = 4 + 2 · 2; then 1 s up
-    CHECK_THAT(move_and_bounce({{4, 3}, {2, -1.5}}, room, 3), IsNear(Ball{{10, 1.5}, {2, 1.5}}, rounding));
+    CHECK_THAT(move_and_bounce({{4, 3}, {2, -1.5}}, room, 3),
+               IsNear(Ball{{10, 1.5}, {2, 1.5}}, rounding)
+                   .since("it falls 3 m at 1.5 m/s, so it's at (8, 0) after 2 s, and rises for 1 s"));
 
-    // at y = 2 the leaning wall is at 20 - 9/12 · 2 = 18.5: there after 9.5/5 = 1.9 s. Its normal is (-0.8, -0.6),
-    // the part of (5, 0) along it is -4: (5, 0) + 8 (-0.8, -0.6) = (-1.4, -4.8), for 0.2 s
-    CHECK_THAT(move_and_bounce({{9, 2}, {5, 0}}, room, 2.1), IsNear(Ball{{18.22, 1.04}, {-1.4, -4.8}}, rounding));
+    CHECK_THAT(
+        move_and_bounce({{9, 2}, {5, 0}}, room, 2.1),
+        IsNear(Ball{{18.22, 1.04}, {-1.4, -4.8}}, rounding)
+            .since("it meets the wall after 9.5/5 = 1.9 s, and (5, 0) + 8 (-0.8, -0.6) = (-1.4, -4.8), for 0.2 s"));
 }
 
 //>
@@ -1003,11 +1005,12 @@ const Segment ground{.start = {0, 0}, .end = {20, 0}};
 
 //> Side and end
 TEST_CASE("a disc touches a wall when its centre is one radius away", "[7.5]") {
-    // it falls 4 m in all; 1 m above the ground it has fallen 2 m
-    CHECK_THAT(time_of_impact({{0, 3}, {4, -1}}, 1, ground), IsNear(Impact{0.5, {2, 1}, {2, 0}}, rounding));
-    // an end at (7, 1.5) and a centre at the height 3: 2.5² = 1.5² + 2², so 2 m before it, at x = 5 of 8
+    CHECK_THAT(time_of_impact({{0, 3}, {4, -1}}, 1, ground),
+               IsNear(Impact{0.5, {2, 1}, {2, 0}}, rounding)
+                   .since("it falls 4 m in all, and 1 m above the ground it has fallen 2 m"));
     CHECK_THAT(time_of_impact({{0, 3}, {8, 3}}, 2.5, {{7, -4}, {7, 1.5}}),
-               IsNear(Impact{0.625, {5, 3}, {7, 1.5}}, rounding));
+               IsNear(Impact{0.625, {5, 3}, {7, 1.5}}, rounding)
+                   .since("the wall ends 1.5 m lower, and 2.5² = 1.5² + 2²: 2 m before it, at x = 5 of 8"));
 }
 
 //> Erratum E7.9
@@ -1175,7 +1178,8 @@ TEST_CASE("a post is touched from every side, and a disc of radius 0 is a point"
     const Segment post{{6, 2}, {6, 2}};
     CHECK_THAT(time_of_impact({{-2, 2}, {8, 2}}, 3, post), IsNear(Impact{0.5, {3, 2}, {6, 2}}, rounding));
     CHECK_THAT(time_of_impact({{0, -2}, {18, -2}}, 5, post),
-               IsNear(Impact{1.0 / 6, {3, -2}, {6, 2}}, rounding)); // 5² = 3² + 4²
+               IsNear(Impact{1.0 / 6, {3, -2}, {6, 2}}, rounding)
+                   .since("the post is 4 m higher, and 5² = 3² + 4²: 3 m before it"));
     CHECK_THAT(time_of_impact({{0, -4}, {18, -4}}, 5, post), IsNear(never));
     CHECK_THAT(time_of_impact({{6, 9.5e4}, {6, 8.5e4}}, 9e4 - 2, post), IsNear(Impact{0.5, {6, 9e4}, {6, 2}}, 1e-10));
     CHECK_THAT(time_of_impact({{5, 6}, {5, -2}}, 0, ground), IsNear(Impact{0.75, {5, 0}, {5, 0}}, rounding));

@@ -215,9 +215,9 @@ TEST_CASE("head on, two balls exchange their velocities", "[8.2]") {
 TEST_CASE("where both move, the normal components change places, and the tangential ones stay", "[8.2]") {
     CHECK_THAT(exchange(ball({0, 0}, {3, 2}), ball({1, 0}, {-2, 1})), IsNear(Velocities{{-2, 2}, {3, 1}}, rounding));
     CHECK_THAT(exchange(ball({0, 0}, {2, 3}), ball({0, 1}, {1, -2})), IsNear(Velocities{{2, -2}, {1, 3}}, rounding));
-    // n = (0.8, 0.6): a is 4 along n and -3 along t, b is -1 and -2
     CHECK_THAT(exchange(ball({0, 0}, {5, 0}), ball({0.8, 0.6}, {0.4, -2.2})),
-               IsNear(Velocities{{1, -3}, {4.4, 0.8}}, rounding));
+               IsNear(Velocities{{1, -3}, {4.4, 0.8}}, rounding)
+                   .since("along n = (0.8, 0.6) they move at 4 and -1 m/s, across it at -3 and -2"));
 }
 
 //> On their way apart
@@ -404,9 +404,10 @@ TEST_CASE("centres at one point, a radius or a mass that is not positive, or a n
 
 //> Worked example: 2 kg against 3 kg
 TEST_CASE("2 kg at (3, 1) and 3 kg at (-1, -1) m/s, restitution 0.8: (0.408, -2.456) and (0.728, 1.304)", "[8.3]") {
-    // They approach at 2.6 - (-1.4) = 4 m/s; the impulse is 1.8 · 4 · 2 · 3 / 5 = 8.64 N s
     const Ball a = ball({0, 0}, {3, 1}, 2), b = ball({0.6, 0.8}, {-1, -1}, 3);
-    CHECK_THAT(resolve_collision(a, b, 0.8), IsNear(Velocities{{0.408, -2.456}, {0.728, 1.304}}, rounding));
+    CHECK_THAT(resolve_collision(a, b, 0.8),
+               IsNear(Velocities{{0.408, -2.456}, {0.728, 1.304}}, rounding)
+                   .since("they approach at 2.6 - (-1.4) = 4 m/s, and the impulse is 1.8 · 4 · 2 · 3 / 5 = 8.64 N s"));
 }
 
 //> Head on, with restitution
@@ -431,7 +432,7 @@ TEST_CASE("equal and elastic balls exchange their normal components", "[8.3]") {
 TEST_CASE("with restitution 0.5, a ball at (5, 0) keeps (2.6, -1.8), and an equal one at rest gets (2.4, 1.8)",
           "[8.3]") {
     CHECK_THAT(resolve_collision(ball({0, 0}, {5, 0}), ball({0.8, 0.6}, {0, 0}), 0.5),
-               IsNear(Velocities{{2.6, -1.8}, {2.4, 1.8}}, rounding)); // an impulse of 1.5 · 4 / 2 = 3 N s
+               IsNear(Velocities{{2.6, -1.8}, {2.4, 1.8}}, rounding).since("the impulse is 1.5 · 4 / 2 = 3 N s"));
 }
 
 //> Apart, with masses
@@ -450,8 +451,9 @@ TEST_CASE("balls of any mass that are on their way apart, or slide past each oth
 //> Clay
 TEST_CASE("with restitution 0 the two have the same normal component afterwards, and keep their tangential ones",
           "[8.3]") {
-    CHECK_THAT(resolve_collision(ball({0, 0}, {4, 1}, 2), ball({1, 0}, {-2, -3}, 3), 0),
-               IsNear(Velocities{{0.4, 1}, {0.4, -3}}, rounding)); // (2 · 4 - 3 · 2) / 5 = 0.4
+    CHECK_THAT(
+        resolve_collision(ball({0, 0}, {4, 1}, 2), ball({1, 0}, {-2, -3}, 3), 0),
+        IsNear(Velocities{{0.4, 1}, {0.4, -3}}, rounding).since("along n both end at (2 · 4 - 3 · 2) / 5 = 0.4 m/s"));
 }
 
 //> Heavy and light
@@ -920,7 +922,7 @@ TEST_CASE("a post stays, and the ball moves all the way", "[8.5]") {
 //> Along the line of centres
 TEST_CASE("discs are moved along the line of centres, wherever they are", "[8.5]") {
     CHECK_THAT(push_apart({{2, 7}, 0.5, 1}, {{2.3, 7.4}, 0.5, 1}),
-               IsNear(Positions{{1.85, 6.8}, {2.45, 7.6}}, 1e-11)); // n = (0.6, 0.8), an overlap of 0.5 m
+               IsNear(Positions{{1.85, 6.8}, {2.45, 7.6}}, 1e-11).since("n = (0.6, 0.8), and they overlap by 0.5 m"));
     CHECK_THAT(push_apart({{0, 0}, 3, 1}, {{3, 4}, 4, 3}), IsNear(Positions{{-0.3, -0.4}, {3.9, 5.2}}, rounding));
     CHECK_THAT(push_apart({{0, 0.8}, 0.5, 1}, {{0, 0}, 0.5, 1}), IsNear(Positions{{0, 0.9}, {0, -0.1}}, rounding));
 }

@@ -225,14 +225,15 @@ TEST_CASE("finds 0° and 90°, then 67.38° and -90°, for a 3 m and a 2 m link 
 
 //> Worked example: no right angle
 TEST_CASE("finds -13.18° and 70.53°, then 41.25° and -70.53°, for 3 m and 2 m and a hand at (4, 1)", "[10.2]") {
-    // 17 = 9 + 4 + 2 · 6 cos: the cosine of the second angle is 1/3. Along the first link both make 3 + 2/3, of √17 m
     const double bend = std::acos(1.0 / 3), aside = std::acos((3 + 2.0 / 3) / std::sqrt(17)),
                  line = std::asin(1 / std::sqrt(17));
-    CHECK_THAT(poses({3, 2}, {4, 1}), IsNear(std::vector<Pose>{{line - aside, bend}, {line + aside, -bend}}, digits));
-    // 36 = 9 + 25 + 2 · 15 cos: the cosine is 1/15, and along the first link both make 3 + 5/15, of 6 m
+    CHECK_THAT(poses({3, 2}, {4, 1}),
+               IsNear(std::vector<Pose>{{line - aside, bend}, {line + aside, -bend}}, digits)
+                   .since("17 = 9 + 4 + 2 · 6 cos, so cos = 1/3, and both make 3 + 2/3 m along the first link"));
     const double more = std::acos(1.0 / 15), beside = std::acos((3 + 5.0 / 15) / 6);
     CHECK_THAT(poses({3, 5}, {0, 6}),
-               IsNear(std::vector<Pose>{{pi / 2 - beside, more}, {pi / 2 + beside, -more}}, digits));
+               IsNear(std::vector<Pose>{{pi / 2 - beside, more}, {pi / 2 + beside, -more}}, digits)
+                   .since("36 = 9 + 25 + 2 · 15 cos, so cos = 1/15, and both make 3 + 5/15 m along the first link"));
 }
 
 //> Back from chapter 9

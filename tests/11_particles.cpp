@@ -170,7 +170,7 @@ TEST_CASE("the worked example: with a life of 3 s each of 16 shades is shown for
     CHECK_THAT(shade_index(0.18, 3, 16), IsNear(std::optional{0}));
     CHECK_THAT(shade_index(0.1875, 3, 16), IsNear(std::optional{1})); // 3/16
     CHECK_THAT(shade_index(1.5, 3, 16), IsNear(std::optional{8}));    // half its life
-    CHECK_THAT(shade_index(2.8, 3, 16), IsNear(std::optional{14}));   // the last shade begins at 15 · 3/16 = 2.8125
+    CHECK_THAT(shade_index(2.8, 3, 16), IsNear(std::optional{14}).since("the last shade begins at 15 · 3/16 = 2.8125"));
     CHECK_THAT(shade_index(2.9, 3, 16), IsNear(std::optional{15}));
 }
 
@@ -265,10 +265,11 @@ const World world{.gravity = 10, .wind = 1, .width = 20, .height = 16};
 
 //> One step
 TEST_CASE("the worked example: the new velocity moves the particle from (2, 3) to (4.25, 3)", "[11.3]") {
-    // v: (4, 5) + 0.5 (1, -10) = (4.5, 0);  x: (2, 3) + 0.5 (4.5, 0) = (4.25, 3).  The old velocity leads to (4, 5.5).
     const Particle before{.position = {2, 3}, .velocity = {4, 5}, .age = 1, .life = 9};
     const Particle after{.position = {4.25, 3}, .velocity = {4.5, 0}, .age = 1.5, .life = 9};
-    CHECK_THAT(step(before, world, 0.5), IsNear(std::optional{after}, rounding));
+    CHECK_THAT(step(before, world, 0.5),
+               IsNear(std::optional{after}, rounding)
+                   .since("v = (4, 5) + 0.5 (1, -10) = (4.5, 0), and (2, 3) + 0.5 v = (4.25, 3)"));
 }
 
 //>
@@ -338,9 +339,9 @@ TEST_CASE("a particle that leaves the picture in this step is dead, even if it s
     comes_in({21, 8}, {-4, 0}, {19, 8});
     comes_in({10, -1}, {0, 4}, {10, 1});
     comes_in({10, 17}, {0, -4}, {10, 15});
-    // a stone thrown up rises above the picture, but its step ends inside: v = 10 - 1.5 · 10 = -5, y = 12 - 1.5 · 5
     CHECK_THAT(step({{10, 12}, {0, 10}, 0, 9}, {10, 0, 20, 16}, 1.5),
-               IsNear(std::optional{Particle{{10, 4.5}, {0, -5}, 1.5, 9}}, rounding));
+               IsNear(std::optional{Particle{{10, 4.5}, {0, -5}, 1.5, 9}}, rounding)
+                   .since("it rises above the picture, but ends inside: v = 10 - 1.5 · 10 = -5, y = 12 - 1.5 · 5"));
 }
 
 //> Erratum E11.2
@@ -436,10 +437,10 @@ TEST_CASE("the worked example: four velocities, to the right, up, to the left an
 
 //>
 TEST_CASE("six velocities, the first straight down", "[11.4]") {
-    // cos 30° = √3/2, times 4
     const double side = 2 * std::sqrt(3);
     CHECK_THAT(ring_burst(6, 4, -pi / 2),
-               IsNear(std::vector<Vec2>{{0, -4}, {side, -2}, {side, 2}, {0, 4}, {-side, 2}, {-side, -2}}, rounding));
+               IsNear(std::vector<Vec2>{{0, -4}, {side, -2}, {side, 2}, {0, 4}, {-side, 2}, {-side, -2}}, rounding)
+                   .since("4 cos 30° = 2 √3"));
 }
 
 //> Erratum E11.8
@@ -862,9 +863,9 @@ const std::vector<Wall> endless{{.start = {-1e5, 0}, .end = {1e5, 0}}};
 
 //> Half of it comes back
 TEST_CASE("the worked example: half of the falling speed comes back, and the time left is used up", "[11.8]") {
-    // 3 m above the ground, falling at 2 m/s: it hits after 1.5 s, at x = 4 + 1.5 · 2; then 1 m/s up for half a second
     CHECK_THAT(move_and_collide(flying({4, 3}, {2, -2}), ground, 0.5, 2),
-               IsNear(flying({8, 0.5}, {2, 1}, 2), rounding));
+               IsNear(flying({8, 0.5}, {2, 1}, 2), rounding)
+                   .since("it hits after 1.5 s, at x = 4 + 1.5 · 2, and then rises at 1 m/s for half a second"));
 }
 
 //>
@@ -873,7 +874,8 @@ TEST_CASE("at a slanted wall only the velocity along the normal is reversed and 
     // at y = 2 the wall is at x = 20 - 9/12 · 2 = 18.5. (5, 0) + (1 + 0.25) 4 (-0.8, -0.6) = (1, -3), for 0.1 s
     const std::vector<Wall> leaning{{.start = {20, 0}, .end = {11, 12}}};
     CHECK_THAT(move_and_collide(flying({9, 2}, {5, 0}), leaning, 0.25, 2),
-               IsNear(flying({18.6, 1.7}, {1, -3}, 2), rounding));
+               IsNear(flying({18.6, 1.7}, {1, -3}, 2), rounding)
+                   .since("it hits after 1.9 s, and (5, 0) + (1 + 0.25) 4 (-0.8, -0.6) = (1, -3), for 0.1 s"));
     CHECK_THAT(move_and_collide(flying({9, 2}, {5, 0}), leaning, 1, 2),
                IsNear(flying({18.36, 1.52}, {-1.4, -4.8}, 2), rounding));
     CHECK_THAT(move_and_collide(flying({9, 2}, {5, 0}), leaning, 0, 2),

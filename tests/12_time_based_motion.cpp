@@ -253,7 +253,7 @@ TEST_CASE("takes one step of 1/64 s in each frame of a 64 Hz screen, and keeps w
 
 //> Worked example: two steps
 TEST_CASE("takes two steps of 20 ms when a 40 ms frame comes to 5 ms, and keeps 5 ms", "[12.3]") {
-    CHECK_THAT(due_steps(0.005, 0.04, 0.02), IsNear(Due{2, 0.005}, digits)); // 5 + 40 = 45 = 2 * 20 + 5
+    CHECK_THAT(due_steps(0.005, 0.04, 0.02), IsNear(Due{2, 0.005}, digits).since("5 + 40 = 45 = 2 · 20 + 5 ms"));
 }
 
 //> Sixteen steps
@@ -654,8 +654,9 @@ TEST_CASE("rejects a half-life below 0.001 s, a dt that isn't from 0 to 1 s, and
 
 //> Worked example: 10 px beyond
 TEST_CASE("is at 10 px after 795 px and 0.3 s at 50 px/s, and flew over the end 0.2 s ago", "[12.6]") {
-    // 795 + 50 * 0.3 = 810, which is 10 px into the next lap, and these took 10 / 50 s
-    CHECK_THAT(wrap({795, 50}, 800, 0.3), IsNear(Wrapped{{10, 50}, 1, 0.2}, digits));
+    CHECK_THAT(wrap({795, 50}, 800, 0.3),
+               IsNear(Wrapped{{10, 50}, 1, 0.2}, digits)
+                   .since("795 + 50 · 0.3 = 810, which is 10 px into the next lap, and these took 10 / 50 s"));
 }
 
 //> Not yet
@@ -673,7 +674,7 @@ TEST_CASE("is at 0 px, one lap on, when it gets exactly to the end", "[12.6]") {
 
 //> Several laps
 TEST_CASE("flies two laps in one frame, and says how long ago the last one ended", "[12.6]") {
-    CHECK_THAT(wrap({1, 10}, 4, 1), IsNear(Wrapped{{3, 10}, 2, 0.3}, digits)); // 11 = 2 * 4 + 3
+    CHECK_THAT(wrap({1, 10}, 4, 1), IsNear(Wrapped{{3, 10}, 2, 0.3}, digits).since("1 + 10 · 1 = 11 = 2 · 4 + 3"));
 }
 
 //> No lap

@@ -7,6 +7,8 @@
 //     CHECK_THAT(speed, IsAtMost(3).of("speed along x [m/s]"));                      // IsAtLeast, IsBelow, IsAbove
 //     CHECK_THAT(changed, HasSize(1).of("slots that changed"));                      // of a list
 //     CHECK_THAT(a == b, IsTrue("both walls turn it by the same angle"));            // what no other one can say
+// Where a student can follow with a pencil how the number comes about, the verdict says that, too:
+//     CHECK_THAT(gravity(ship, hole, 1), IsNear(Vec2{-25, 0}, rounding).since("1600 / 64 = 25 N"));
 // An optional that must not be empty is read with .value(): a verdict then says that the answer is "nothing".
 
 #include <catch2/catch_get_random_seed.hpp>
@@ -66,6 +68,12 @@ template <class Matcher> class Named : public Catch::Matchers::MatcherGenericBas
         Matcher named = static_cast<const Matcher &>(*this);
         named.label = course::split_label(name);
         return named;
+    }
+    /// The same matcher with the arithmetic behind what is expected, which a verdict tells: "1600 / 64 = 25 N".
+    Matcher since(std::string_view arithmetic) const {
+        Matcher explained = static_cast<const Matcher &>(*this);
+        explained.label.since = arithmetic;
+        return explained;
     }
 
   protected:

@@ -209,6 +209,16 @@ TEST_CASE("what a test has computed is named in the verdict, with its unit") {
           == "slots that changed:\nyours     3 elements: [1, 2, 3]\nexpected  1 element\n");
 }
 
+TEST_CASE("how what is expected is worked out is said below it, of a value, a bound and a list") {
+    const Label speed{"speed", "m/s", "8 m / 4 s"}, slots{"slots", "", "1 + 0"};
+    CHECK(shown_for([&] { return is_near(3.0, 2.0, 0, speed); })
+          == "speed:\nyours     3 m/s\nexpected  2 m/s\nsince     8 m / 4 s\n");
+    CHECK(shown_for([&] {
+              return is_ordered(3.0, 2, {"at most", [](double x, double y) { return x <= y; }}, speed);
+          }).ends_with("expected  at most 2 m/s\nsince     8 m / 4 s\n"));
+    CHECK(shown_for([&] { return has_size(std::vector{1, 2}, 1, slots); }).ends_with("1 element\nsince     1 + 0\n"));
+}
+
 TEST_CASE("an answer that is infinite is said to be divided by zero, unless that is what was wanted") {
     const auto time = [](double got, double want) {
         return shown_for([&] { return is_near(got, want, 0, split_label("time [s]")); });
@@ -559,6 +569,7 @@ TEST_CASE("a verdict survives its way through JSON") {
                     .expected = "w",
                     .tolerance = "1e-9",
                     .whole = "{w, x}",
+                    .since = "1 + 1",
                     .file = "t.cpp",
                     .line = 12,
                     .printed = {"printed"},
@@ -570,6 +581,7 @@ TEST_CASE("a verdict survives its way through JSON") {
     CHECK(back.needs == verdict.needs);
     CHECK(explain(verdict, 2).find("meet() with   (call 4 of this test)") != std::string::npos);
     CHECK(explain(verdict, 2).find("returned  {g, h}\n") != std::string::npos);
+    CHECK(explain(back, 2).find("since     1 + 1\n") != std::string::npos);
     verdict.yours = verdict.call->answer; // then it need not be said twice
     CHECK(explain(verdict, 2).find("returned") == std::string::npos);
     verdict.label = "speed"; // of something that only looks like the answer

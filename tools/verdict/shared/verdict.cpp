@@ -86,7 +86,7 @@ template <> struct nlohmann::adl_serializer<std::optional<course::Call>> {
 namespace course {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Verdict, exercise, test, kind, sentence, call, accepted, label, yours, expected,
-                                   tolerance, whole, file, line, printed, printed_more, needs)
+                                   tolerance, whole, since, file, line, printed, printed_more, needs)
 
 std::string to_line(const Verdict &verdict) {
     return nlohmann::json(verdict).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
@@ -117,6 +117,7 @@ std::string explain(const Verdict &v, int indent) {
     if (!v.whole.empty()) say("expected  " + in_lines(v.whole, margin.size() + 10));
     if (!v.yours.empty()) say("yours     " + v.yours);
     if (!v.expected.empty()) say("expected  " + v.expected + (v.tolerance.empty() ? "" : " ± " + v.tolerance));
+    if (!v.since.empty()) say("since     " + v.since);
     if (!v.file.empty() && !nothing_to_see) say("see       " + v.file + ':' + std::to_string(v.line));
     if (!v.printed.empty()) {
         say("It printed:");

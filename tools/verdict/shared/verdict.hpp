@@ -50,6 +50,7 @@ struct Verdict {
     std::string label = {}; ///< what yours and expected are about, where that is not the answer itself: "speed along x"
     std::string yours = {}, expected = {}, tolerance = {};
     std::string whole = {}; ///< the whole struct that is wanted, where yours and expected are a field of it
+    std::string since = {}; ///< how what is expected is worked out: "1600 / 64 = 25 N"
     std::string file = {};  ///< of the check that failed, or of the error
     int line = 0;
     std::vector<std::string> printed = {}; ///< the first lines of what the case printed

@@ -52,6 +52,7 @@ struct Mismatch {
     std::string tolerance;       ///< "1e-12", or empty where there is none
     bool not_a_number = false;
     std::string whole = {}; ///< all of the struct that is wanted, where one field of it differs
+    std::string since = {}; ///< how that is worked out: "1600 / 64 = 25 N"
 };
 void note_mismatch(const Mismatch &mismatch);
 

@@ -41,6 +41,7 @@ inline std::string with_unit(std::string text, std::string_view unit) {
 /// What a value is called, and its unit: "speed along x [m/s]" in two parts.
 struct Label {
     std::string name, unit;
+    std::string since = {}; ///< how what is expected is worked out: "1600 / 64 = 25 N"
 };
 inline Label split_label(std::string_view text) {
     const std::size_t bracket = text.find(" [");

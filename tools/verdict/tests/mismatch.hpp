@@ -99,12 +99,18 @@ template <class T> std::string unit_of(const T &value, const Label &label) {
     return {};
 }
 
+/// Notes what differs for the verdict, with what its matcher says of it.
+inline void note(Mismatch found, const Label &label) {
+    found.label = label.name;
+    found.since = label.since;
+    note_mismatch(found);
+}
+
 /// Whether `got` is as near to `want` as IsNear promises; what differs is noted for the verdict.
 template <class T> bool is_near(const T &got, const T &want, double tolerance, const Label &label) {
     auto found = mismatch::find<T>({{}, unit_of(got, label)}, got, want, tolerance);
     if (!found) return true;
-    found->label = label.name;
-    note_mismatch(*found);
+    note(std::move(*found), label);
     return false;
 }
 
@@ -118,10 +124,9 @@ template <class T> bool is_ordered(const T &got, double bound, const Order &orde
     const std::string unit = unit_of(got, label);
     if (order.holds(got, bound)) return true;
     auto found = mismatch::differ<double>({{}, unit}, got, bound, 0);
-    found.label = label.name;
     found.expected = std::string{order.words} + ' ' + found.expected;
     found.not_a_number = std::isnan(double(got));
-    note_mismatch(found);
+    note(std::move(found), label);
     return false;
 }
 
@@ -129,7 +134,7 @@ template <class T> bool has_size(const std::vector<T> &got, std::size_t want, co
     const std::string unit = unit_of(got, label);
     if (got.size() == want) return true;
     const auto counted = [](std::size_t size) { return std::to_string(size) + (size == 1 ? " element" : " elements"); };
-    note_mismatch({label.name, counted(got.size()) + ": " + describe(got, unit, 9), counted(want), "", false});
+    note({{}, counted(got.size()) + ": " + describe(got, unit, 9), counted(want), "", false}, label);
     return false;
 }
 

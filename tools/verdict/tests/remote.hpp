@@ -52,8 +52,8 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
         std::vector<std::string> lines;
         const auto named = split_list(exercise.arguments);
         const auto add = [&](const auto &value) {
-            const auto [name, unit] = split_label(lines.size() < named.size() ? named[lines.size()] : "?");
-            lines.push_back(name + " = " + describe(value, unit));
+            const Label label = split_label(lines.size() < named.size() ? named[lines.size()] : "?");
+            lines.push_back(label.name + " = " + describe(value, label.unit));
         };
         const std::tuple<std::decay_t<Arguments>...> values{reader.take<std::decay_t<Arguments>>()...};
         std::apply([&](const auto &...value) { (add(value), ...); }, values);

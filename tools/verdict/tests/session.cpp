@@ -309,8 +309,8 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
     if (verdict.file.empty()) std::tie(verdict.file, verdict.line) = std::tie(file, line);
     if (!accepted.empty()) return; // the verdict is about these
     if (verdict.passed() && noted) {
-        std::tie(verdict.label, verdict.yours, verdict.expected, verdict.whole, verdict.tolerance) =
-            std::tie(noted->label, noted->yours, noted->expected, noted->whole, noted->tolerance);
+        std::tie(verdict.label, verdict.yours, verdict.expected, verdict.whole, verdict.tolerance, verdict.since) =
+            std::tie(noted->label, noted->yours, noted->expected, noted->whole, noted->tolerance, noted->since);
         if (sentence.empty() && has_strange_number(noted->yours))
             sentence =
                 "A strange number. Was a variable never given a value? Write `double sum = 0;`, not `double sum;`.";
