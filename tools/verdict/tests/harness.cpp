@@ -431,13 +431,21 @@ int print_mistakes(const std::string &subject, const std::string &list, const st
                 failed.push_back(both.front());
         if (!failed.empty()) lines.insert(mistakes[i].exercise + '\t' + signature(failed) + '\t' + mistakes[i].rest);
     }
-    std::string text;
-    for (const std::string &line : lines) text += line + '\n';
-    if (kept.empty()) std::cout << text;
+    if (kept.empty()) {
+        for (const std::string &line : lines) std::cout << line << '\n';
+        return all_well;
+    }
     std::ifstream file{kept};
-    const std::string before{std::istreambuf_iterator<char>{file}, {}};
-    if (kept.empty() || before == text) return all_well;
-    std::cout << kept << " isn't what comes out of the wrong answers; type: ./course publish --mistakes\n" << text;
+    std::set<std::string> before;
+    for (std::string line; std::getline(file, line);) before.insert(line);
+    if (before == lines) return all_well;
+    std::cout << kept << " isn't what comes out of the wrong answers; type: ./course publish --mistakes\n";
+    const auto print = [](const char *sign, const auto &these, const auto &others) {
+        for (const std::string &line : these)
+            if (!others.contains(line)) std::cout << sign << line << '\n';
+    };
+    print("-", before, lines);
+    print("+", lines, before);
     return 1;
 }
 
