@@ -72,14 +72,17 @@ TEST_CASE("tests that generate their input say nothing about a mistake") {
     CHECK(known_mistake(table, {red("random ones", "t = 0.123")}).empty());
 }
 
-TEST_CASE("a single failing test names a mistake only by a number that is neither 0, 1 nor an input") {
+TEST_CASE("a single failing test names a mistake only by infinity, NaN or a number other than 0, 1 and inputs") {
     for (const char *usual : {"t = 0", "t = 1", "t = 0.25", "t = 7", "nothing", "(4, 7) m"}) {
         INFO(usual);
         const Verdict one = red("crosses", usual);
         CHECK(known_mistake(line({one}, "you swap them"), {one}).empty());
     }
-    const Verdict telling = red("crosses", "t = 0.7");
-    CHECK(known_mistake(line({telling}, "you swap them"), {telling}) == "you swap them.");
+    for (const char *telling : {"t = 0.7", "(not a number, 0) m", "t = infinity", "-infinity s"}) {
+        INFO(telling);
+        const Verdict one = red("crosses", telling);
+        CHECK(known_mistake(line({one}, "you swap them"), {one}) == "you swap them.");
+    }
 }
 
 TEST_CASE("two mistakes that give the same are both named, three are not, and a question keeps its mark") {

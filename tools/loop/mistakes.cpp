@@ -24,6 +24,7 @@ std::set<std::string> numbers_in(const std::string &text) {
 
 bool is_telling(const Verdict &verdict) {
     if (verdict.yours.empty() || !verdict.call) return false;
+    if (contains(verdict.yours, "not a number") || contains(verdict.yours, "infinity")) return true;
     std::set<std::string> usual{"0", "1"};
     for (const std::string &argument : verdict.call->arguments) usual.merge(numbers_in(argument));
     return !std::ranges::includes(usual, numbers_in(verdict.yours));

@@ -15,7 +15,7 @@ std::filesystem::path file_of_mistakes(const Tree &tree, const Section &section)
 
 /// What a student did who gets this from the tests of one exercise: "you leave the ends open.", or two such with "or when"
 /// between them. Empty if nothing is known that gives all of that. Where a single test failed, its value must be telling:
-/// 0, 1 or a number that went in comes out of too many mistakes.
+/// 0, 1 or a number that went in comes out of too many mistakes; what's infinite, or not a number, comes out of few.
 std::string known_mistake(const std::string &table, const std::vector<Verdict> &verdicts);
 
 } // namespace course
