@@ -177,4 +177,13 @@ TEST_CASE("processes that a subject has started end with it, even if it was allo
     CHECK(children().empty());
 }
 
+TEST_CASE("a subject that has ended keeps its number until nobody looks for what it has left: another could get it") {
+    CAPTURE(prepared());
+    Subject subject{ATTACK, "print", {}};
+    subject.finish({5});
+    CHECK_FALSE(children().empty());
+    CHECK_FALSE(subject.left_processes());
+    CHECK(children().empty());
+}
+
 #endif

@@ -103,12 +103,26 @@ bool ready_for(short event, int file, Clock::time_point deadline) {
     }
 }
 
-double in_seconds(const timeval &time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+/// How a child ended, if it has, as waitpid says it. It isn't reaped: until that, no other process gets its number, nor a
+/// group of that number, which could be anybody's.
+std::optional<int> ended(pid_t child) {
+    siginfo_t how{};
+    if (::waitid(P_PID, static_cast<id_t>(child), &how, WEXITED | WNOHANG | WNOWAIT) != 0 || how.si_pid != child)
+        return {};
+    return how.si_code == CLD_EXITED ? how.si_status << 8 : how.si_status;
 }
 
-void reap() {
-    while (::waitpid(-1, nullptr, WNOHANG) > 0) {}
+/// Our children that still run, but for this one; all others that have ended are reaped.
+std::vector<pid_t> running_but(pid_t this_one) {
+    std::vector<pid_t> running;
+    for (bool reaped = true; std::exchange(reaped, false);) { // whose own children are ours now
+        running.clear();
+        for (const pid_t child : children_of(::getpid()))
+            if (child == this_one) continue;
+            else if (::waitpid(child, nullptr, WNOHANG) > 0) reaped = true;
+            else running.push_back(child);
+    }
+    return running;
 }
 
 } // namespace
@@ -187,7 +201,6 @@ Subject::Subject(const std::filesystem::path &program, const std::string &answer
     if (process == 0)
         become({program.c_str(), answer.empty() ? nullptr : chosen.data(), shut_in, protection.limits, requests[0],
                 replies[1], output.descriptor(), trouble[1]});
-    group = process;
     for (Descriptor *theirs : {&requests[0], &replies[1], &trouble[1]}) theirs->close();
     to = std::move(requests[1]);
     ::fcntl(to, F_SETFL, O_NONBLOCK); // a subject that does not read shall not stop us
@@ -200,10 +213,7 @@ Subject::Subject(const std::filesystem::path &program, const std::string &answer
     give_up(told.what);
 }
 
-Subject::~Subject() {
-    if (process > 0) ::kill(process, SIGKILL);
-    left_processes();
-}
+Subject::~Subject() { left_processes(); }
 
 bool Subject::send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments,
                    const Allowance &allowance) {
@@ -291,20 +301,17 @@ std::optional<Subject::Received> Subject::receive(const Allowance &allowance) {
 
 std::optional<int> Subject::finish(const Allowance &allowance) {
     to.close(); // the server reads the end, and leaves
-    int status = 0;
+    std::optional<int> status;
     bool gone = false; // its end of the pipe is closed: a moment later the process is, too
-    const auto ended = [&](Clock::time_point until) {
-        rusage used{};
-        while (::wait4(process, &status, WNOHANG, &used) != process) {
+    const auto has_ended = [&](Clock::time_point until) {
+        while (!(status = ended(process))) {
             if (Clock::now() >= until) return false;
             if (pollfd end{from, 0, 0}; !gone) gone = ::poll(&end, 1, 1) > 0;
             else ::usleep(50);
         }
-        process = -1;
-        computed_in_all = in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
         return true;
     };
-    if (process < 0 || !wait(ended, allowance)) return {};
+    if (process < 0 || !wait(has_ended, allowance)) return {};
     return status;
 }
 
@@ -314,21 +321,24 @@ bool Subject::said_more() {
 }
 
 bool Subject::left_processes() {
-    if (group < 0) return false;
-    bool any = false;
-    if (process < 0) reap(); // what has ended was not left running
+    if (process < 0) return false;
     const auto give_up_at = Clock::now() + std::chrono::seconds{2};
-    do {
-        any = ::kill(-group, SIGKILL) == 0 || any;
-        for (const pid_t child : children_of(::getpid())) { // even one that made itself a group of its own
-            any = true;
-            ::kill(child, SIGKILL);
-        }
-        reap();
-        // A child of what was just killed is ours a moment later.
-    } while ((::kill(-group, 0) == 0 || !children_of(::getpid()).empty()) && Clock::now() < give_up_at
-             && ::usleep(100) == 0);
-    group = -1;
+    const auto may_wait = [&] { return Clock::now() < give_up_at && ::usleep(100) == 0; };
+    computed_in_all = computed();
+    ::kill(process, SIGKILL);
+    while (!ended(process) && may_wait()) {} // then its children are ours
+    bool any = false;
+    for (std::vector<pid_t> left = running_but(process); !left.empty(); left = running_but(process)) {
+        any = true;
+        for (const pid_t child : left) ::kill(child, SIGKILL); // even one that made itself a group of its own
+        ::kill(-process, SIGKILL);
+        if (!may_wait()) break;
+    }
+    ::waitpid(process, nullptr, WNOHANG);
+#ifndef __linux__ // where nobody lists our children
+    any = ::kill(-process, SIGKILL) == 0;
+#endif
+    process = -1;
     return any;
 }
 

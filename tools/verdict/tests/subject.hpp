@@ -87,8 +87,7 @@ class Subject {
     bool read_all(void *data, std::size_t size, const Allowance &allowance);
     double computed() const;
 
-    pid_t process = -1;
-    pid_t group = -1;
+    pid_t process = -1; ///< which also leads a group of that number; it's reaped last
     Descriptor to, from;
     Clock::time_point started = Clock::now();
     Clock::time_point next_look = started; ///< at what the process does, while we wait
