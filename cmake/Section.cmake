@@ -17,7 +17,8 @@ add_custom_target(section-tests)
 add_custom_target(checks)   # what `./course test` needs: all of the sections, and every kind of verdict
 add_custom_target(thorough) # what its tests with that label need: every wrong and right answer, every generated case
 add_custom_target(figures)
-add_executable(answers-in-one tests/answers/generate.cpp)
+add_executable(answers-in-one tests/answers/generate.cpp tools/loop/differences.cpp)
+target_include_directories(answers-in-one PRIVATE tools)
 target_link_libraries(answers-in-one PRIVATE course_flags)
 
 function(need_file file)
