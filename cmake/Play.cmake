@@ -3,11 +3,12 @@
 #   demo/NN_slug        the demo without a page: a program that its test plays by a script, in every build
 #   play/NN_slug.js     the demo for the site, as WebAssembly: target demos; `./course publish` keeps it in demos/
 #   play/NN_slug_mine.js   the same with the student's file: target NN_slug_play_mine
+#   play/NN_slug_bug.js    the same with exercises/NN_bug.cpp: target NN_slug_play_bug
 #
 # In a demo of section(NN_slug BUILDS_ON ... PLAYS_YOURS) all functions of earlier sections, too, are called through the
 # page, which passes each call on to ours or to the student's.
 #
-# The last two need Debian's Clang 14 with its C library and C++ library for WebAssembly. Without them all the rest is
+# The last three need Debian's Clang 14 with its C library and C++ library for WebAssembly. Without them all the rest is
 # built, and the site has the demos that are kept in demos/.
 find_program(COURSE_WASM_CLANG clang++-14)
 if(COURSE_WASM_CLANG AND NOT COURSE_WASM)
@@ -149,9 +150,12 @@ macro(section_wasm)
   set(calls ${known_before} ${as_yours})
   wasm_object(${known}.pch ${known} ${calls} -x c++-header)
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
-    section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section}.cpp ${play}/${section}_mine)
+    section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section}.cpp ${play}/${section}_mine ${earlier_mine})
     add_custom_target(${section}_play_mine DEPENDS ${play}/${section}_mine.js)
   endif()
+  # What `./course bug` has written, or not yet: one function, and all others are ours
+  section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section_number}_bug.cpp ${play}/${section}_bug)
+  add_custom_target(${section}_play_bug DEPENDS ${play}/${section}_bug.js)
   # Files that go wrong in a page, each in a way of its own, for tests/site/play.test.mjs; and earlier sections' beside them
   file(GLOB wrong CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section}/*.cpp)
   if(section_PLAYS_YOURS)
@@ -160,17 +164,17 @@ macro(section_wasm)
   foreach(file ${wrong})
     cmake_path(GET file STEM stem)
     file(MAKE_DIRECTORY ${play}/wrong)
-    section_wasm_of(${file} ${play}/wrong/${stem})
+    section_wasm_of(${file} ${play}/wrong/${stem} ${earlier_mine})
     list(APPEND wrong_scripts ${play}/wrong/${stem}.js)
   endforeach()
   add_custom_target(${section}_play_wrong DEPENDS ${wrong_scripts})
 endmacro()
 
-# The demo with this file in the place of a student's, as ${to}.js.
+# The demo with this file in the place of a student's, as ${to}.js; and these objects of earlier sections.
 macro(section_wasm_of file to)
   wasm_object(${to}.o ${file} ${calls} -include-pch ${known}.pch)
   # The names of functions stay: they say in which exercise something went wrong.
-  wasm_demo(${to}.js ${section}/mine ${objects} ${to}.o ${earlier_mine} -Wl,--strip-debug)
+  wasm_demo(${to}.js ${section}/mine ${objects} ${to}.o ${ARGN} -Wl,--strip-debug)
 endmacro()
 
 # Earlier sections for a demo that plays yours of them, too: our solutions, and a student's files, of which some may not

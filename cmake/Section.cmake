@@ -203,7 +203,9 @@ macro(section_answers)
   if(COURSE_THOROUGH) # what `check` knows mistakes by is what comes out of them
     add_test(NAME ${section}.mistakes COMMAND ${section}_tests $<TARGET_FILE:${section}_answers>
       --mistakes ${unit}_mistakes.txt --kept ${PROJECT_SOURCE_DIR}/tests/mistakes/${section}.tsv)
-    set_tests_properties(${section}.mistakes PROPERTIES PROCESSORS 2 LABELS thorough)
+    add_test(NAME ${section}.bugs COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/bugs.mjs ${PROJECT_SOURCE_DIR}
+      $<TARGET_FILE:${section}_tests> $<TARGET_FILE:${section}_answers> ${unit}.txt ${catalogue})
+    set_tests_properties(${section}.mistakes ${section}.bugs PROPERTIES PROCESSORS 2 LABELS thorough)
   endif()
 endmacro()
 

@@ -145,7 +145,8 @@
     const pause = button('Pause', () => run(!running)), step = button('Step', one), again = button('Reset', restart);
     const sentence = make('p'), alarm = make('div', { className: 'trouble', hidden: true }, sentence, button('Restart', restart));
     sentence.setAttribute('role', 'alert');
-    const sides = ['ours', 'yours'].map((side) => Object.assign(button(side === 'ours' ? 'Ours' : 'Yours', () => (whose = side, restart())), { value: side }));
+    const nameOf = { ours: 'Ours', yours: figure.dataset.yours ?? 'Yours' };
+    const sides = ['ours', 'yours'].map((side) => Object.assign(button(nameOf[side], () => (whose = side, restart())), { value: side }));
     const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }, pause, step, again), holds = make('div', { className: 'holds' });
     choose.setAttribute('role', 'group');
     choose.setAttribute('aria-label', 'Whose code');
@@ -335,7 +336,7 @@
     function tellWhose() {
       const number = (exercise) => exercise.split(' ')[0], sorted = world.names.filter((each) => world.called.has(each));
       const yours = sorted.filter((each) => !world.fallen.has(each)).map(number), ours = sorted.filter((each) => world.fallen.has(each));
-      const told = (yours.length > 0 ? `Yours: ${yours.join(', ')}. ` : '') + (ours.length > 0 ? `Ours: ${ours.map((each) => `${number(each)} (${world.fallen.get(each)})`).join(', ')}.` : '');
+      const told = (yours.length > 0 ? `${nameOf.yours}: ${yours.join(', ')}. ` : '') + (ours.length > 0 ? `Ours: ${ours.map((each) => `${number(each)} (${world.fallen.get(each)})`).join(', ')}.` : '');
       if (answers.textContent !== told) answers.textContent = told;
     }
 

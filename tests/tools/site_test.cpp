@@ -686,12 +686,28 @@ TEST_CASE("a shared demo is one page that asks for nothing else, with ours and t
     CHECK_THAT(shared_page(book.tree, demos(book.tree).front(), mark, true), ContainsSubstring("self.progress = "));
 }
 
+TEST_CASE("a demo with a bug in it is such a page, too, and names the file in the place of the student") {
+    const SmallBook book;
+    book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': 'ours'};\n");
+    REQUIRE(book.make("<!-- demo: room | Throw. -->\n").code == 0);
+    write_file(book.tree.build / "play" / "07_wall_meeting_bug.js", "self.playable['07_wall_meeting/mine'] = 'bug';\n");
+    DemoMark mark;
+    mark.start = "size: 1";
+    const std::string page = page_with_bug(book.tree, demos(book.tree).front(), mark);
+    CHECK_THAT(page, ContainsSubstring("<figure data-yours=\"07_bug.cpp\" class=\"play\"")
+                         && ContainsSubstring("data-demo=\"07_wall_meeting\" data-mine data-start=\"size: 1\""));
+    CHECK_THAT(page, ContainsSubstring("'ours'") && ContainsSubstring("'bug'") && ContainsSubstring("demoPicture"));
+    CHECK_THAT(page, ContainsSubstring("<code>./course bug 7</code>"));
+    for (const char *outside : {"src=\"", "href=\"", "url(fonts"}) CHECK(page.find(outside) == std::string::npos);
+}
+
 TEST_CASE("play says what it needs before it builds anything") {
     const SmallBook book;
     book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
     book.write(book.chapter_file(), "# 7 Walls\n\n<!-- demo: room | Throw. -->\n");
     CHECK_THAT(book({"play", "6"}).err, ContainsSubstring("section 6 has no demo to play with yet"));
     CHECK_THAT(book({"play", "--mine"}).err, ContainsSubstring("./course play 7 --mine"));
+    CHECK_THAT(book({"play", "7", "--mine", "--bug"}).err, ContainsSubstring("--bug excludes --mine"));
     CHECK_THAT(book({"play", "7", "--watch"}).err, ContainsSubstring("--watch is for your own code"));
     CHECK_THAT(book({"play", "7", "--share", "x.html"}).err, ContainsSubstring("--share is for your own code"));
     CHECK_THAT(book({"play", "7", "--mine", "--share", "x.cpp"}).err, ContainsSubstring("a name that ends in .html"));

@@ -27,9 +27,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct CheckOptions {
-    std::string what;  ///< section, or one of its exercises; empty: the first section that is not finished
-    std::string file;  ///< judge this one instead of the student's
-    std::string junit; ///< where to write the same for machines
+    std::string what = {};  ///< section, or one of its exercises; empty: the first section that is not finished
+    std::string file = {};  ///< judge this one instead of the student's
+    std::string junit = {}; ///< where to write the same for machines
     unsigned seed = 2026;
     bool watch = false;
     bool verbose = false;
@@ -348,6 +348,10 @@ class Check {
 };
 
 } // namespace
+
+int check_file(const Tree &tree, const std::string &exercise, const fs::path &file) {
+    return Check{tree, {.what = exercise, .file = file.string(), .no_diagnosis = true}}.once();
+}
 
 void add_check(CLI::App &app, const Tree &tree) {
     auto options = std::make_shared<CheckOptions>();

@@ -20,12 +20,17 @@ void bring_up_site(const Tree &tree);
 /// Makes the archives of a release in the build folder, of what is committed; release.cpp has it.
 void release(const Tree &tree);
 
+/// What `check --file` says of one exercise in a file, but not which mistake gives the same; check.cpp has it.
+/// @return the exit code
+int check_file(const Tree &tree, const std::string &exercise, const std::filesystem::path &file);
+
 /// Hands a file, or a place in one ("page.html#here"), to whatever program is meant for it.
 /// @return whether there is one, and a screen to show it on
 bool show(const std::string &address);
 
 void add_check(CLI::App &app, const Tree &tree);
 void add_weave(CLI::App &app, const Tree &tree);
+void add_bug(CLI::App &app, const Tree &tree);
 void add_list(CLI::App &app, const Tree &tree);
 void add_hint(CLI::App &app, const Tree &tree);
 void add_solution(CLI::App &app, const Tree &tree);

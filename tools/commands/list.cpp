@@ -3,6 +3,7 @@
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "ground/terminal.hpp"
+#include "loop/memory.hpp"
 #include "loop/progress.hpp"
 
 #include <algorithm>
@@ -38,6 +39,8 @@ void print(const Tree &tree, const Section &section, const Progress &progress) {
     if (!progress.there)
         std::cout << "  " << file << " is not there; `./course reset " << number << "` brings the empty one back.\n";
     if (progress.changed) std::cout << "  " << file << " has changed since the last check.\n";
+    if (const Hunt hunt = recall_hunt(tree, section); !hunt.begun.empty())
+        std::cout << "  bugs found: " << hunt.found.size() << " (./course bug " << number << ")\n";
 }
 
 /// What to do about the first exercise that is open, or the one that it needs, which is not started.

@@ -1,11 +1,15 @@
 // `course play`: a chapter's demo in the browser, with our functions or with the student's.
 
 #include "commands/commands.hpp"
+#include "ground/build.hpp"
 #include "ground/files.hpp"
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "ground/terminal.hpp"
+#include "loop/bugs.hpp"
 #include "loop/catalogue.hpp"
+#include "loop/memory.hpp"
+#include "loop/programs.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 #include "site/demos.hpp"
@@ -29,7 +33,8 @@ namespace {
 constexpr const char *about_play = R"(
 Without --mine the demo runs on our functions; no compiler is needed for that. With --mine it runs on
 yours, in a copy of the site in the build folder, and a switch in the page takes you to ours and back.
-Where an exercise of yours is not started, ours stands in for it.
+Where an exercise of yours is not started, ours stands in for it. With --bug it runs on the one function
+that `./course bug` has left for you to mend.
 
 Example: ./course play 7.4 --mine --watch
          ./course play 7.4 --mine --share ball.html)";
@@ -37,7 +42,7 @@ Example: ./course play 7.4 --mine --watch
 struct PlayOptions {
     std::string section;
     fs::path share;
-    bool mine = false, watch = false, yes = false;
+    bool mine = false, bug = false, watch = false, yes = false;
 };
 
 // The compiler for pages
@@ -173,7 +178,54 @@ void share(const Tree &tree, const Demo &demo, const DemoMark &mark, const fs::p
               << " kB, with your code in it. Send it to a friend, who opens it with a double click.\n";
 }
 
+/// @throws Complaint if the section has none
+Demo demo_of(const Tree &tree, const Section &section) {
+    for (Demo &demo : demos(tree))
+        if (demo.section.name == section.name) return std::move(demo);
+    throw Complaint{"section " + section.short_number() + " has no demo to play with yet"};
+}
+
+void open_page(const fs::path &address) {
+    std::cout << (show(address.string()) ? "Opening " : "Open this address in your browser: ") << "file://"
+              << address.string() << '\n';
+}
+
+/// Where the bug is seen, as far as is remembered which one it is.
+DemoMark mark_of_bug(const Tree &tree, const Section &section) {
+    const std::string begun = recall_hunt(tree, section).begun;
+    const std::vector<Bug> bugs = bugs_of(tree, section);
+    const auto bug = std::ranges::find(bugs, begun, &Bug::name);
+    if (bug == bugs.end()) return place_of_demo(tree, section, "", true).mark;
+    for (DemoMark &mark : demo_marks(read_file(tree.chapter(section))))
+        if (!bug->place.empty() && mark.start == bug->place) return std::move(mark);
+    return place_of_demo(tree, section, bug->exercise, true).mark;
+}
+
+/// Opens a page with the demo alone: the site and its copy know nothing of bugs.
+void play_bug(const Tree &tree, const PlayOptions &options) {
+    if (options.section.empty()) throw Complaint{"--bug needs a section, as in: ./course play 8 --bug"};
+    const Section section = tree.section(options.section);
+    const fs::path file = tree.bug(section), page = tree.build / "play" / (section.name + "_bug.html");
+    if (!fs::exists(file))
+        throw Complaint{tree.shown(file) + " isn't there yet: ./course bug " + section.short_number()
+                        + " puts a bug into it"};
+    const Demo demo = demo_of(tree, section);
+    const DemoMark mark = mark_of_bug(tree, section);
+    need_compiler(tree, options.yes);
+    bring_up_site(tree);
+    const Lock lock{tree};
+    const Finished built = build_target(tree, section.name + "_play_bug");
+    if (built.code != 0) {
+        std::cout << "There's no demo of it: " << student_error(tree, section, file, built.out + '\n' + built.err)
+                  << '\n';
+        throw Leave{something_to};
+    }
+    write_file(page, page_with_bug(tree, demo, mark));
+    open_page(page);
+}
+
 void play(const Tree &tree, const PlayOptions &options) {
+    if (options.bug) return play_bug(tree, options);
     if (options.mine && options.section.empty())
         throw Complaint{"--mine needs a section, as in: ./course play 7 --mine"};
     if (!options.share.empty() && !options.mine)
@@ -181,16 +233,14 @@ void play(const Tree &tree, const PlayOptions &options) {
     if (!options.share.empty() && options.share.extension() != ".html")
         throw Complaint{options.share.string() + " would be a web page: give it a name that ends in .html"};
     if (options.watch && !options.mine) throw Complaint{"--watch is for your own code: ./course play 7 --mine --watch"};
-    const std::vector<Demo> all = demos(tree);
-    auto demo = all.end();
+    std::optional<Demo> demo;
     std::string page = "play.html", exercise;
     std::optional<Section> section;
     Place place;
     if (!options.section.empty()) {
         section = tree.section(options.section);
         if (is_number_of_exercise(options.section)) exercise = find_exercise(tree, options.section).exercise.number;
-        demo = std::ranges::find_if(all, [&](const Demo &d) { return d.section.name == section->name; });
-        if (demo == all.end()) throw Complaint{"section " + section->short_number() + " has no demo to play with yet"};
+        demo = demo_of(tree, *section);
         place = place_of_demo(tree, *section, exercise, options.mine);
         page = page_name(tree, tree.chapter(*section)) + ".html#" + place.id;
     }
@@ -205,8 +255,7 @@ void play(const Tree &tree, const PlayOptions &options) {
         fine = build_own(tree, *section);
     }
     if (fine && !options.share.empty()) return share(tree, *demo, place.mark, options.share);
-    const std::string address = ((options.mine ? own_site_folder(tree) : site_folder(tree)) / page).string();
-    std::cout << (show(address) ? "Opening " : "Open this address in your browser: ") << "file://" << address << '\n';
+    open_page((options.mine ? own_site_folder(tree) : site_folder(tree)) / page);
     if (options.watch) watch(tree, *section);
     if (!fine) throw Leave{something_to};
 }
@@ -218,7 +267,10 @@ void add_play(CLI::App &app, const Tree &tree) {
     CLI::App *command = app.add_subcommand("play", "Open a chapter's demo in your browser, with our code or yours");
     command->add_option("section", options->section,
                         "its number, name or file, or the number of an exercise; without it, the page with all demos");
-    command->add_flag("--mine", options->mine, "with your functions; the page lets you switch to ours");
+    CLI::Option *mine =
+        command->add_flag("--mine", options->mine, "with your functions; the page lets you switch to ours");
+    command->add_flag("--bug", options->bug, "with the function of exercises/08_bug.cpp, which ./course bug 8 writes")
+        ->excludes(mine);
     command->add_flag("-w,--watch", options->watch, "with --mine: again whenever you save; the open page takes it up");
     command
         ->add_option("--share", options->share,

@@ -12,8 +12,18 @@
 namespace course {
 namespace {
 
-void reset(const Tree &tree, const std::string &words, bool yes) {
-    const Section section = tree.section(words);
+/// No bug has been found, and none is there to be mended.
+void reset_bugs(const Tree &tree, const Section &section) {
+    const std::string file = tree.shown(tree.bug(section));
+    const std::filesystem::path copy = keep_copy_of_bug(tree, section);
+    const bool was_there = std::filesystem::remove(tree.bug(section));
+    if (!recall_hunt(tree, section).begun.empty()) remember_hunt(tree, section, {});
+    if (!copy.empty()) std::cout << file << " is gone. Yours is kept: " << tree.shown(copy) << '\n';
+    else if (was_there) std::cout << file << " is gone.\n";
+}
+
+/// @return whether it was done, or there was nothing to do; else the student said no
+bool reset(const Tree &tree, const Section &section, const std::string &words, bool yes) {
     const std::string file = tree.shown(tree.exercise(section)), number = section.short_number();
     if (is_number_of_exercise(words))
         throw Complaint{"`reset` brings back a whole section, not one exercise of it: ./course reset " + number};
@@ -22,11 +32,11 @@ void reset(const Tree &tree, const std::string &words, bool yes) {
     if (!std::filesystem::exists(tree.exercise(section))) {
         write_file(tree.exercise(section), empty);
         std::cout << file << " is back, with nothing done yet.\n";
-        return;
+        return true;
     }
     if (read_file(tree.exercise(section)) == empty) {
         std::cout << file << " is the empty one already.\n";
-        return;
+        return true;
     }
     if (!yes && !can_ask())
         throw Complaint{"`reset` asks before it replaces " + file
@@ -34,11 +44,12 @@ void reset(const Tree &tree, const std::string &words, bool yes) {
                         + " --yes does it, and keeps a copy"};
     if (!yes && !ask("Replace " + file + " by the empty one? Yours is kept in .course/kept.")) {
         std::cout << "Nothing has changed.\n";
-        return;
+        return false;
     }
-    const std::filesystem::path copy = keep_copy(tree, section);
+    const std::filesystem::path copy = keep_copy(tree, tree.exercise(section));
     write_file(tree.exercise(section), empty);
     std::cout << file << " is the empty one again. Yours is kept: " << tree.shown(copy) << '\n';
+    return true;
 }
 
 } // namespace
@@ -46,12 +57,14 @@ void reset(const Tree &tree, const std::string &words, bool yes) {
 void add_reset(CLI::App &app, const Tree &tree) {
     const auto section = std::make_shared<std::string>();
     const auto yes = std::make_shared<bool>();
-    CLI::App *command = app.add_subcommand("reset", "Bring back a section's empty exercises; yours are kept as a copy");
+    CLI::App *command =
+        app.add_subcommand("reset", "Bring back a section's empty exercises, and its bugs; yours are kept as a copy");
     command->add_option("section", *section, "its number, name or file")->required();
     command->add_flag("--yes", *yes, "do not ask");
     command->footer("The copy goes to .course/kept/, under a name with date and time.\n\nExample: ./course reset 7");
     command->callback([&tree, section, yes] {
-        reset(tree, *section, *yes);
+        const Section chosen = tree.section(*section);
+        if (reset(tree, chosen, *section, *yes)) reset_bugs(tree, chosen);
         tell_pages(tree);
     });
 }

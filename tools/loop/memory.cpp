@@ -18,6 +18,7 @@ using nlohmann::json;
 
 fs::path progress_file(const Tree &tree) { return tree.memory() / "progress.json"; }
 fs::path hints_file(const Tree &tree) { return tree.memory() / "hints.json"; }
+fs::path hunts_file(const Tree &tree) { return tree.memory() / "bugs.json"; }
 
 /// The object in the file; an empty one if there is none, or it is broken.
 json load(const fs::path &path) {
@@ -96,6 +97,24 @@ int take_rung(const Tree &tree, const std::string &number, int rungs) {
     return rung;
 }
 
+void remember_hunt(const Tree &tree, const Section &section, const Hunt &hunt) {
+    change(tree, hunts_file(tree), [&](json &hunts) {
+        hunts[section.name] = {{"begun", hunt.begun}, {"written", hunt.written}, {"found", hunt.found}};
+    });
+}
+
+Hunt recall_hunt(const Tree &tree, const Section &section) {
+    const json all = load(hunts_file(tree)), its = all.value(section.name, json::object());
+    Hunt hunt;
+    if (!its.is_object()) return hunt;
+    hunt.begun = word(its, "begun");
+    hunt.written = word(its, "written");
+    if (const auto found = its.find("found"); found != its.end() && found->is_array())
+        for (const json &name : *found)
+            if (name.is_string()) hunt.found.insert(name.get<std::string>());
+    return hunt;
+}
+
 std::string fingerprint(const fs::path &file) {
     if (!fs::is_regular_file(file)) return "";
     std::uint64_t hash = 0xcbf29ce484222325; // FNV-1a: no secret, only a change
@@ -103,13 +122,19 @@ std::string fingerprint(const fs::path &file) {
     return fmt::format("{:016x}", hash);
 }
 
-fs::path keep_copy(const Tree &tree, const Section &section) {
+fs::path keep_copy(const Tree &tree, const fs::path &file) {
     const fs::path folder = tree.memory() / "kept";
-    const std::string name = section.name + now("-{:%Y-%m-%d-%H%M%S}", false);
+    const std::string name = file.stem().string() + now("-{:%Y-%m-%d-%H%M%S}", false);
     fs::path copy = folder / (name + ".cpp");
     for (int more = 2; fs::exists(copy); ++more) copy = folder / (name + '-' + std::to_string(more) + ".cpp");
-    write_file(copy, read_file(tree.exercise(section)));
+    write_file(copy, read_file(file));
     return copy;
+}
+
+fs::path keep_copy_of_bug(const Tree &tree, const Section &section) {
+    const fs::path file = tree.bug(section);
+    if (!fs::exists(file) || fingerprint(file) == recall_hunt(tree, section).written) return {};
+    return keep_copy(tree, file);
 }
 
 } // namespace course

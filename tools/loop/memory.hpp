@@ -1,11 +1,12 @@
 #pragma once
 // What the course remembers of its student, in <root>/.course/: how each exercise stood when it was last judged, how
-// many rungs of its hints have been shown, and copies of files that `reset` replaced.
+// many rungs of its hints have been shown, which bugs were found, and copies of files that were replaced.
 // All of it may be missing or broken: then nothing is remembered, and nothing fails.
 
 #include "ground/tree.hpp"
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,11 +39,24 @@ void remember_rungs(const Tree &tree, const std::string &number, int shown);
 /// Two commands at once get two different ones.
 int take_rung(const Tree &tree, const std::string &number, int rungs);
 
+/// How far a hunt for a section's bugs has come.
+struct Hunt {
+    std::string begun;           ///< the name of the bug that is in its file; "" if none was written
+    std::string written;         ///< fingerprint of that file as it was then
+    std::set<std::string> found; ///< the names of those whose law was named
+};
+void remember_hunt(const Tree &tree, const Section &section, const Hunt &hunt);
+Hunt recall_hunt(const Tree &tree, const Section &section);
+
 /// Sixteen digits that change when a file does; "" if there is none.
 std::string fingerprint(const std::filesystem::path &file);
 
-/// Copies the student's file to .course/kept/, under a name with date and time that no other copy has.
+/// Copies a file of the student's to .course/kept/, under a name with date and time that no other copy has.
 /// @return where the copy is
-std::filesystem::path keep_copy(const Tree &tree, const Section &section);
+std::filesystem::path keep_copy(const Tree &tree, const std::filesystem::path &file);
+
+/// The same for the file with the bug, if the student has changed it since it was written.
+/// @return where the copy is; empty if there's nothing to keep
+std::filesystem::path keep_copy_of_bug(const Tree &tree, const Section &section);
 
 } // namespace course

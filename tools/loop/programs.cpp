@@ -49,8 +49,7 @@ std::vector<std::string> program_command(const fs::path &program, const std::str
     return command;
 }
 
-std::string student_error(const Tree &tree, const Section &section, const std::string &printed) {
-    const fs::path file = tree.exercise(section);
+std::string student_error(const Tree &tree, const Section &section, const fs::path &file, const std::string &printed) {
     const std::string name = tree.shown(file);
     Verdict verdict = diagnose_compiler(printed, file, name, renamed(tree, section));
     if (verdict.line == 0) verdict = diagnose_linker(printed, name, section.short_number());
@@ -105,8 +104,9 @@ Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs:
     if (built.code != 0)
         return {false,
                 {},
-                student ? "your program can't be built: " + student_error(tree, section, printed)
-                        : "the program of " + section.name + " cannot be built: " + first_error(printed)};
+                student
+                    ? "your program can't be built: " + student_error(tree, section, tree.exercise(section), printed)
+                    : "the program of " + section.name + " cannot be built: " + first_error(printed)};
     Finished finished;
     if (student) {
         empty_folder(traces);

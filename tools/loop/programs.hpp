@@ -54,6 +54,7 @@ bool is_only_unfinished(const Finished &finished);
 std::string last_line(const std::string &text);
 
 /// What keeps a student's file from being compiled, by what the build printed: in the words of `course check`.
-std::string student_error(const Tree &tree, const Section &section, const std::string &printed);
+std::string student_error(const Tree &tree, const Section &section, const std::filesystem::path &file,
+                          const std::string &printed);
 
 } // namespace course

@@ -167,7 +167,7 @@ std::string build_own_demo(const Tree &tree, const Section &section) {
     const Finished built = build_target(tree, section.name + "_play_mine");
     std::string script, trouble;
     if (built.code == 0) script = read_file(tree.build / "play" / (section.name + "_mine.js"));
-    else trouble = student_error(tree, section, built.out + '\n' + built.err);
+    else trouble = student_error(tree, section, tree.exercise(section), built.out + '\n' + built.err);
     script += "self.playable = self.playable || {};\nself.playable['" + section.name
               + "/trouble'] = " + nlohmann::json(trouble).dump() + ";\n";
     write_own_demo(tree, section, script);

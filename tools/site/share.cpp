@@ -23,12 +23,6 @@ std::string style(const Tree &tree) {
 }
 std::string script(const std::string &text) { return "<script>\n" + text + "</script>\n"; }
 
-/// The demo's place as chapters have it, without the picture, which lies in a file of its own.
-std::string figure(const Demo &demo, DemoMark mark) {
-    mark.mine = true;
-    return demo_figure({demo.section, mark, {}, ""}, "demo", mark, escaped(demo.about));
-}
-
 constexpr const char *head = R"(<!DOCTYPE html>
 <html lang="en">
 <meta charset="utf-8">
@@ -39,17 +33,44 @@ constexpr const char *signature =
 physics. <em>Yours</em> is my code, and <em>Ours</em> is the book's.</p>
 )";
 
+/// The demo's place as chapters have it, without the picture, which lies in a file of its own.
+std::string figure(const Demo &demo, DemoMark mark) {
+    mark.mine = true;
+    return demo_figure({demo.section, mark, {}, ""}, "demo", mark, escaped(demo.about));
+}
+
+/// A page with a figure, words below it, and all that it runs.
+/// @param own  what else than ours was compiled
+std::string page_of(const Tree &tree, const Demo &demo, const std::string &figure, const std::string &words,
+                    const std::string &own) {
+    std::string page = head + ("<title>" + escaped(demo.about) + "</title>\n") + style(tree)
+                       + script(of_site(tree, "theme.js")) + "<main>\n" + figure + words + "</main>\n"
+                       + script(of_site(tree, demo_file(demo.section))) + own;
+    for (const char *each : {"draw.js", "hands.js", "play.js"}) page += script(of_site(tree, each));
+    return page + "</html>\n";
+}
+
 } // namespace
 
 std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark, bool with_progress) {
-    const std::string name = demo.section.name;
-    std::string page = head + ("<title>" + escaped(demo.about) + "</title>\n") + style(tree)
-                       + script(of_site(tree, "theme.js")) + "<main>\n" + figure(demo, mark) + signature + "</main>\n"
-                       + script(of_site(tree, demo_file(demo.section)))
-                       + script(read_file(tree.build / "play" / (name + "_mine.js")));
-    if (with_progress) page += script(progress_script(tree));
-    for (const char *each : {"draw.js", "hands.js", "play.js"}) page += script(of_site(tree, each));
-    return page + "</html>\n";
+    const std::string mine = script(read_file(tree.build / "play" / (demo.section.name + "_mine.js")));
+    return page_of(tree, demo, figure(demo, mark), signature,
+                   with_progress ? mine + script(progress_script(tree)) : mine);
+}
+
+std::string page_with_bug(const Tree &tree, const Demo &demo, const DemoMark &mark) {
+    constexpr std::string_view begin = "<figure";
+    const std::string number = demo.section.short_number(), file = tree.bug(demo.section).filename().string();
+    const std::string named =
+        std::string{begin} + " data-yours=\"" + file + '"' + figure(demo, mark).substr(begin.size());
+    const std::string words = "<p class=\"above\">Compare <em>" + file
+                              + "</em>, which has the bug in it, and <em>Ours</em>. "
+                                "When you've mended it, <code>./course play "
+                              + number
+                              + " --bug</code> plays it again, and "
+                                "<code>./course bug "
+                              + number + "</code> judges it.</p>\n";
+    return page_of(tree, demo, named, words, script(read_file(tree.build / "play" / (demo.section.name + "_bug.js"))));
 }
 
 } // namespace course

@@ -12,4 +12,7 @@ namespace course {
 /// @param with_progress  the page has to know which exercises are done: it plays the student's functions of these
 std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark, bool with_progress);
 
+/// The same with the file that `./course bug` wrote in the place of the student's.
+std::string page_with_bug(const Tree &tree, const Demo &demo, const DemoMark &mark);
+
 } // namespace course

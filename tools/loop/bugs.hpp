@@ -1,0 +1,37 @@
+#pragma once
+// Bugs to hunt: wrong answers out of tests/wrong, each put into a file of its own, for the student to find and mend.
+
+#include "ground/tree.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// One of them, as tests/bugs.txt has it.
+struct Bug {
+    std::string exercise = {};          ///< "8.3"
+    std::string name = {};              ///< of the wrong answer
+    std::string broken = {};            ///< a law: the name of a test that is red with it
+    std::string place = {};             ///< how the demo begins where the bug is seen; "": as at the exercise
+    std::vector<std::string> laws = {}; ///< those to choose from, by name: `broken`, and others that stay green
+};
+
+/// The list of all bugs; a course without answers to choose from need not have it.
+std::filesystem::path list_of_bugs(const Tree &tree);
+
+/// Those of a section, from obvious to mean.
+/// @throws Complaint if this course is one without our answers
+std::vector<Bug> bugs_of(const Tree &tree, const Section &section);
+
+/// A bug with all that a file needs to be compiled.
+struct BuggyCode {
+    std::string text;  ///< the section's header, helpers that are called, and the function itself
+    std::string claim; ///< what somebody did who made this mistake: "you divide by the other ball's mass"
+};
+
+/// @throws std::runtime_error if there's no such wrong answer, or it doesn't fit the solution
+BuggyCode code_of(const Tree &tree, const Section &section, const Bug &bug);
+
+} // namespace course
