@@ -94,10 +94,13 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
           == helper + "int first() {\n    int i = 1;\n    ++i;\n\n    // again\n    ++i;\n    return i;\n}\n}\n");
     CHECK(course.answer("wrong_two_is_one") == "int two() { return 1; }\nint second() { return two(); }\n}\n");
     CHECK(course.answer("wrong_begins_twice")
-          == helper + "int first() {\n    int i = 0;\ni = 1;\n\n    // again\n    ++i;\n++i;\n    return i;\n}\n}\n");
+          == helper
+                 + "int first() {\n    int i = 0;\n    i = 1;\n\n    // again\n    ++i;\n    ++i;\n    return "
+                   "i;\n}\n}\n");
     CHECK(course.answer("wrong_ends_twice")
           == helper
-                 + "int first() {\n    int i = 0;\nreturn i;\n    ++i;\n\n    // again\n    ++i;\nreturn 0;\n}\n}\n");
+                 + "int first() {\n    int i = 0;\n    return i;\n    ++i;\n\n    // again\n    ++i;\n    return "
+                   "0;\n}\n}\n");
     CHECK_THAT(course.read("unit.cpp"),
                ContainsSubstring("#line 5 \"" + course.path(course.wrong) + "\"\n    int i = 1;\n"));
     CHECK(course.read("list")

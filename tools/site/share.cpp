@@ -1,10 +1,12 @@
 #include "site/share.hpp"
 
+#include "book/markdown.hpp"
 #include "ground/files.hpp"
 #include "ground/text.hpp"
 #include "site/build.hpp"
 #include "site/progress_script.hpp"
 
+#include <fmt/format.h>
 #include <regex>
 
 namespace course {
@@ -33,10 +35,15 @@ constexpr const char *signature =
 physics. <em>Yours</em> is my code, and <em>Ours</em> is the book's.</p>
 )";
 
+constexpr const char *compare =
+    R"(<p class="above">Compare <em>{0}</em>, which has the bug in it, with <em>Ours</em>. When you've mended it,
+<code>./course play {1} --bug</code> plays it again, and <code>./course bug {1}</code> judges it.</p>
+)";
+
 /// The demo's place as chapters have it, without the picture, which lies in a file of its own.
-std::string figure(const Demo &demo, DemoMark mark) {
+std::string figure(const Demo &demo, DemoMark mark, const std::string &task) {
     mark.mine = true;
-    return demo_figure({demo.section, mark, {}, ""}, "demo", mark, escaped(demo.about));
+    return demo_figure({demo.section, mark, {}, ""}, "demo", mark, escaped(task));
 }
 
 /// A page with a figure, words below it, and all that it runs.
@@ -54,23 +61,17 @@ std::string page_of(const Tree &tree, const Demo &demo, const std::string &figur
 
 std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark, bool with_progress) {
     const std::string mine = script(read_file(tree.build / "play" / (demo.section.name + "_mine.js")));
-    return page_of(tree, demo, figure(demo, mark), signature,
+    return page_of(tree, demo, figure(demo, mark, demo.about), signature,
                    with_progress ? mine + script(progress_script(tree)) : mine);
 }
 
 std::string page_with_bug(const Tree &tree, const Demo &demo, const DemoMark &mark) {
     constexpr std::string_view begin = "<figure";
-    const std::string number = demo.section.short_number(), file = tree.bug(demo.section).filename().string();
-    const std::string named =
-        std::string{begin} + " data-yours=\"" + file + '"' + figure(demo, mark).substr(begin.size());
-    const std::string words = "<p class=\"above\">Compare <em>" + file
-                              + "</em>, which has the bug in it, and <em>Ours</em>. "
-                                "When you've mended it, <code>./course play "
-                              + number
-                              + " --bug</code> plays it again, and "
-                                "<code>./course bug "
-                              + number + "</code> judges it.</p>\n";
-    return page_of(tree, demo, named, words, script(read_file(tree.build / "play" / (demo.section.name + "_bug.js"))));
+    const std::string file = tree.bug(demo.section).filename().string();
+    const std::string named = std::string{begin} + " data-yours=\"" + file + '"'
+                              + figure(demo, mark, words_of(parse_markdown(mark.task).get())).substr(begin.size());
+    return page_of(tree, demo, named, fmt::format(compare, file, demo.section.short_number()),
+                   script(read_file(tree.build / "play" / (demo.section.name + "_bug.js"))));
 }
 
 } // namespace course
