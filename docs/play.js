@@ -39,7 +39,8 @@
   }
 
   // A world: a demo of this section that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
-  async function instantiate(module, yours, section) {
+  // Those whose names are in `broken` are one of our wrong answers, where the demo has one.
+  async function instantiate(module, yours, section, broken) {
     const called = new Map(), fallen = new Map(); // what was called, and when last; what ours stand in for, and why
     let running = [], clock = 0, exports;
     const text = (from) => {
@@ -59,6 +60,7 @@
     function call(name, values) {
       called.set(name, clock);
       const own = exports[`yours ${name}`];
+      if (broken.has(name)) return exports[`wrong ${name}`](...values);
       if (!yours || fallen.has(name)) return exports[`ours ${name}`](...values);
       const stack = exports.__stack_pointer.value;
       running.push(name);
@@ -104,6 +106,7 @@
       names,
       lookWhoseTheyAre,
       ofMany: new Set(names.map((name) => parseInt(name, 10))).size > 1,
+      canBreak: (name) => `wrong ${name}` in exports,
       calledWithin: (name, seconds) => clock - called.get(name) < seconds,
       begin: () => aboutOf(read(exports.begin(branches))),
       control: (i, value) => exports.control(i, value),
@@ -135,6 +138,7 @@
     const name = figure.dataset.demo, id = ++figures;
     const mine = () => playable[`${name}/mine`], trouble = () => playable[`${name}/trouble`];
     let world, about, picture, running = !still.matches, visible = false, failed = false, last = 0, waiting = false, starts = 0;
+    const broken = new Set(figure.dataset.bug ? [figure.dataset.bug] : []); // functions that have a bug here
     let whose = 'mine' in figure.dataset && (mine() || trouble()) ? 'yours' : 'ours';
     const helps = demoHands[name]?.[figure.dataset.start ?? ''];
     let ghost = helps && !still.matches ? 0 : null; // how many beats it has played, until the reader does
@@ -181,13 +185,13 @@
       world = undefined;
       failed = false;
       alarm.hidden = true;
-      choose.hidden = !mine() && !trouble();
+      choose.hidden = (!mine() && !trouble()) || figure.closest('.suspects') !== null;
       if (choose.hidden) whose = 'ours';
       for (const side of sides) side.setAttribute('aria-pressed', String(side.value === whose));
       answers.textContent = '';
       if (choose.hidden && 'mine' in figure.dataset) howToPlayOnes();
       if (whose === 'yours' && trouble()) return fail(trouble());
-      const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours', parseInt(name, 10));
+      const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours', parseInt(name, 10), broken);
       if (start !== starts) return; // another one has overtaken this one
       world = fresh;
       letGo();
@@ -293,18 +297,31 @@
     }
 
     // A lamp for each function, where a demo plays those of several sections: it glows for a while when it was called.
+    // Some can be given a bug, and lose it again, while the game goes on.
     let hung = []; // each with what it shows now
     function hangLamps() {
       lamps.hidden = !world.ofMany;
       hung = lamps.hidden ? [] : world.names.map((called) => {
         const [number, words] = called.split(' '), mark = make('small'), it = make('li', {}, make('i'), make('span', {}, `${number} `, make('code', { textContent: words }), ' ', mark));
+        if (world.canBreak(called)) it.append(breaker(called));
         return { called, it, mark };
       });
       lamps.replaceChildren(...hung.map(({ it }) => it));
     }
+    function breaker(called) {
+      const it = button('', () => {
+        if (!broken.delete(called)) broken.add(called);
+        name();
+        hung.forEach(light);
+      });
+      const name = () => it.setAttribute('aria-label', `${(it.textContent = broken.has(called) ? 'Mend' : 'Break')} ${called}`);
+      name();
+      return it;
+    }
     function light(lamp) {
-      const why = world.fallen.get(lamp.called), ours = whose === 'ours' || why !== undefined, said = ours ? `ours${why ? `: ${why}` : ''}` : 'yours', lit = world.calledWithin(lamp.called, glow);
-      if (lamp.said !== said) lamp.mark.textContent = lamp.said = said, lamp.it.dataset.whose = ours ? 'ours' : 'yours';
+      const why = world.fallen.get(lamp.called), whoseItIs = broken.has(lamp.called) ? 'wrong' : whose === 'ours' || why !== undefined ? 'ours' : 'yours', lit = world.calledWithin(lamp.called, glow);
+      const said = whoseItIs === 'wrong' ? 'with a bug' : whoseItIs === 'ours' && why ? `ours: ${why}` : whoseItIs;
+      if (lamp.said !== said) lamp.mark.textContent = lamp.said = said, lamp.it.dataset.whose = whoseItIs;
       if (lamp.lit !== lit) lamp.it.classList.toggle('lit', (lamp.lit = lit));
     }
 
@@ -522,6 +539,22 @@
     };
     document.head.append(script);
   }
+
+  // The same demo twice, and in one of them a function has a bug: which one, and why?
+  function suspect(place) {
+    const figures = place.querySelectorAll('.play'), guilty = String(Math.floor(Math.random() * 2)), { bug, cause } = place.dataset;
+    const form = place.querySelector('form'), said = form.querySelector('[role=status]'), told = place.querySelector('.told');
+    figures[guilty].dataset.bug = bug;
+    form.addEventListener('input', () => (said.textContent = ''));
+    form.addEventListener('submit', (event) => {
+      event.preventDefault();
+      const { which, why } = Object.fromEntries(new FormData(form)), found = which === guilty && why === cause;
+      said.textContent = found ? 'Yes, that’s it.' : which !== guilty ? 'No, that one runs on our code as it is. Change something in both, and look again.' : 'Yes, that one. But not because of that: what would it look like then?';
+      told.hidden = !found;
+    });
+    place.hidden = false;
+  }
+  for (const place of document.querySelectorAll('.suspects')) if (playable[place.querySelector('.play').dataset.demo]) suspect(place);
 
   const all = [...document.querySelectorAll('.play')].filter(({ dataset }) => playable[dataset.demo]);
   for (const figure of all) play(figure);

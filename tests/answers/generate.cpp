@@ -1,6 +1,9 @@
 // Puts all of a section's wrong and right answers into one C++ file, and lists how each is to be judged.
 //
 //     answers-in-one ROOT NN_slug UNIT LIST MISTAKES KIND...
+//     answers-in-one ROOT NN_slug BUGS
+//
+// The second form writes those of tests/bugs.txt alone, for demos. The first one:
 //
 // It writes UNIT, the C++ file; LIST, for the section's tests: a line `NAME EXERCISE EXPECTED` for each answer; and
 // MISTAKES, a line `NAME EXERCISE what you did` for each whose claim begins with "you": `check` says that to a reader. A
@@ -148,21 +151,56 @@ std::string lines_of(const std::map<std::string, std::string> &entries) {
     return text;
 }
 
+/// The bugs that tests/bugs.txt lists of a section, for a page, which calls one as "wrong 8.3 resolve_collision": the first
+/// of each exercise.
+std::string bugs_for_pages(const fs::path &root, const std::string &section) {
+    const std::string slug = section.substr(3);
+    const Solution solution{root / "solutions" / (section + ".cpp")};
+    const std::vector<Answer> answers = read_differences(root / "tests" / "wrong" / (section + ".diff"));
+    std::map<std::string, std::string> functions;
+    for (const Exercise &each : exercises_of(root / "chapters" / section / (slug + ".hpp")))
+        functions[each.number] = each.function;
+    std::ostringstream code;
+    write(code, solution.includes);
+    for (const Line &line : read(root / "tests" / "bugs.txt")) {
+        const std::string exercise = line.text.substr(0, line.text.find(' '));
+        const auto function = functions.find(exercise);
+        if (function == functions.end()) continue; // of another section, another word, or there is one of it
+        const auto answer = std::ranges::find_if(
+            answers, [&](const Answer &each) { return each.exercise + ' ' + each.name == line.text; });
+        if (answer == answers.end()) throw BadAnswer{line, "this is no wrong answer of section " + section};
+        code << "\nnamespace wrong_" << answer->name << " {\nusing namespace " << slug << ";\ndecltype(" << slug
+             << "::" << function->second << ") " << function->second << " COURSE_WRONG(\"" << exercise << ' '
+             << function->second << "\");\n";
+        write(code, solution.with(*answer));
+        code << "}\n";
+        functions.erase(function);
+    }
+    return code.str();
+}
+
+void write(const fs::path &file, const std::string &text) {
+    if (!(std::ofstream{file} << text << std::flush)) throw std::runtime_error{file.string() + " cannot be written"};
+}
+
 } // namespace
 
 int main(int argc, char **argv) try {
+    if (argc == 4) {
+        write(argv[3], bugs_for_pages(argv[1], argv[2]));
+        return 0;
+    }
     if (argc < 7) {
-        std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST MISTAKES KIND...\n";
+        std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST MISTAKES KIND...\n"
+                     "       answers-in-one ROOT NN_slug BUGS\n";
         return 2;
     }
     Unit unit{argv[1], argv[2]};
     for (int kind = 6; kind < argc; ++kind) unit.add(argv[kind]);
 
-    for (const auto &[file, text] : {std::pair{argv[3], unit.code_of_all()},
-                                     {argv[4], lines_of(unit.judgements())},
-                                     {argv[5], lines_of(unit.mistakes())}})
-        if (!(std::ofstream{file} << text << std::flush))
-            throw std::runtime_error{std::string{file} + " cannot be written"};
+    write(argv[3], unit.code_of_all());
+    write(argv[4], lines_of(unit.judgements()));
+    write(argv[5], lines_of(unit.mistakes()));
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';
     return 1;

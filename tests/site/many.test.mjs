@@ -19,7 +19,7 @@ const progress = (done) => fs.writeFileSync(path.join(copy, 'progress.js'), `sel
 async function openGame(t, done, { theirs = true, ...more } = {}) {
   progress(done);
   const demo = await openDemo(t, game, { folder: copy, ...(theirs && { wrong: file }), ...more });
-  demo.lamps = () => demo.figure.locator('.lamps li').evaluateAll((all) => all.map((it) => ({ says: it.textContent, whose: it.dataset.whose, glows: it.classList.contains('lit') })));
+  demo.lamps = () => demo.figure.locator('.lamps li').evaluateAll((all) => all.map((it) => ({ says: it.querySelector('span').textContent, whose: it.dataset.whose, glows: it.classList.contains('lit') })));
   demo.lamp = async (name) => (await demo.lamps()).find(({ says }) => says.startsWith(`${name} `)) ?? assert.fail(`${name} has no lamp`);
   if (theirs) await demo.button('Yours').click();
   return demo;
@@ -38,6 +38,18 @@ describe('a demo of many sections', { concurrency: 1, skip: !here && `there is n
     await demo.page.goto(address('index.html'));
     const parts = await demo.page.$$eval('.parts-of-game li', (all) => all.map((part) => part.textContent.replace(/\s+/g, ' ').trim()));
     assert.deepEqual(lamps.map(({ says }) => says.replace(/ ours$/, '')), parts, 'the front page names them all');
+  });
+
+  test('and some can be given a bug, and lose it again', async (t) => {
+    const demo = await openGame(t, [], { theirs: false }), name = '7.5 time_of_impact';
+    await demo.button(`Break ${name}`).click();
+    assert.deepEqual(await demo.lamp(name).then(({ says, whose }) => [says, whose]), [`${name} with a bug`, 'wrong']);
+    await demo.button('Reset').click();
+    await demo.wait(300);
+    assert.equal((await demo.lamp(name)).whose, 'wrong');
+    await demo.button(`Mend ${name}`).click();
+    assert.deepEqual(await demo.lamp(name).then(({ says, whose }) => [says, whose]), [`${name} ours`, 'ours']);
+    assert.equal(await demo.said(), '');
   });
 
   test('and one of a single section has none', async (t) => {

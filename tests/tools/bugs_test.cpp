@@ -6,6 +6,8 @@
 #include "ground/text.hpp"
 #include "loop/bugs.hpp"
 #include "loop/memory.hpp"
+#include "site/html.hpp"
+#include "site/suspects.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -154,6 +156,24 @@ TEST_CASE("bugs that are all found come back with --again, and so they do after 
     const Hunt hunt = recall_hunt(course.tree, course.seven);
     CHECK((hunt.begun.empty() && hunt.found.empty()));
     CHECK(course({"list"}).out.find("bugs found") == std::string::npos);
+}
+
+TEST_CASE("a bug is shown beside what's right, with four causes of which one is it; without answers there is none") {
+    const OwnExercises course;
+    const auto bug = std::ranges::find_if(course.bugs, [](const Bug &each) { return each.others.size() == 3; });
+    REQUIRE(bug != course.bugs.end());
+    const Causes causes = causes_of(course.tree, course.seven, *bug);
+    CHECK(std::ranges::is_sorted(causes.all));
+    const std::string claim = code_of(course.tree, course.seven, *bug).claim,
+                      html = suspects(course.tree, course.tree.chapter(course.seven));
+    CHECK_THAT(claim, StartsWith(causes.all.at(causes.right)));
+    CHECK_THAT(html, ContainsSubstring("data-bug=\"" + bug->exercise + ' ')
+                         && ContainsSubstring("data-cause=\"" + std::to_string(causes.right) + '"'));
+    for (const std::string &cause : causes.all) CHECK_THAT(html, ContainsSubstring(escaped(cause)));
+    CHECK_FALSE(contains(html, "data-mine"));
+
+    const SmallCourse without;
+    CHECK(suspects(without.tree, without.tree.chapter(without.seven())).empty());
 }
 
 TEST_CASE("a hunt says in one sentence what it lacks") {

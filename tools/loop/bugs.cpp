@@ -86,6 +86,15 @@ std::string needed(const std::vector<Piece> &pieces, const std::string &function
     return code;
 }
 
+const differences::Answer &answer_of(const Tree &tree, const std::vector<differences::Answer> &answers,
+                                     const std::string &exercise, const std::string &name) {
+    const auto answer = std::ranges::find(answers, name, &differences::Answer::name);
+    if (answer == answers.end() || answer->exercise != exercise)
+        throw std::runtime_error{list_of_bugs(tree).string() + " names " + name + ", which is no wrong answer to "
+                                 + exercise};
+    return *answer;
+}
+
 } // namespace
 
 fs::path list_of_bugs(const Tree &tree) { return tree.root / "tests" / "bugs.txt"; }
@@ -107,6 +116,8 @@ std::vector<Bug> bugs_of(const Tree &tree, const Section &section) {
             if (its) bugs.push_back({.exercise = words.substr(0, words.find(' ')), .name = rest});
         } else if (its && words.starts_with("at ")) {
             bugs.back().place = rest;
+        } else if (its && words.starts_with("or ")) {
+            bugs.back().others.push_back(rest);
         } else if (its) {
             if (words.starts_with("breaks ")) bugs.back().broken = rest;
             bugs.back().laws.push_back(rest);
@@ -116,14 +127,25 @@ std::vector<Bug> bugs_of(const Tree &tree, const Section &section) {
     return bugs;
 }
 
+Causes causes_of(const Tree &tree, const Section &section, const Bug &bug) {
+    const auto answers = differences::read_differences(wrong_answers(tree, section));
+    const auto without_its_question = [&](const std::string &name) {
+        const std::string claim = answer_of(tree, answers, bug.exercise, name).claim;
+        return claim.substr(0, claim.find(": "));
+    };
+    Causes causes;
+    const std::string right = causes.all.emplace_back(without_its_question(bug.name));
+    std::ranges::transform(bug.others, std::back_inserter(causes.all), without_its_question);
+    std::ranges::sort(causes.all);
+    causes.right = std::size_t(std::ranges::find(causes.all, right) - causes.all.begin());
+    return causes;
+}
+
 BuggyCode code_of(const Tree &tree, const Section &section, const Bug &bug) {
     const auto answers = differences::read_differences(wrong_answers(tree, section));
-    const auto answer = std::ranges::find(answers, bug.name, &differences::Answer::name);
-    if (answer == answers.end() || answer->exercise != bug.exercise)
-        throw std::runtime_error{list_of_bugs(tree).string() + " names " + bug.name + ", which is no wrong answer to "
-                                 + bug.exercise};
+    const differences::Answer &answer = answer_of(tree, answers, bug.exercise, bug.name);
     const differences::Solution solution{tree.solution(section)};
-    std::vector<Piece> pieces = pieces_of(solution.with(*answer));
+    std::vector<Piece> pieces = pieces_of(solution.with(answer));
     std::string text, function;
     for (const Exercise &each : catalogue(tree, section))
         if (each.number == bug.exercise) function = each.function;
@@ -132,7 +154,7 @@ BuggyCode code_of(const Tree &tree, const Section &section, const Bug &bug) {
         text += include.text + (&include == &solution.includes.front() ? "\n\n" : "\n"); // the section's header first
     text += "\nnamespace " + section.slug() + " {\n" + needed(pieces, function) + "\n} // namespace " + section.slug()
             + '\n';
-    return {text, answer->claim};
+    return {text, answer.claim};
 }
 
 } // namespace course

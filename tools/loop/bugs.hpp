@@ -11,11 +11,12 @@ namespace course {
 
 /// One of them, as tests/bugs.txt has it.
 struct Bug {
-    std::string exercise = {};          ///< "8.3"
-    std::string name = {};              ///< of the wrong answer
-    std::string broken = {};            ///< a law: the name of a test that is red with it
-    std::string place = {};             ///< how the demo begins where the bug is seen; "": as at the exercise
-    std::vector<std::string> laws = {}; ///< those to choose from, by name: `broken`, and others that stay green
+    std::string exercise = {};            ///< "8.3"
+    std::string name = {};                ///< of the wrong answer
+    std::string broken = {};              ///< a law: the name of a test that is red with it
+    std::string place = {};               ///< how the demo begins where the bug is seen; "": as at the exercise
+    std::vector<std::string> laws = {};   ///< those to choose from, by name: `broken`, and others that stay green
+    std::vector<std::string> others = {}; ///< wrong answers that it could be, too, if it's shown on the site
 };
 
 /// The list of all bugs; a course without answers to choose from need not have it.
@@ -30,6 +31,14 @@ struct BuggyCode {
     std::string text;  ///< the section's header, helpers that are called, and the function itself
     std::string claim; ///< what somebody did who made this mistake: "you divide by the other ball's mass"
 };
+
+/// What somebody may have done who made this mistake, by the alphabet: "you divide by the other ball's mass".
+struct Causes {
+    std::vector<std::string> all;
+    std::size_t right = 0; ///< which of them it is
+};
+/// @throws std::runtime_error if there's no such wrong answer
+Causes causes_of(const Tree &tree, const Section &section, const Bug &bug);
 
 /// @throws std::runtime_error if there's no such wrong answer, or it doesn't fit the solution
 BuggyCode code_of(const Tree &tree, const Section &section, const Bug &bug);

@@ -10,6 +10,7 @@
 #include "ground/text.hpp"
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
+#include "site/suspects.hpp"
 
 #include <cstdlib>
 #include <map>
@@ -355,6 +356,7 @@ class PageWriter {
             mark->exercise = last_box;
             out = demo(*mark, cmark_node_get_start_line(node));
         }
+        if (std::string_view{text}.starts_with(suspects_mark)) out = suspects(tree, file);
         static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
         out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());

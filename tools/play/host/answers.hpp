@@ -9,6 +9,9 @@
 #define COURSE_EXPORT(name) __attribute__((export_name(name)))
 #endif
 
+/// The same for one of our wrong answers, which the page may put in its place: "wrong 7.4 move_and_bounce".
+#define COURSE_WRONG(name) __asm__("wrong " name) COURSE_EXPORT("wrong " name)
+
 #undef COURSE_EXERCISE
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
     }                                                                                                                  \
