@@ -45,7 +45,9 @@ struct Tree {
     std::filesystem::path header(const Section &s) const { return root / "chapters" / s.name / (s.slug() + ".hpp"); }
     std::filesystem::path program(const Section &s) const { return root / "chapters" / s.name / "main.cpp"; }
     std::filesystem::path exercise(const Section &s) const { return root / "exercises" / (s.name + ".cpp"); }
-    std::filesystem::path bug(const Section &s) const { return root / "exercises" / (s.name.substr(0, 2) + "_bug.cpp"); }
+    std::filesystem::path bug(const Section &s) const {
+        return root / "exercises" / (s.name.substr(0, 2) + "_bug.cpp");
+    }
     /// The exercise, for reading. @throws Complaint that says how to get it back, if the student's file is not there.
     std::filesystem::path written_exercise(const Section &s) const;
     std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }

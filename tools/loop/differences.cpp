@@ -33,8 +33,8 @@ std::string code_of(const std::string &text) {
 
 std::size_t indentation(const std::string &text) { return std::min(text.find_first_not_of(' '), text.size()); }
 
-/// A line that comes, moved to the right by as much as the solution's lines are further right than the answer's, unless it's
-/// as far right as they are.
+/// A line that comes, moved to the right by as much as the solution's lines are further right than the answer's, unless
+/// it's as far right as they are.
 Line indented(Line line, const std::string &in_solution, const std::string &in_answer) {
     const std::size_t there = indentation(in_solution), here = indentation(in_answer);
     if (indentation(line.text) < there && here < there) line.text.insert(0, there - here, ' ');
