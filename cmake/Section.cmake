@@ -189,8 +189,8 @@ macro(section_answers)
     list(APPEND answers ${found})
   endforeach()
   set(unit ${PROJECT_BINARY_DIR}/answers/${section})
-  add_custom_command(OUTPUT ${unit}.cpp ${unit}.txt ${unit}_mistakes.txt
-    COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${section} ${unit}.cpp ${unit}.txt ${unit}_mistakes.txt ${kinds}
+  add_custom_command(OUTPUT ${unit}.cpp ${unit}.txt ${unit}_claims.txt
+    COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${section} ${unit}.cpp ${unit}.txt ${unit}_claims.txt ${kinds}
     DEPENDS answers-in-one ${answers} solutions/${section}.cpp ${chapter}/${slug}.hpp VERBATIM COMMENT "")
   add_executable(${section}_answers ${unit}.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
   stand_behind_student_header(${section}_answers course_student_flags)
@@ -200,13 +200,30 @@ macro(section_answers)
   set_target_properties(${section}_answers PROPERTIES OUTPUT_NAME answers RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
   add_test(NAME ${section}.answers COMMAND ${section}_tests $<TARGET_FILE:${section}_answers> --answers ${unit}.txt)
   set_tests_properties(${section}.answers PROPERTIES PROCESSORS 2)
+  section_own_tests()
   if(COURSE_THOROUGH) # what `check` knows mistakes by is what comes out of them
     add_test(NAME ${section}.mistakes COMMAND ${section}_tests $<TARGET_FILE:${section}_answers>
-      --mistakes ${unit}_mistakes.txt --kept ${PROJECT_SOURCE_DIR}/tests/mistakes/${section}.tsv)
+      --mistakes ${unit}_claims.txt --kept ${PROJECT_SOURCE_DIR}/tests/mistakes/${section}.tsv)
     add_test(NAME ${section}.bugs COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/bugs.mjs ${PROJECT_SOURCE_DIR}
       $<TARGET_FILE:${section}_tests> $<TARGET_FILE:${section}_answers> ${unit}.txt ${catalogue})
     set_tests_properties(${section}.mistakes ${section}.bugs PROPERTIES PROCESSORS 2 LABELS thorough)
   endif()
+endmacro()
+
+# A reader's own tests, of a copy that `course mytests` makes of them, and the answers that they run against: on demand.
+macro(section_own_tests)
+  set(own ${PROJECT_BINARY_DIR}/own/${section})
+  if(NOT EXISTS ${own}.cpp)
+    file(WRITE ${own}.cpp "")
+  endif()
+  add_executable(${section}_own_tests EXCLUDE_FROM_ALL ${own}.cpp $<TARGET_OBJECTS:course_harness> ${earlier_objects})
+  target_include_directories(${section}_own_tests PRIVATE tests ${chapter})
+  target_link_libraries(${section}_own_tests PRIVATE course_harness)
+  target_precompile_headers(${section}_own_tests REUSE_FROM course_harness)
+  target_link_options(${section}_own_tests PRIVATE ${COURSE_LOOP_LINK})
+  set_target_properties(${section}_own_tests PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/own
+    COURSE_OPTIMIZE ${COURSE_OPTIMIZE_TESTS} COMPILE_WARNING_AS_ERROR OFF)
+  add_custom_target(${section}_own DEPENDS ${section}_own_tests ${section}_answers)
 endmacro()
 
 # A program that serves the functions of one file, and the test that its verdicts are as expected.

@@ -11,7 +11,9 @@ target_include_directories(course_verdict PUBLIC ${PROJECT_SOURCE_DIR}/tools)
 target_link_libraries(course_verdict PUBLIC course_flags nlohmann_json::nlohmann_json)
 set_target_properties(course_verdict PROPERTIES UNITY_BUILD ON)
 
-add_library(course_harness OBJECT ${PROJECT_SOURCE_DIR}/tools/verdict/tests/harness.cpp) # the main of all section tests
+add_library(course_harness OBJECT # the main of all section tests, and what is made of a reader's own
+  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/harness.cpp
+  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/own.cpp)
 target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2 course::GMP)
 target_include_directories(course_harness PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 target_compile_options(course_harness PUBLIC -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # verdicts say tests/NN_slug.cpp
@@ -21,7 +23,7 @@ endif()
 target_compile_options(course_harness PUBLIC "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>") # GCC 12's own mistake about std::string, seen once its headers are precompiled
 set(COURSE_OPTIMIZE_TESTS -Og CACHE STRING "For tests: compiled in three quarters of the time of -O1, and a check is as quick; at -O0 it is not")
 set_target_properties(course_harness PROPERTIES COURSE_OPTIMIZE ${COURSE_OPTIMIZE_TESTS})
-target_precompile_headers(course_harness PRIVATE ${PROJECT_SOURCE_DIR}/tests/section_test.hpp) # and all section tests
+target_precompile_headers(course_harness PRIVATE ${PROJECT_SOURCE_DIR}/tests/matchers.hpp) # and all section tests
 
 # gold links in a third of the default linker's time, and comes with it.
 set(CMAKE_REQUIRED_LINK_OPTIONS -fuse-ld=gold)

@@ -1,5 +1,5 @@
 #pragma once
-// What every test file of the course needs. Kept small: it is compiled with each section's tests.
+// What every test file of the course needs. The matchers are in matchers.hpp; here is how the course checks.
 //
 // A verdict shows what a check compared, so say what that is, unless it is the answer of the last call as it came:
 //     CHECK_THAT(segments_intersect(first, second), IsNear(true));                   // the answer itself
@@ -11,30 +11,7 @@
 //     CHECK_THAT(gravity(ship, hole, 1), IsNear(Vec2{-25, 0}, rounding).since("1600 / 64 = 25 N"));
 // An optional that must not be empty is read with .value(): a verdict then says that the answer is "nothing".
 
-#include <catch2/catch_get_random_seed.hpp>
-#include <catch2/catch_test_macros.hpp>
-#include <catch2/generators/catch_generators_adapters.hpp>
-#include <catch2/generators/catch_generators_random.hpp>
-#include <catch2/generators/catch_generators_range.hpp>
-#include <catch2/matchers/catch_matchers_templated.hpp>
-
-#include "course.hpp"
-#include "dice.hpp"
-#include "verdict/tests/mismatch.hpp"
-#include "verdict/tests/refusals.hpp"
-#include "verdict/tests/remote.hpp"
-
-#include <cmath>
-#include <limits>
-#include <vector>
-
-using course::Vec2;
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
-inline const double not_a_number = std::nan("");
-inline const double too_large = std::nextafter(course::largest, infinity); ///< the first number that is refused
-
-inline constexpr double rounding = 1e-12; ///< of some dozen operations, and what the headers promise
+#include "matchers.hpp"
 
 // The first failure of a case is its verdict, so nothing after it runs.
 #undef CHECK
@@ -59,101 +36,3 @@ inline constexpr double rounding = 1e-12; ///< of some dozen operations, and wha
         if (accepted) FAIL_CHECK("bad input was accepted");                                                            \
         else SUCCEED();                                                                                                \
     } while (false)
-
-/// A matcher whose value may have a name.
-template <class Matcher> class Named : public Catch::Matchers::MatcherGenericBase {
-  public:
-    /// The same matcher for a value with this name, and its unit if it has one: "speed along x [m/s]".
-    Matcher of(std::string_view name) const {
-        Matcher named = static_cast<const Matcher &>(*this);
-        named.label = course::split_label(name);
-        return named;
-    }
-    /// The same matcher with the arithmetic behind what is expected, which a verdict tells: "1600 / 64 = 25 N".
-    Matcher since(std::string_view arithmetic) const {
-        Matcher explained = static_cast<const Matcher &>(*this);
-        explained.label.since = arithmetic;
-        return explained;
-    }
-
-  protected:
-    course::Label label;
-};
-
-/// Matches a value as near to `want` as `tolerance` allows: absolute for what is smaller than 1, relative for what is
-/// larger. A vector counts by its distance, a struct field by field, an optional or a list by what is in it.
-/// "Not a number" is near to nothing. What differs is kept for the verdict.
-template <class T> class IsNear : public Named<IsNear<T>> {
-  public:
-    explicit IsNear(T want_, double tolerance_ = 0) : want{std::move(want_)}, tolerance{tolerance_} {}
-
-    template <class Got> bool match(const Got &got) const {
-        if constexpr (wraps<Got>) return course::is_near<Got>(got, Got{want}, tolerance, this->label);
-        else if constexpr (std::is_same_v<Got, double>)
-            return course::is_near<double>(got, want, tolerance, this->label);
-        else
-            return course::is_near<T>(T(got), want, tolerance,
-                                      this->label); // Eigen's unfinished sums become vectors here
-    }
-    std::string describe() const override { return "is near " + course::describe(want); }
-
-  private:
-    template <class Got> static constexpr bool wraps =
-        std::is_same_v<Got, std::optional<T>>; // want 3, got std::optional{3}
-    T want;
-    double tolerance;
-};
-
-inline auto IsTrue(std::string_view claim) { return IsNear{true}.of(claim); }
-
-/// Matches a number on the right side of a bound. "Not a number" is on neither.
-class IsOrdered : public Named<IsOrdered> {
-  public:
-    IsOrdered(double bound_, course::Order order_) : bound{bound_}, order{order_} {}
-
-    bool match(double got) const { return course::is_ordered(got, bound, order, label); }
-    template <std::integral Count> bool match(Count got) const {
-        return course::is_ordered(static_cast<int>(got), bound, order, label);
-    }
-    std::string describe() const override { return std::string{"is "} + order.words; }
-
-  private:
-    double bound;
-    course::Order order;
-};
-
-inline auto IsAtMost(double bound) {
-    return IsOrdered{bound, {"at most", [](double x, double y) { return x <= y; }}};
-}
-inline auto IsAtLeast(double bound) {
-    return IsOrdered{bound, {"at least", [](double x, double y) { return x >= y; }}};
-}
-inline auto IsBelow(double bound) {
-    return IsOrdered{bound, {"below", [](double x, double y) { return x < y; }}};
-}
-inline auto IsAbove(double bound) {
-    return IsOrdered{bound, {"above", [](double x, double y) { return x > y; }}};
-}
-
-/// Matches a list of so many elements.
-class HasSize : public Named<HasSize> {
-  public:
-    explicit HasSize(std::size_t want_) : want{want_} {}
-
-    template <class T> bool match(const std::vector<T> &got) const { return course::has_size(got, want, label); }
-    std::string describe() const override { return "has " + std::to_string(want) + " elements"; }
-
-  private:
-    std::size_t want;
-};
-
-/// Endless random vectors with both components in [low, high].
-inline auto vectors(double low, double high) {
-    return Catch::Generators::map(
-        [](const std::vector<double> &xy) {
-            return Vec2{xy[0], xy[1]};
-        },
-        Catch::Generators::chunk(2, Catch::Generators::random(low, high)));
-}
-
-inline Dice::Dice() : Dice{Catch::getSeed()} {}

@@ -1,14 +1,15 @@
 // Puts all of a section's wrong and right answers into one C++ file, and lists how each is to be judged.
 //
-//     answers-in-one ROOT NN_slug UNIT LIST MISTAKES KIND...
+//     answers-in-one ROOT NN_slug UNIT LIST CLAIMS KIND...
 //     answers-in-one ROOT NN_slug BUGS
 //
 // The second form writes those of tests/bugs.txt alone, for demos. The first one:
 //
 // It writes UNIT, the C++ file; LIST, for the section's tests: a line `NAME EXERCISE EXPECTED` for each answer; and
-// MISTAKES, a line `NAME EXERCISE what you did` for each whose claim begins with "you": `check` says that to a reader. A
-// KIND is `wrong` or `right`. An answer is a file, tests/KIND/NN_slug/name.cpp, or an entry in tests/KIND/NN_slug.diff,
-// of which tools/loop/differences.hpp knows the form.
+// CLAIMS, a line `NAME EXERCISE what you did` for each wrong one whose claim begins with "you", since `check` says that to
+// a reader, and `NAME EXERCISE what is special about it` for each right one: `mytests` says both. A KIND is `wrong` or
+// `right`. An answer is a file, tests/KIND/NN_slug/name.cpp, or an entry in tests/KIND/NN_slug.diff, of which
+// tools/loop/differences.hpp knows the form.
 // With `7.2 meet_leaves_the_ends_open, 8 of 13, yours t = 0.5: ...` exactly so many of the tests must pass, and the first
 // that does not must show that answer: a chapter says so. One of the two may be left out.
 
@@ -72,6 +73,7 @@ class Unit {
             std::string name = "right_solution_" + exercise.number;
             std::replace(name.begin(), name.end(), '.', '_');
             add_lines(name, exercise.number, solution.of(exercise.number), read(solution_file)[0]);
+            note(name, exercise.number, "our solution");
         }
     }
 
@@ -94,7 +96,7 @@ class Unit {
     /// How each answer is to be judged, by its name: "7.2 red".
     const std::map<std::string, std::string> &judgements() const { return judged; }
     /// What a reader did who gave such an answer, by its name: "7.2 you leave the ends open".
-    const std::map<std::string, std::string> &mistakes() const { return told; }
+    const std::map<std::string, std::string> &claims() const { return told; }
 
   private:
     void add_lines(const std::string &name, const std::string &exercise, const Lines &lines, const Line &head,
@@ -133,7 +135,7 @@ class Unit {
     }
 
     void note(const std::string &name, const std::string &exercise, const std::string &claim) {
-        if (name.starts_with("wrong_") && claim.starts_with("you ")) told[name] = exercise + ' ' + claim;
+        if (!name.starts_with("wrong_") || claim.starts_with("you ")) told[name] = exercise + ' ' + claim;
     }
 
     fs::path root;
@@ -191,7 +193,7 @@ int main(int argc, char **argv) try {
         return 0;
     }
     if (argc < 7) {
-        std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST MISTAKES KIND...\n"
+        std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST CLAIMS KIND...\n"
                      "       answers-in-one ROOT NN_slug BUGS\n";
         return 2;
     }
@@ -200,7 +202,7 @@ int main(int argc, char **argv) try {
 
     write(argv[3], unit.code_of_all());
     write(argv[4], lines_of(unit.judgements()));
-    write(argv[5], lines_of(unit.mistakes()));
+    write(argv[5], lines_of(unit.claims()));
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -122,24 +122,6 @@ bool never_started(const Judgement &judgement) {
                                   [&](const Verdict &v) { return !v.call && v.sentence == first.sentence; });
 }
 
-/// Where the compiler or the linker stopped.
-void print_unbuilt(const Verdict &verdict, const std::string &name) {
-    std::cout << painted(Colour::red, "✗ " + name + ' ' + std::string{name_of(verdict.kind)}) << '\n';
-    std::cout << "    " << (verdict.file.empty() ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ")
-              << verdict.sentence << '\n';
-    for (const auto &line : verdict.printed) std::cout << "    " << line << '\n';
-    if (verdict.printed_more > 0)
-        std::cout << "    (" << verdict.printed_more << " more " << (verdict.printed_more == 1 ? "error" : "errors")
-                  << "; the first one first)\n";
-}
-
-void print_warnings(const std::vector<std::string> &warnings, bool verbose) {
-    constexpr std::size_t most = 5;
-    const std::size_t shown = verbose ? warnings.size() : std::min(most, warnings.size());
-    for (std::size_t i = 0; i < shown; ++i) std::cout << painted(Colour::yellow, "warning ") << warnings[i] << '\n';
-    if (warnings.size() > shown) std::cout << "  and " << warnings.size() - shown << " more warnings (-v shows all)\n";
-}
-
 /// What to do about an exercise that stands like this.
 void print_next(const Exercise &exercise, const std::string &standing) {
     const bool needs = standing.starts_with("needs "),
@@ -351,6 +333,23 @@ class Check {
 
 int check_file(const Tree &tree, const std::string &exercise, const fs::path &file) {
     return Check{tree, {.what = exercise, .file = file.string(), .no_diagnosis = true}}.once();
+}
+
+void print_unbuilt(const Verdict &verdict, const std::string &name) {
+    std::cout << painted(Colour::red, "✗ " + name + ' ' + std::string{name_of(verdict.kind)}) << '\n';
+    std::cout << "    " << (verdict.file.empty() ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ")
+              << verdict.sentence << '\n';
+    for (const auto &line : verdict.printed) std::cout << "    " << line << '\n';
+    if (verdict.printed_more > 0)
+        std::cout << "    (" << verdict.printed_more << " more " << (verdict.printed_more == 1 ? "error" : "errors")
+                  << "; the first one first)\n";
+}
+
+void print_warnings(const std::vector<std::string> &warnings, bool verbose) {
+    constexpr std::size_t most = 5;
+    const std::size_t shown = verbose ? warnings.size() : std::min(most, warnings.size());
+    for (std::size_t i = 0; i < shown; ++i) std::cout << painted(Colour::yellow, "warning ") << warnings[i] << '\n';
+    if (warnings.size() > shown) std::cout << "  and " << warnings.size() - shown << " more warnings (-v shows all)\n";
 }
 
 void add_check(CLI::App &app, const Tree &tree) {

@@ -4,6 +4,7 @@
 
 #include "ground/complaint.hpp"
 #include "ground/tree.hpp"
+#include "verdict/shared/verdict.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -23,6 +24,9 @@ void release(const Tree &tree);
 /// What `check --file` says of one exercise in a file, but not which mistake gives the same; check.cpp has it.
 /// @return the exit code
 int check_file(const Tree &tree, const std::string &exercise, const std::filesystem::path &file);
+/// Says where the compiler or the linker stopped in this file, or what the compiler warns of; check.cpp has both.
+void print_unbuilt(const Verdict &verdict, const std::string &name);
+void print_warnings(const std::vector<std::string> &warnings, bool verbose);
 
 /// Hands a file, or a place in one ("page.html#here"), to whatever program is meant for it.
 /// @return whether there is one, and a screen to show it on
@@ -32,6 +36,7 @@ void add_check(CLI::App &app, const Tree &tree);
 void add_weave(CLI::App &app, const Tree &tree);
 void add_bug(CLI::App &app, const Tree &tree);
 void add_list(CLI::App &app, const Tree &tree);
+void add_mytests(CLI::App &app, const Tree &tree);
 void add_hint(CLI::App &app, const Tree &tree);
 void add_solution(CLI::App &app, const Tree &tree);
 void add_reset(CLI::App &app, const Tree &tree);

@@ -121,7 +121,7 @@ void publish_mistakes(const Tree &tree, const Section &section) {
                         + " cannot be compiled: " + first_error(built.out + built.err)};
     const Finished known =
         run({tree.test_program(section).string(), (tree.build / "subjects" / section.name / "answers").string(),
-             "--mistakes", (tree.build / "answers" / (section.name + "_mistakes.txt")).string()});
+             "--mistakes", (tree.build / "answers" / (section.name + "_claims.txt")).string()});
     if (known.code != 0)
         throw Complaint{"the answers of section " + section.short_number() + " cannot be judged: " + known.err};
     const fs::path file = file_of_mistakes(tree, section);

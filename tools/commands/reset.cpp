@@ -5,6 +5,7 @@
 #include "ground/terminal.hpp"
 #include "loop/catalogue.hpp"
 #include "loop/memory.hpp"
+#include "loop/own_tests.hpp"
 #include "site/progress_script.hpp"
 
 #include <iostream>
@@ -23,18 +24,19 @@ void reset_bugs(const Tree &tree, const Section &section) {
 }
 
 /// @return whether it was done, or there was nothing to do; else the student said no
-bool reset(const Tree &tree, const Section &section, const std::string &words, bool yes) {
-    const std::string file = tree.shown(tree.exercise(section)), number = section.short_number();
+bool reset(const Tree &tree, const Section &section, const std::string &words, bool tests, bool yes) {
+    const std::filesystem::path theirs = tests ? tree.own_tests(section) : tree.exercise(section);
+    const std::string file = tree.shown(theirs), number = section.short_number() + (tests ? " --tests" : "");
     if (is_number_of_exercise(words))
         throw Complaint{"`reset` brings back a whole section, not one exercise of it: ./course reset " + number};
 
-    const std::string empty = read_file(tree.stub(section));
-    if (!std::filesystem::exists(tree.exercise(section))) {
-        write_file(tree.exercise(section), empty);
+    const std::string empty = tests ? empty_own_tests(tree, section) : read_file(tree.stub(section));
+    if (!std::filesystem::exists(theirs)) {
+        write_file(theirs, empty);
         std::cout << file << " is back, with nothing done yet.\n";
         return true;
     }
-    if (read_file(tree.exercise(section)) == empty) {
+    if (read_file(theirs) == empty) {
         std::cout << file << " is the empty one already.\n";
         return true;
     }
@@ -46,8 +48,8 @@ bool reset(const Tree &tree, const Section &section, const std::string &words, b
         std::cout << "Nothing has changed.\n";
         return false;
     }
-    const std::filesystem::path copy = keep_copy(tree, tree.exercise(section));
-    write_file(tree.exercise(section), empty);
+    const std::filesystem::path copy = keep_copy(tree, theirs);
+    write_file(theirs, empty);
     std::cout << file << " is the empty one again. Yours is kept: " << tree.shown(copy) << '\n';
     return true;
 }
@@ -56,15 +58,16 @@ bool reset(const Tree &tree, const Section &section, const std::string &words, b
 
 void add_reset(CLI::App &app, const Tree &tree) {
     const auto section = std::make_shared<std::string>();
-    const auto yes = std::make_shared<bool>();
+    const auto tests = std::make_shared<bool>(), yes = std::make_shared<bool>();
     CLI::App *command =
         app.add_subcommand("reset", "Bring back a section's empty exercises, and its bugs; yours are kept as a copy");
     command->add_option("section", *section, "its number, name or file")->required();
+    command->add_flag("--tests", *tests, "your own tests instead, see mytests");
     command->add_flag("--yes", *yes, "do not ask");
     command->footer("The copy goes to .course/kept/, under a name with date and time.\n\nExample: ./course reset 7");
-    command->callback([&tree, section, yes] {
+    command->callback([&tree, section, tests, yes] {
         const Section chosen = tree.section(*section);
-        if (reset(tree, chosen, *section, *yes)) reset_bugs(tree, chosen);
+        if (reset(tree, chosen, *section, *tests, *yes) && !*tests) reset_bugs(tree, chosen);
         tell_pages(tree);
     });
 }

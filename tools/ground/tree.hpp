@@ -48,7 +48,9 @@ struct Tree {
     std::filesystem::path bug(const Section &s) const {
         return root / "exercises" / (s.name.substr(0, 2) + "_bug.cpp");
     }
-    /// The exercise, for reading. @throws Complaint that says how to get it back, if the student's file is not there.
+    /// Tests that the student has written, if any.
+    std::filesystem::path own_tests(const Section &s) const { return root / "exercises" / (s.name + "_tests.cpp"); }
+    /// The student's file, for reading. @throws Complaint that says how to get it back, if the student's file is not there.
     std::filesystem::path written_exercise(const Section &s) const;
     std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }
     std::filesystem::path solution(const Section &s) const { return root / "solutions" / (s.name + ".cpp"); }

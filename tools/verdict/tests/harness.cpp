@@ -4,17 +4,17 @@
 //     07_segment_intersection SUBJECT --json        the same for the `course` program, a line of JSON for each verdict
 //     07_segment_intersection SUBJECT --answers F   judges the answers of tests/wrong and tests/right that file F lists
 //     07_segment_intersection SUBJECT --mistakes F  what is known of those of tests/wrong that file F lists, by what comes out
+//     07_segment_intersection SUBJECT --own F       what a reader's own tests make of the answers that file F lists
 //     07_segment_intersection --catalogue           the section's exercises and tests, as JSON
 //
 // Catch2 finds the tests and runs them. What it would print is never looked at: the session owns the verdict.
 
+#include "verdict/tests/harness.hpp"
 #include "ground/kernel.hpp"
 #include "ground/lines.hpp"
 #include "verdict/shared/signature.hpp"
-#include "verdict/tests/session.hpp"
 
 #include <catch2/catch_session.hpp>
-#include <catch2/catch_test_case_info.hpp>
 #include <catch2/interfaces/catch_interfaces_registry_hub.hpp>
 #include <catch2/interfaces/catch_interfaces_testcase.hpp>
 #include <catch2/internal/catch_clara.hpp>
@@ -42,15 +42,31 @@ namespace {
 using namespace course;
 
 bool all_cases = false;
-std::vector<Verdict> verdicts;
 std::function<void(const Verdict &)> tell = [](const Verdict &) {};
 
 std::string exercise_of(const Catch::TestCaseInfo &test) {
     return test.tags.empty() ? "?" : std::string{test.tags.front().original};
 }
 
-const std::vector<Catch::TestCaseInfo *> &all_tests() {
-    return Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
+std::string thrown(const std::string &what) {
+    if (what == "bad optional access") return "Your code answered \"nothing\" where there's something.";
+    return "Your code refused this input with std::invalid_argument (" + what + "), but the header accepts it."
+           + (session()->is_computed(what) ? " That number isn't in the input: your code computed it. Did it then "
+                                             "call a function that refuses it?"
+                                           : "");
+}
+
+/// To a student whose code is judged.
+std::string of_your_code(const Catch::AssertionResult &result) {
+    switch (result.getResultType()) {
+    case Catch::ResultWas::DidntThrowException:
+        return "Your code accepted input that the header says it refuses with std::invalid_argument.";
+    case Catch::ResultWas::ThrewException: return thrown(std::string{result.getMessage()});
+    case Catch::ResultWas::ExpressionFailed:
+        if (std::string{result.getTestMacroName()}.ends_with("_THAT")) return {}; // yours and expected say it
+        return what_does_not_hold(result);
+    default: return std::string{result.getMessage()};
+    }
 }
 
 /// Hears what happens in the tests, and passes it to the session.
@@ -66,7 +82,7 @@ class Listener : public Catch::EventListenerBase {
         const auto &result = stats.assertionResult;
         if (result.isOk()) return;
         const auto where = result.getSourceInfo();
-        session()->fail(Kind::wrong, sentence(result), where.file, static_cast<int>(where.line));
+        session()->fail(Kind::wrong, explain_failure(result), where.file, static_cast<int>(where.line));
     }
 
     void testCaseEnded(const Catch::TestCaseStats &stats) override {
@@ -74,29 +90,6 @@ class Listener : public Catch::EventListenerBase {
         auto verdict = session()->end(asserted.total() > asserted.skipped && asserted.skipped == 0);
         tell(verdict);
         verdicts.push_back(std::move(verdict));
-    }
-
-  private:
-    static std::string sentence(const Catch::AssertionResult &result) {
-        switch (result.getResultType()) {
-        case Catch::ResultWas::DidntThrowException:
-            return "Your code accepted input that the header says it refuses with std::invalid_argument.";
-        case Catch::ResultWas::ThrewException: return thrown(std::string{result.getMessage()});
-        case Catch::ResultWas::ExpressionFailed:
-            if (std::string{result.getTestMacroName()}.ends_with("_THAT")) return {}; // yours and expected say it
-            return "This doesn't hold: " + std::string{result.getExpression()}
-                   + (result.getExpandedExpression() == result.getExpression()
-                          ? ""
-                          : ", that is " + result.getExpandedExpression());
-        default: return std::string{result.getMessage()};
-        }
-    }
-    static std::string thrown(const std::string &what) {
-        if (what == "bad optional access") return "Your code answered \"nothing\" where there's something.";
-        return "Your code refused this input with std::invalid_argument (" + what + "), but the header accepts it."
-               + (session()->is_computed(what) ? " That number isn't in the input: your code computed it. Did it then "
-                                                 "call a function that refuses it?"
-                                               : "");
     }
 };
 
@@ -110,13 +103,6 @@ nlohmann::json catalogue() {
     return {{"exercises", list}, {"tests", tests}};
 }
 
-/// Which of the tests a process runs: one of several equal parts, in the order of the file; of one exercise, or of all.
-struct Part {
-    unsigned index = 0, of = 1;
-    std::string exercise = {};
-    bool until_red = false;
-};
-
 /// A test that ran but was not heard of, or the other way round, is our mistake, and no student's.
 void add_missing_verdicts(const Part &part) {
     for (const Catch::TestCaseInfo *test : Catch::createShard(all_tests(), part.of, part.index)) {
@@ -129,26 +115,6 @@ void add_missing_verdicts(const Part &part) {
         tell(verdicts.back());
     }
 }
-
-/// Runs the tests of a part, each against a subject of its own.
-void run_tests(Session &here, unsigned seed, const Part &part) {
-    static Catch::Session catch2; // there may be only one
-    session() = &here;
-    Catch::ConfigData config;
-    config.rngSeed = seed;
-    config.shardIndex = part.index;
-    config.shardCount = part.of;
-    config.defaultOutputFilename = "/dev/null"; // nobody reads what Catch2 says
-    config.allowZeroTests = true;
-    if (!part.exercise.empty()) config.testsOrTags = {"[" + part.exercise + "]"};
-    if (part.until_red) config.abortAfter = 1;
-    catch2.useConfigData(config);
-    catch2.run();
-    if (!part.until_red) add_missing_verdicts(part);
-}
-
-/// What one of several processes does with an item of a list; it tells of it in lines, where no subject can reach them.
-using Job = std::function<void(unsigned item, NamelessFile &lines)>;
 
 /// Such a process. It has children of its own, and so finds what a student's code has left behind.
 [[noreturn]] void work(const Job &job, int items, int core, NamelessFile &lines) {
@@ -310,27 +276,6 @@ bool judge_known(const std::string &subject, const std::string &answer, const st
     return as_expected(expect);
 }
 
-/// An answer of tests/wrong or tests/right, as tests/answers/generate.cpp lists it.
-struct Answer {
-    std::string name, exercise, rest; ///< rest: how it's to be judged, or what a reader did who gave it
-};
-
-std::vector<Answer> read_list(const std::string &file) {
-    std::vector<Answer> answers;
-    std::ifstream in{file};
-    for (Answer next; in >> next.name >> next.exercise && std::getline(in >> std::ws, next.rest);)
-        answers.push_back(next);
-    return answers;
-}
-
-/// Does a job for each of so many answers, and adds what it tells.
-/// @return as `share`
-int share_all(std::size_t count, const Job &job, std::vector<std::string> &told) {
-    std::vector<unsigned> all(count);
-    std::iota(all.begin(), all.end(), 0u);
-    return count == 0 ? +all_well : share(count, all, job, told);
-}
-
 /// Judges many answers, which are in one subject, and tells of those that are not judged as expected.
 /// @return the exit code
 int judge_answers(const std::string &subject, const std::string &list, unsigned seed) {
@@ -376,7 +321,7 @@ const std::vector<Verdict> &verdicts_on(const std::string &subject, const Answer
 /// @return the exit code
 int print_kills(const std::string &subject, const std::string &list) {
     std::vector<Answer> answers = read_list(list);
-    std::erase_if(answers, [](const Answer &answer) { return !answer.name.starts_with("wrong_"); });
+    std::erase_if(answers, [](const Answer &answer) { return !answer.is_wrong(); });
     const auto place_of = [](const Verdict &verdict) {
         return std::ranges::find(all_tests(), verdict.test, &Catch::TestCaseInfo::name) - all_tests().begin();
     };
@@ -398,7 +343,8 @@ int print_kills(const std::string &subject, const std::string &list) {
 /// @return the exit code
 /// @param kept  a file that must be the same; "": nothing need be
 int print_mistakes(const std::string &subject, const std::string &list, const std::string &kept) {
-    const std::vector<Answer> mistakes = read_list(list);
+    std::vector<Answer> mistakes = read_list(list);
+    std::erase_if(mistakes, [](const Answer &answer) { return !answer.is_wrong(); });
     const Job judge_one = [&](unsigned which, NamelessFile &lines) {
         const auto &said = verdicts_on(subject, mistakes[which], {2026, 7});
         if (said.empty() || said.back().kind == Kind::too_long)
@@ -453,10 +399,58 @@ int print_mistakes(const std::string &subject, const std::string &list, const st
 
 CATCH_REGISTER_LISTENER(Listener)
 
-int course::cases(int full) { return all_cases ? full : full / 100; }
+namespace course {
+
+std::vector<Verdict> verdicts;
+InWords explain_failure = of_your_code;
+
+std::string what_does_not_hold(const Catch::AssertionResult &result) {
+    const std::string written{result.getExpression()};
+    std::string found = result.getExpandedExpression(); // in three lines, where it's long
+    std::ranges::replace(found, '\n', ' ');
+    return "This doesn't hold: " + written + (found == written ? "" : ", that is " + found);
+}
+
+const std::vector<Catch::TestCaseInfo *> &all_tests() {
+    return Catch::getRegistryHub().getTestCaseRegistry().getAllInfos();
+}
+
+void run_tests(Session &here, unsigned seed, const Part &part) {
+    static Catch::Session catch2; // there may be only one
+    session() = &here;
+    Catch::ConfigData config;
+    config.rngSeed = seed;
+    config.shardIndex = part.index;
+    config.shardCount = part.of;
+    config.defaultOutputFilename = "/dev/null"; // nobody reads what Catch2 says
+    config.allowZeroTests = true;
+    if (!part.exercise.empty()) config.testsOrTags = {"[" + part.exercise + "]"};
+    if (part.until_red) config.abortAfter = 1;
+    catch2.useConfigData(config);
+    catch2.run();
+    if (!part.until_red) add_missing_verdicts(part);
+}
+
+int share_all(std::size_t count, const Job &job, std::vector<std::string> &told) {
+    std::vector<unsigned> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    return count == 0 ? +all_well : share(count, all, job, told);
+}
+
+std::vector<Answer> read_list(const std::string &file) {
+    std::vector<Answer> answers;
+    std::ifstream in{file};
+    for (Answer next; in >> next.name >> next.exercise && std::getline(in >> std::ws, next.rest);)
+        answers.push_back(next);
+    return answers;
+}
+
+int cases(int full) { return all_cases ? full : full / 100; }
+
+} // namespace course
 
 int main(int argc, char **argv) try {
-    std::string subject, answers, kills, mistakes, kept, exercise, expect;
+    std::string subject, answers, kills, mistakes, own, kept, exercise, expect;
     bool json = false, list = false;
     unsigned seed = 2026;
     using Catch::Clara::Opt;
@@ -472,6 +466,7 @@ int main(int argc, char **argv) try {
         | Opt(answers, "list")["--answers"]("judge the answers that this file lists, which `subject` holds")
         | Opt(kills, "list")["--kills"]("print which tests stop each of the wrong answers that this file lists")
         | Opt(mistakes, "list")["--mistakes"]("print what the mistakes that this file lists are known by")
+        | Opt(own, "list")["--own"]("run a reader's tests against the answers that this file lists")
         | Opt(kept, "file")["--kept"]("which must be what --mistakes would print")
         | Opt(list)["--catalogue"]("list the exercises as JSON, and leave");
     if (const auto parsed = line.parse({argc, argv}); !parsed) {
@@ -487,6 +482,7 @@ int main(int argc, char **argv) try {
     if (!answers.empty()) return judge_answers(subject, answers, seed);
     if (!kills.empty()) return print_kills(subject, kills);
     if (!mistakes.empty()) return print_mistakes(subject, mistakes, kept);
+    if (!own.empty()) return judge_own_tests(subject, own);
     tell = [](const Verdict &verdict) { std::cout << in_words(verdict); };
     prepare_for_subjects(cores().front());
     const bool good = judge_known(subject, {}, exercise, expect.empty() ? "all" : expect, seed);

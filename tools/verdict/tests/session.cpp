@@ -82,6 +82,7 @@ void Session::begin(std::string exercise, std::string test) {
     large = false;
     verdict = {.exercise = std::move(exercise), .test = std::move(test)};
     calls = 0;
+    called_exercises.clear();
     last_result.clear();
     last_exercise = nullptr;
     noted.reset();
@@ -108,7 +109,7 @@ Allowance Session::allowance() const {
 }
 
 void Session::refuse_nameless() {
-    if (last_exercise != nullptr && verdict.passed()) // before the first call a test looks at its own numbers
+    if (last_exercise != nullptr && verdict.passed() && !own) // before the first call a test looks at its own numbers
         over(Kind::no_verdict, "This check compares something that the test computed, and doesn't name it: a mistake "
                                "of ours, not of yours.");
 }
@@ -267,6 +268,7 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
     }
 
     last_exercise = &exercise;
+    called_exercises.emplace(exercise.number);
     last_arguments = std::move(arguments);
     last_result.clear();
     ++calls;
@@ -311,6 +313,7 @@ void Session::fail(Kind kind, std::string sentence, const std::string &file, int
     if (verdict.passed() && noted) {
         std::tie(verdict.label, verdict.yours, verdict.expected, verdict.whole, verdict.tolerance, verdict.since) =
             std::tie(noted->label, noted->yours, noted->expected, noted->whole, noted->tolerance, noted->since);
+        if (own) return note_verdict(kind, std::move(sentence));
         if (sentence.empty() && has_strange_number(noted->yours))
             sentence =
                 "A strange number. Was a variable never given a value? Write `double sum = 0;`, not `double sum;`.";
@@ -356,7 +359,8 @@ void Session::look_for_memory() {
 
 Verdict Session::end(bool asserted_something) {
     if (verdict.passed() && !asserted_something)
-        note_verdict(Kind::no_verdict, "This test asserts nothing: our mistake, not yours.");
+        note_verdict(Kind::no_verdict, own ? "This test checks nothing: say with CHECK or CHECK_THAT what must come out."
+                                           : "This test asserts nothing: our mistake, not yours.");
     if (subject && verdict.passed()) {
         const auto status = subject->finish(allowance());
         if (!status && subject->silence == Subject::Silence::starved)
@@ -396,7 +400,7 @@ Verdict Session::end(bool asserted_something) {
     if (never_starts && never_starts->printed.empty()) never_starts->printed = verdict.printed;
     count_spent();
     subject.reset();
-    if (verdict.call && calls > 1 && verdict.kind != Kind::too_long) look_for_memory();
+    if (verdict.call && calls > 1 && !own && verdict.kind != Kind::too_long) look_for_memory();
     return std::move(verdict);
 }
 

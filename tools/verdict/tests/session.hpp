@@ -6,6 +6,7 @@
 #include "verdict/tests/subject.hpp"
 
 #include <memory>
+#include <set>
 
 namespace course {
 
@@ -25,6 +26,16 @@ class Session {
 
     /// See there.
     void allow(double seconds);
+
+    /// From now on the tests are a reader's own, and the code is ours: what they compare needs no name, and what fails
+    /// isn't explained as a slip of the code.
+    void run_own_tests() { own = true; }
+
+    /// The numbers of the exercises that the running case has called.
+    const std::set<std::string> &called() const { return called_exercises; }
+
+    /// Whether a matcher of ours has said what differs in the check that is running.
+    bool has_noted() const { return noted.has_value(); }
 
     /// A check of the running case failed, and this is why; the first one counts.
     void fail(Kind kind, std::string sentence, const std::string &file, int line);
@@ -78,6 +89,8 @@ class Session {
     std::optional<Verdict> never_starts; ///< found out once, true for every case
     std::string machine_trouble;
     bool greeted = false;
+    bool own = false;
+    std::set<std::string> called_exercises;
     std::uint32_t calls = 0;
     std::string last_arguments;
     std::optional<Mismatch> noted;
