@@ -8,6 +8,8 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
+#include <numbers>
+
 using Catch::Approx;
 using Catch::Matchers::WithinAbs, Catch::Matchers::WithinRel;
 

@@ -182,7 +182,8 @@ TEST_CASE("help names every command with its group, the exit codes and an exampl
         CHECK_THAT(help.out, ContainsSubstring(words));
 
     for (const std::string command : {"check", "list", "hint", "solution", "reset", "run", "plot", "play", "debug",
-                                      "bug", "doctor", "setup", "test", "new", "weave", "publish", "bench"}) {
+                                      "bug", "mytests", "doctor", "setup", "test", "new", "weave", "publish",
+                                      "bench"}) {
         CAPTURE(command);
         CHECK_THAT(help.out, ContainsSubstring("\n  " + command + " "));
         const Finished own = course({command, "--help"});

@@ -28,7 +28,7 @@ int words_in(const std::string &line) {
 /// Whether the line asks the reader to do something: play, guess, or write code.
 bool is_task(std::string_view line) {
     return contains(line, "<!-- demo:") || contains(line, "*Try it") || contains(line, "**Pencil")
-           || contains(line, "Your turn:") || contains(line, "**Finish ");
+           || contains(line, "Your turn:") || contains(line, "**Your test") || contains(line, "**Finish ");
 }
 
 /// Reads a chapter from line to line.

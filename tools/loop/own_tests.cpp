@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
+#include <algorithm>
 #include <csignal>
 
 namespace course {
@@ -113,19 +113,29 @@ std::string run_own_tests(const Tree &tree, const Section &section) {
     return done.out;
 }
 
-OwnTest test_from(const json &line) {
-    const auto verdict = from_line(line.at("verdict").dump());
-    return {line.at("test"), line.at("line"), line.at("calls"), verdict.value_or(Verdict{}), line.at("sound")};
+/// @param name  of the reader's file, which stands in the place of whatever the build called it
+Verdict verdict_from(const json &line, const std::string &name) {
+    Verdict verdict = from_line(line.at("verdict").dump()).value_or(Verdict{});
+    if (!verdict.file.empty()) verdict.file = name;
+    return verdict;
 }
 
-void read(const std::string &said, OwnJudgement &judgement) {
+/// Some mistakes go by one name, as they are one, made in several ways: it's caught when all of them are.
+void add(const KnownMistake &mistake, std::vector<KnownMistake> &all) {
+    const auto same = std::ranges::find(all, mistake.what, &KnownMistake::what);
+    if (same == all.end()) all.push_back(mistake);
+    else same->caught = same->caught && mistake.caught;
+}
+
+void read(const std::string &said, const std::string &name, OwnJudgement &judgement) {
     for (const Line &each : lines_of(said)) {
         const json line = json::parse(each.text);
-        if (line.contains("test")) judgement.tests.push_back(test_from(line));
+        if (line.contains("test"))
+            judgement.tests.push_back(
+                {line.at("test"), line.at("line"), line.at("calls"), verdict_from(line, name), line.at("sound")});
         else if (line.contains("mistake"))
-            judgement.mistakes[line.at("exercise")].push_back({line.at("mistake"), line.at("caught")});
-        else if (line.contains("verdict"))
-            judgement.refusals.push_back({line.at("right"), from_line(line.at("verdict").dump()).value_or(Verdict{})});
+            add({line.at("mistake"), line.at("caught")}, judgement.mistakes[line.at("exercise")]);
+        else if (line.contains("verdict")) judgement.refusals.push_back({line.at("right"), verdict_from(line, name)});
         else judgement.right[line.at("exercise")] = line.at("right");
     }
 }
@@ -155,7 +165,7 @@ OwnJudgement judge_own_tests(const Tree &tree, const Section &section) {
     if (built.code != 0) judgement.unbuilt = why_unbuilt(tree, section, printed);
     else {
         judgement.warnings = find_warnings(printed, tree.own_tests(section), name);
-        read(run_own_tests(tree, section), judgement);
+        read(run_own_tests(tree, section), name, judgement);
     }
     return judgement;
 }

@@ -29,6 +29,8 @@ namespace {
 
 using nlohmann::json;
 
+std::string line_of(const json &value) { return value.dump(-1, ' ', false, json::error_handler_t::replace) + '\n'; }
+
 /// [s] of computing: what an answer may take, and what the test itself may.
 struct Time {
     double answer = 1, test = 2;
@@ -99,14 +101,14 @@ void limit_computing(double seconds) {
         verdicts.clear();
         run_tests(here, 2026, {test, static_cast<unsigned>(all_tests().size())});
         if (!here.trouble().empty()) {
-            lines.append(json(here.trouble()).dump() + '\n');
+            lines.append(line_of(here.trouble()));
             ::_exit(machine_trouble);
         }
         const Time now = used_by_now();
         const Said said{verdicts.back(),
                         {here.called().begin(), here.called().end()},
                         {now.answer - before.answer, now.test - before.test}};
-        lines.append(json(said).dump() + '\n');
+        lines.append(line_of(said));
         std::fflush(stdout); // what the test printed
         if (until_red && said.is_red()) break;
     }
@@ -163,27 +165,8 @@ class OwnTests {
 
     int judge() {
         if (tell_of_unfit()) return all_well;
-        const std::size_t tests = all_tests().size();
-        for (unsigned place = 0; place < tests; ++place) ours.push_back({{place}, "+", Time{}, false});
-        if (const int code = run_all(ours); code != all_well) return code;
-        for (const Run &run : ours) {
-            sound.push_back(run.said.front().verdict.passed());
-            for (const std::string &exercise : run.said.front().calls) callers[exercise].push_back(run.tests.front());
-        }
-        std::vector<Run> runs = runs_against(false);
-        if (const int code = run_all(runs); code != all_well) return code;
-        for (const Run &run : runs)
-            for (std::size_t i = 0; i < run.said.size(); ++i)
-                if (run.said[i].is_red()) {
-                    sound[run.tests[i]] = false;
-                    tell({{"right", run.answer->rest}, {"verdict", as_json(run.said[i].verdict)}});
-                }
-        runs = runs_against(true);
-        if (const int code = run_all(runs); code != all_well) return code;
-        for (const Run &run : runs)
-            tell({{"mistake", run.answer->rest},
-                  {"exercise", run.answer->exercise},
-                  {"caught", std::ranges::any_of(run.said, &Said::is_red)}});
+        for (const auto ask : {&OwnTests::ask_our_solution, &OwnTests::ask_right_answers, &OwnTests::ask_mistakes})
+            if (const int code = (this->*ask)(); code != all_well) return code;
         tell_of_tests();
         return all_well;
     }
@@ -222,10 +205,44 @@ class OwnTests {
         return found;
     }
 
+    /// Each test apart, since here we learn what it calls.
+    int ask_our_solution() {
+        for (unsigned place = 0; place < all_tests().size(); ++place) ours.push_back({{place}, "+", Time{}, false});
+        const int code = run_all(ours);
+        for (const Run &run : ours) {
+            if (code != all_well) break;
+            sound.push_back(run.said.front().verdict.passed());
+            for (const std::string &exercise : run.said.front().calls) callers[exercise].push_back(run.tests.front());
+        }
+        return code;
+    }
+
+    int ask_right_answers() {
+        std::vector<Run> runs = runs_against(false);
+        const int code = run_all(runs);
+        for (const Run &run : runs)
+            for (std::size_t i = 0; i < run.said.size(); ++i)
+                if (run.said[i].is_red()) {
+                    sound[run.tests[i]] = false;
+                    tell({{"right", run.answer->rest}, {"verdict", as_json(run.said[i].verdict)}});
+                }
+        return code;
+    }
+
+    int ask_mistakes() {
+        std::vector<Run> runs = runs_against(true);
+        const int code = run_all(runs);
+        for (const Run &run : runs)
+            tell({{"mistake", run.answer->rest},
+                  {"exercise", run.answer->exercise},
+                  {"caught", std::ranges::any_of(run.said, &Said::is_red)}});
+        return code;
+    }
+
     int run_all(std::vector<Run> &runs) const {
         const Job run_one = [&](unsigned which, NamelessFile &lines) {
             const Run &run = runs[which];
-            lines.append(json{which, run_apart(subject, run.named, run.tests, run.most, run.until_red)}.dump() + '\n');
+            lines.append(line_of({which, run_apart(subject, run.named, run.tests, run.most, run.until_red)}));
         };
         std::vector<std::string> told;
         const int code = share_all(runs.size(), run_one, told);
@@ -274,9 +291,7 @@ class OwnTests {
               {"sound", is_sound}});
     }
 
-    static void tell(const json &line) {
-        std::cout << line.dump(-1, ' ', false, json::error_handler_t::replace) << '\n';
-    }
+    static void tell(const json &line) { std::cout << line_of(line); }
 
     std::string subject;
     std::vector<Answer> answers;
