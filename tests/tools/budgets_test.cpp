@@ -70,7 +70,8 @@ TEST_CASE("words are counted up to what the reader does, and from there to the n
     CHECK(budget(ten + ten + "*Try it: throw the ball.*\n" + ten, "opening").value == 20);
     CHECK(budget(ten, "opening").value == 10);
     for (const std::string &task :
-         std::vector<std::string>{"<!-- demo: room -->\n", "**Pencil (1 minute).** Guess.\n", box, "**Finish 7.1.**\n"})
+         std::vector<std::string>{"<!-- demo: room -->\n", "**Pencil (1 minute).** Guess.\n", box, "**Finish 7.1.**\n",
+                                  "> **Your test (10 minutes).** A law.\n"})
         CHECK(budget(ten + task + ten, "opening").value == 10);
     const Budget reading = budget("**Pencil.**\n" + repeated(ten, 3) + folded(repeated(ten, 9)) + box + ten, "reading");
     CHECK(reading.value == 31); // with the word that asks for it
