@@ -1,6 +1,6 @@
 #pragma once
-// What all tests compare with: those of the course (section_test.hpp), and a reader's own (own_test.hpp). Kept small: it is
-// precompiled once, and read with each of them.
+// What all tests compare with: those of the course (section_test.hpp), and a reader's own (own_test.hpp). Kept small: it
+// is precompiled once, and read with each of them.
 
 #include <catch2/catch_get_random_seed.hpp>
 #include <catch2/catch_test_macros.hpp>

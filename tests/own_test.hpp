@@ -1,6 +1,6 @@
 #pragma once
 // What a reader's own tests are made of: Catch2 as it is, and the matchers of the course. See `./course mytests`.
-//     CHECK_THAT(accelerated_motion(start, g, 2).velocity, IsNear(Vec2{3, -19.6}, 1e-9)); // a number, a vector, a struct
+//     CHECK_THAT(accelerated_motion(start, g, 2).velocity, IsNear(Vec2{3, -19.6}, 1e-9)); // and numbers, structs
 //     CHECK(maximum_height(25) == Approx(31.9).margin(0.1));                              // a number
 
 #include "matchers.hpp"

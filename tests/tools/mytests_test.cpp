@@ -1,4 +1,4 @@
-// `course mytests`: the file that a reader gets, and what is made of tests that are right, too strict, or no tests at all.
+// `course mytests`: the file that a reader gets, and what is made of tests that are right, too strict, or none at all.
 
 #include "ground/kernel.hpp"
 #include "small_course.hpp"

@@ -80,9 +80,8 @@ fs::file_time_type newest(const Tree &tree, const Section &section) {
     for (const char *folder :
          {"chapters", "tools/verdict/shared", "tools/verdict/student", "tools/verdict/tests", "cmake"})
         for (const fs::path &file : files_in(tree.root / folder)) look(file);
-    for (const auto &file :
-         {tree.root / "CMakeLists.txt", tree.root / "tests/section_test.hpp", tree.root / "tests/matchers.hpp",
-          tree.tests(section), tree.stub(section)})
+    for (const auto &file : {tree.root / "CMakeLists.txt", tree.root / "tests/section_test.hpp",
+                             tree.root / "tests/matchers.hpp", tree.tests(section), tree.stub(section)})
         look(file);
     for (const Section &each : tree.sections()) { // this one may build on it
         look(tree.header(each));
