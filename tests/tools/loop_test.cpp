@@ -181,9 +181,9 @@ TEST_CASE("help names every command with its group, the exit codes and an exampl
          {"For students:", "For instructors:", "For contributors:", "Exit codes:", "130", "Example: "})
         CHECK_THAT(help.out, ContainsSubstring(words));
 
-    for (const std::string command : {"check", "list", "hint", "solution", "reset", "run", "plot", "play", "debug",
-                                      "bug", "mytests", "doctor", "setup", "test", "new", "weave", "publish",
-                                      "bench"}) {
+    for (const std::string command :
+         {"check", "list", "hint", "solution", "reset", "run", "plot", "play", "debug", "bug", "mytests", "doctor",
+          "setup", "test", "new", "weave", "publish", "bench"}) {
         CAPTURE(command);
         CHECK_THAT(help.out, ContainsSubstring("\n  " + command + " "));
         const Finished own = course({command, "--help"});

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char *file = "exercises/07_wall_meeting_tests.cpp";
+constexpr const char *tests_of_mine = "exercises/07_wall_meeting_tests.cpp";
 
 /// A small course with answers, right and wrong; none of it is built.
 struct WithAnswers : SmallCourse {
@@ -48,15 +48,15 @@ TEST_CASE("mytests makes a file with one empty test, says what to write first, a
     const WithAnswers course;
     const Finished first = course({"mytests", "7"}), second = course({"mytests", "7"});
     CHECK(first.code == 0);
-    CHECK_THAT(first.out, ContainsSubstring(file) && ContainsSubstring("call `first` there"));
-    CHECK_THAT(course.read(file), ContainsSubstring("\nnamespace wall_meeting::subject {\n\nTEST_CASE(")
-                                      && ContainsSubstring("#include \"wall_meeting.hpp\""));
+    CHECK_THAT(first.out, ContainsSubstring(tests_of_mine) && ContainsSubstring("call `first` there"));
+    CHECK_THAT(course.read(tests_of_mine), ContainsSubstring("\nnamespace wall_meeting::subject {\n\nTEST_CASE(")
+                                               && ContainsSubstring("#include \"wall_meeting.hpp\""));
     CHECK(second.code == 1);
     CHECK_THAT(second.out, ContainsSubstring("still has its one empty test"));
 
-    course.write(file, "// mine");
+    course.write(tests_of_mine, "// mine");
     CHECK(course({"mytests", "7"}).code != 0); // this course isn't built
-    CHECK(course.read(file) == "// mine");
+    CHECK(course.read(tests_of_mine) == "// mine");
 }
 
 TEST_CASE("mytests says so, and makes nothing, where the course has no answers") {
@@ -64,18 +64,18 @@ TEST_CASE("mytests says so, and makes nothing, where the course has no answers")
     const Finished said = course({"mytests", "7"});
     CHECK(said.code == 2);
     CHECK_THAT(said.err, ContainsSubstring("has no answers to section 7"));
-    CHECK_FALSE(course.has(file));
+    CHECK_FALSE(course.has(tests_of_mine));
     CHECK_THAT(WithAnswers{}({"mytests", "7.1"}).err, ContainsSubstring("./course mytests 7\n"));
 }
 
 TEST_CASE("reset --tests brings the empty test back, and keeps a copy of the reader's") {
     const WithAnswers course;
-    course.write(file, "// mine");
+    course.write(tests_of_mine, "// mine");
     CHECK(course({"reset", "7", "--tests"}).code == 2); // without a terminal it can't ask
     CHECK(course({"reset", "7", "--tests", "--yes"}).code == 0);
     REQUIRE(course.kept().size() == 1);
     CHECK(read_file(course.kept()[0]) == "// mine");
-    CHECK_THAT(course.read(file), ContainsSubstring("TEST_CASE("));
+    CHECK_THAT(course.read(tests_of_mine), ContainsSubstring("TEST_CASE("));
     CHECK_THAT(course.read(course.tree.exercise(course.seven())), ContainsSubstring("nothing done yet"));
 }
 

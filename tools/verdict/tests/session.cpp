@@ -359,8 +359,9 @@ void Session::look_for_memory() {
 
 Verdict Session::end(bool asserted_something) {
     if (verdict.passed() && !asserted_something)
-        note_verdict(Kind::no_verdict, own ? "This test checks nothing: say with CHECK or CHECK_THAT what must come out."
-                                           : "This test asserts nothing: our mistake, not yours.");
+        note_verdict(Kind::no_verdict,
+                     own ? "This test checks nothing: say with CHECK or CHECK_THAT what must come out."
+                         : "This test asserts nothing: our mistake, not yours.");
     if (subject && verdict.passed()) {
         const auto status = subject->finish(allowance());
         if (!status && subject->silence == Subject::Silence::starved)
