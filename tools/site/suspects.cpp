@@ -1,9 +1,9 @@
 #include "site/suspects.hpp"
 
+#include "book/chapter.hpp"
 #include "ground/complaint.hpp"
 #include "ground/files.hpp"
 #include "loop/bugs.hpp"
-#include "loop/catalogue.hpp"
 #include "site/demos.hpp"
 #include "site/html.hpp"
 
@@ -62,8 +62,8 @@ std::string suspects(const Tree &tree, const std::filesystem::path &chapter) {
     for (const Demo &demo : demos(tree))
         if (tree.chapter(demo.section) == chapter)
             if (const auto bug = shown_bug(tree, demo.section))
-                for (const Exercise &exercise : catalogue(tree, demo.section))
-                    if (exercise.number == bug->exercise) return two_of(tree, demo, *bug, exercise.function);
+                for (const ListedExercise &one : declared_exercises(read_file(tree.header(demo.section))))
+                    if (one.number == bug->exercise) return two_of(tree, demo, *bug, one.function);
     return "";
 }
 
