@@ -13,7 +13,7 @@ export const said = (name) => /^\/\/ the page says: ?(.*)/.exec(fs.readFileSync(
 
 // A demo on this page, the first one or at a certain place, and what one does with it.
 export async function demoOn(page, name, place = '') {
-  const figure = page.locator(`.play[data-demo="${name}"][data-ready]${place}`);
+  const figure = page.locator(`.play[data-demo="${name}"][data-ready]${place}:not(.suspects *)`);
   await figure.waitFor();
   const canvas = figure.locator('canvas');
   await canvas.evaluate((it) => it.scrollIntoView({ block: 'center' }));

@@ -41,7 +41,7 @@ describe('a demo of many sections', { concurrency: 1, skip: !here && `there is n
   });
 
   test('and some can be given a bug, and lose it again', async (t) => {
-    const demo = await openGame(t, [], { theirs: false }), name = '7.5 time_of_impact';
+    const demo = await openGame(t, [], { theirs: false }), name = '6.4 bounce';
     await demo.button(`Break ${name}`).click();
     assert.deepEqual(await demo.lamp(name).then(({ says, whose }) => [says, whose]), [`${name} with a bug`, 'wrong']);
     await demo.button('Reset').click();
