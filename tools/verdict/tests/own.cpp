@@ -277,10 +277,12 @@ class OwnTests {
             const unsigned test = run.tests.front();
             tell_of(*all_tests()[test], run.said.front(), sound[test]);
         }
-        for (const auto &[exercise, tests] : callers)
-            tell({{"exercise", exercise}, {"right", std::ranges::count_if(answers, [&](const Answer &answer) {
-                                               return !answer.is_wrong() && answer.exercise == exercise;
-                                           })}});
+        for (const auto &[exercise, tests] : callers) {
+            const auto is_right = [&its = exercise](const Answer &answer) {
+                return !answer.is_wrong() && answer.exercise == its;
+            };
+            tell({{"exercise", exercise}, {"right", std::ranges::count_if(answers, is_right)}});
+        }
     }
 
     static void tell_of(const Catch::TestCaseInfo &test, const Said &said, bool is_sound) {
