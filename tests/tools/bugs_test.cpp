@@ -163,9 +163,11 @@ TEST_CASE("a bug is shown beside what's right, with four causes of which one is 
     const auto bug = std::ranges::find_if(course.bugs, [](const Bug &each) { return each.others.size() == 3; });
     REQUIRE(bug != course.bugs.end());
     const Causes causes = causes_of(course.tree, course.seven, *bug);
+    const std::vector<Demo> all = demos(course.tree);
+    const auto demo = std::ranges::find(all, course.seven.name, [](const Demo &each) { return each.section.name; });
+    REQUIRE(demo != all.end());
     CHECK(std::ranges::is_sorted(causes.all));
-    const std::string claim = code_of(course.tree, course.seven, *bug).claim,
-                      html = suspects(course.tree, course.tree.chapter(course.seven));
+    const std::string claim = code_of(course.tree, course.seven, *bug).claim, html = suspects(course.tree, *demo);
     CHECK_THAT(claim, StartsWith(causes.all.at(causes.right)));
     CHECK_THAT(html, ContainsSubstring("data-bug=\"" + bug->exercise + ' ')
                          && ContainsSubstring("data-cause=\"" + std::to_string(causes.right) + '"'));
@@ -173,7 +175,7 @@ TEST_CASE("a bug is shown beside what's right, with four causes of which one is 
     CHECK_FALSE(contains(html, "data-mine"));
 
     const SmallCourse without;
-    CHECK(suspects(without.tree, without.tree.chapter(without.seven())).empty());
+    CHECK(suspects(without.tree, {without.seven(), {}, {}, ""}).empty());
 }
 
 TEST_CASE("a hunt says in one sentence what it lacks") {

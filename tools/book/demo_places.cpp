@@ -6,6 +6,7 @@
 #include "ground/text.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <map>
 #include <regex>
@@ -26,6 +27,11 @@ std::map<std::size_t, DemoMark> marks_by_line(std::string_view chapter) {
     return marks;
 }
 
+/// 4 of "7.4", and 0 of nothing.
+int number_in_section(const std::string &exercise) {
+    return std::atoi(exercise.substr(exercise.find('.') + 1).c_str());
+}
+
 std::string command_that_plays(const Section &section, const DemoMark &mark) {
     return fmt::format("{}`./course play {}{}`. {}", play_line,
                        mark.exercise.empty() ? section.short_number() : mark.exercise, mark.mine ? " --mine" : "",
@@ -39,6 +45,15 @@ std::vector<std::string> demo_starts(const std::vector<DemoMark> &marks) {
     for (const DemoMark &mark : marks)
         if (std::ranges::find(starts, mark.start) == starts.end()) starts.push_back(mark.start);
     return starts;
+}
+
+std::size_t place_for(const std::vector<DemoMark> &marks, const std::string &exercise, bool mine) {
+    const auto found = std::ranges::find_if(marks, [&](const DemoMark &mark) {
+        return (mark.mine || !mine)
+               && (exercise.empty() || number_in_section(mark.exercise) >= number_in_section(exercise));
+    });
+    const auto place = found != marks.end() ? found : exercise.empty() ? marks.begin() : marks.end() - 1;
+    return static_cast<std::size_t>(place - marks.begin());
 }
 
 std::string demo_picture_file(const Section &section, std::size_t start) {

@@ -14,6 +14,11 @@ namespace course {
 /// The ways in which the demo begins at its places, each once, in the order of the chapter: there is a picture of each.
 std::vector<std::string> demo_starts(const std::vector<DemoMark> &marks);
 
+/// Where a chapter's demo is opened. For an exercise: at the first place below its box, or else below a later box. For
+/// a section: at its first place. For the reader's code: at the first such place that begins with it.
+/// @param marks  all of the chapter, one at least
+std::size_t place_for(const std::vector<DemoMark> &marks, const std::string &exercise, bool mine);
+
 /// Where the picture of the first start is kept, "demos/07_segment_intersection.svg", or of a later one, "..._2.svg".
 std::string demo_picture_file(const Section &section, std::size_t start = 0);
 

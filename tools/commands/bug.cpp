@@ -32,9 +32,6 @@ struct BugOptions {
     bool again = false, verbose = false;
 };
 
-/// "5 tests", "1 test"
-std::string so_many_tests(std::ptrdiff_t count) { return std::to_string(count) + (count == 1 ? " test" : " tests"); }
-
 char letter(std::size_t law) { return static_cast<char>('A' + law); }
 
 /// A section's bugs, and how far the student is with them.
@@ -121,7 +118,7 @@ class Bugs {
         if (judgement.unbuilt || judgement.our_fault() || options.verbose) return check_file(tree, bug.exercise, file);
         if (fingerprint(file) == hunt.written) std::cout << "You haven't changed " << tree.shown(file) << " yet.\n";
         std::cout << painted(Colour::red,
-                             "✗ " + std::to_string(red) + " of " + so_many_tests(all) + " of " + bug.exercise)
+                             "✗ " + std::to_string(red) + " of " + counted(all, "test") + " of " + bug.exercise)
                   << (red == 1 ? " is" : " are") << " red. Play with it: ./course play " << section.short_number()
                   << " --bug. Or see the tests: " << again << " -v\n";
         return something_to;
@@ -130,7 +127,7 @@ class Bugs {
     int name_law(const Bug &bug, std::ptrdiff_t all) {
         if (options.law.empty()) {
             std::cout
-                << painted(Colour::green, "✓ All " + so_many_tests(all) + " of " + bug.exercise + " are green:")
+                << painted(Colour::green, "✓ All " + counted(all, "test") + " of " + bug.exercise + " are green:")
                 << " it's mended.\nWhich law did the bug break? Three of these were green with it, and one was red:\n";
             for (std::size_t i = 0; i < bug.laws.size(); ++i)
                 std::cout << "  " << painted(Colour::bold, std::string{letter(i)}) << "  " << bug.laws[i] << '\n';

@@ -72,8 +72,6 @@ std::vector<Outcome> by_exercise(const Tree &tree, const Section &section, const
     return outcomes;
 }
 
-std::string tests(std::size_t count) { return std::to_string(count) + (count == 1 ? " test" : " tests"); }
-
 void print_failure(const Verdict &verdict) {
     std::cout << "    " << painted(Colour::red, "✗") << ' ' << painted(Colour::bold, verdict.test);
     if (verdict.kind != Kind::wrong) std::cout << "  " << painted(Colour::red, name_of(verdict.kind));
@@ -88,13 +86,13 @@ void print(const Outcome &outcome, bool verbose, const std::string &mistakes) {
     const auto passed = std::ranges::count_if(verdicts, &Verdict::passed);
     const std::string head = exercise.number + ' ' + exercise.function + ", " + exercise.tier;
     if (failure == nullptr)
-        std::cout << painted(Colour::green, "✓ " + head) << ": " << tests(verdicts.size()) << " passed\n";
+        std::cout << painted(Colour::green, "✓ " + head) << ": " << counted(verdicts.size(), "test") << " passed\n";
     else if (const Verdict *open = outcome.first_open()) {
         std::cout << painted(Colour::dim, "· " + head) << ": " << (verbose ? open->sentence : outcome.standing())
                   << '\n';
         return;
     } else
-        std::cout << painted(Colour::red, "✗ " + head) << ": " << passed << " of " << tests(verdicts.size())
+        std::cout << painted(Colour::red, "✗ " + head) << ": " << passed << " of " << counted(verdicts.size(), "test")
                   << " passed\n";
 
     constexpr std::size_t most = 3; // claims beside the first: enough to guess from

@@ -20,10 +20,6 @@ std::string first_step(const Tree &tree, const Section &section) {
            + section.short_number() + " again.\n";
 }
 
-std::string counted(std::size_t count, const std::string &what) {
-    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
-
 bool calls(const OwnTest &test, const Exercise &exercise) {
     return std::ranges::find(test.calls, exercise.number) != test.calls.end();
 }
@@ -109,8 +105,7 @@ class MyTests {
                           : "It's right, too: does your test want more than the header promises?")
                   << '\n';
         if (const auto all = std::ranges::count_if(judgement.refusals, is_its); all > 1)
-            std::cout << "    It's the same with " << counted(static_cast<std::size_t>(all - 1), "other right answer")
-                      << ".\n";
+            std::cout << "    It's the same with " << counted(all - 1, "other right answer") << ".\n";
     }
 
     void print(const Exercise &exercise) const {
@@ -126,9 +121,7 @@ class MyTests {
         const auto caught = static_cast<std::size_t>(std::ranges::count_if(mistakes, &KnownMistake::caught));
         std::cout << (well ? painted(Colour::green, "✓ " + head) : painted(Colour::red, "✗ " + head)) << ": "
                   << (well
-                          ? "accepts all "
-                                + counted(static_cast<std::size_t>(judgement.right.at(exercise.number)), "right answer")
-                                + ", catches "
+                          ? "accepts all " + counted(judgement.right.at(exercise.number), "right answer") + ", catches "
                           : "without what's red above, catches ")
                   << caught << " of " << counted(mistakes.size(), "mistake") << '\n';
         print_caught(mistakes, caught);

@@ -15,6 +15,7 @@
 #include "site/demos.hpp"
 #include "site/own_site.hpp"
 #include "site/share.hpp"
+#include "site/suspects.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -149,26 +150,16 @@ void watch(const Tree &tree, const Section &section) {
     }
 }
 
-/// 4 of "7.4", and 0 of nothing.
-int number_in_section(const std::string &exercise) {
-    return std::atoi(exercise.substr(exercise.find('.') + 1).c_str());
-}
-
 struct Place {
     DemoMark mark;
     std::string id; ///< within its page
 };
 
-/// Where a chapter's demo is opened. For an exercise: at the first place below its box, or else below a later box. For
-/// a section: at its first place. For the reader's code: at the first such place that begins with it.
+/// See place_for.
 Place place_of_demo(const Tree &tree, const Section &section, const std::string &exercise, bool mine) {
     const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
-    const auto found = std::ranges::find_if(marks, [&](const DemoMark &mark) {
-        return (mark.mine || !mine)
-               && (exercise.empty() || number_in_section(mark.exercise) >= number_in_section(exercise));
-    });
-    const auto place = found != marks.end() ? found : exercise.empty() ? marks.begin() : marks.end() - 1;
-    return {*place, demo_id(*place, static_cast<std::size_t>(place - marks.begin()))};
+    const std::size_t place = place_for(marks, exercise, mine);
+    return {marks[place], demo_id(marks[place], place)};
 }
 
 /// Writes the page that can be sent to a friend.
@@ -195,10 +186,7 @@ DemoMark mark_of_bug(const Tree &tree, const Section &section) {
     const std::string begun = recall_hunt(tree, section).begun;
     const std::vector<Bug> bugs = bugs_of(tree, section);
     const auto bug = std::ranges::find(bugs, begun, &Bug::name);
-    if (bug == bugs.end()) return place_of_demo(tree, section, "", true).mark;
-    for (DemoMark &mark : demo_marks(read_file(tree.chapter(section))))
-        if (!bug->place.empty() && mark.start == bug->place) return std::move(mark);
-    return place_of_demo(tree, section, bug->exercise, true).mark;
+    return bug == bugs.end() ? place_of_demo(tree, section, "", true).mark : place_of_bug(tree, section, *bug);
 }
 
 /// Opens a page with the demo alone: the site and its copy know nothing of bugs.

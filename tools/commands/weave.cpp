@@ -65,8 +65,6 @@ std::vector<Finding> difference(const fs::path &file, const std::string &before,
              "correct them."}};
 }
 
-std::string counted(int n, const std::string &thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
-
 class Command {
   public:
     Command(const Tree &tree_, bool check_) : tree{tree_}, check{check_} {}
@@ -152,7 +150,7 @@ class Command {
         } else if (write_file(page.file, woven.text)) {
             changed = true;
             std::cout << "woven: " << tree.shown(page.file) << ", "
-                      << counted(static_cast<int>(others.size() + woven.differences.size()), "block") << " changed\n";
+                      << counted(others.size() + woven.differences.size(), "block") << " changed\n";
         }
         listings += woven.listings;
         outputs += woven.outputs;

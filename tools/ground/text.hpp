@@ -39,6 +39,11 @@ inline std::string with_capital(std::string words) {
     return words;
 }
 
+/// "1 test", "5 tests"
+template <std::integral Count> std::string counted(Count count, std::string_view thing) {
+    return std::to_string(count).append(" ").append(thing).append(count == 1 ? "" : "s");
+}
+
 /// The number that `text` begins with, if it begins with one that fits.
 inline std::optional<int> leading_number(std::string_view text) {
     int number = 0;

@@ -107,6 +107,10 @@ std::string Tree::shown(const fs::path &file) const {
     return plain_line(outside ? file.string() : inside.generic_string(), 4096); // PATH_MAX: it's never cut
 }
 
+bool Tree::has_answers(const Section &s) const {
+    return fs::exists(solution(s)) && (fs::exists(wrong_answers(s)) || fs::exists(root / "tests" / "wrong" / s.name));
+}
+
 fs::path Tree::written_exercise(const Section &s) const {
     if (fs::exists(exercise(s))) return exercise(s);
     throw Complaint{shown(exercise(s)) + " is not there; `./course reset " + s.short_number()

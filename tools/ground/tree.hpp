@@ -54,6 +54,12 @@ struct Tree {
     std::filesystem::path written_exercise(const Section &s) const;
     std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }
     std::filesystem::path solution(const Section &s) const { return root / "solutions" / (s.name + ".cpp"); }
+    /// Our wrong answers that are written as differences to the solution.
+    std::filesystem::path wrong_answers(const Section &s) const {
+        return root / "tests" / "wrong" / (s.name + ".diff");
+    }
+    /// Whether this edition of the course has our answers to a section, right and wrong.
+    bool has_answers(const Section &s) const;
     std::filesystem::path tests(const Section &s) const { return root / "tests" / (s.name + ".cpp"); }
     std::filesystem::path test_program(const Section &s) const { return build / "tests" / s.name; } ///< the built one
     std::filesystem::path catalogue(const Section &s) const { return build / "catalogue" / (s.name + ".json"); }

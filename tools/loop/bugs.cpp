@@ -16,10 +16,6 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path wrong_answers(const Tree &tree, const Section &section) {
-    return tree.root / "tests" / "wrong" / (section.name + ".diff");
-}
-
 /// The words of a text that may be names of functions, types or constants.
 std::set<std::string> words_of(std::string_view text) {
     std::set<std::string> words;
@@ -100,7 +96,7 @@ const differences::Answer &answer_of(const Tree &tree, const std::vector<differe
 fs::path list_of_bugs(const Tree &tree) { return tree.root / "tests" / "bugs.txt"; }
 
 std::vector<Bug> bugs_of(const Tree &tree, const Section &section) {
-    if (!fs::exists(wrong_answers(tree, section)) || !fs::exists(tree.solution(section)))
+    if (!tree.has_answers(section))
         throw Complaint{
             "a bug is our answer with a mistake in it, and this course comes without our answers to section "
             + section.short_number()};
@@ -128,7 +124,7 @@ std::vector<Bug> bugs_of(const Tree &tree, const Section &section) {
 }
 
 Causes causes_of(const Tree &tree, const Section &section, const Bug &bug) {
-    const auto answers = differences::read_differences(wrong_answers(tree, section));
+    const auto answers = differences::read_differences(tree.wrong_answers(section));
     const auto without_its_question = [&](const std::string &name) {
         const std::string claim = answer_of(tree, answers, bug.exercise, name).claim;
         return claim.substr(0, claim.find(": "));
@@ -142,7 +138,7 @@ Causes causes_of(const Tree &tree, const Section &section, const Bug &bug) {
 }
 
 BuggyCode code_of(const Tree &tree, const Section &section, const Bug &bug) {
-    const auto answers = differences::read_differences(wrong_answers(tree, section));
+    const auto answers = differences::read_differences(tree.wrong_answers(section));
     const differences::Answer &answer = answer_of(tree, answers, bug.exercise, bug.name);
     const differences::Solution solution{tree.solution(section)};
     std::vector<Piece> pieces = pieces_of(solution.with(answer));

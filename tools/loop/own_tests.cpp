@@ -143,10 +143,7 @@ void read(const std::string &said, const std::string &name, OwnJudgement &judgem
 } // namespace
 
 void require_answers(const Tree &tree, const Section &section) {
-    const bool right = fs::exists(tree.solution(section)),
-               wrong = fs::exists(tree.root / "tests/wrong" / (section.name + ".diff"))
-                       || fs::exists(tree.root / "tests/wrong" / section.name);
-    if (!right || !wrong)
+    if (!tree.has_answers(section))
         throw Complaint{"this edition of the course has no answers to section " + section.short_number()
                         + " in it, right or wrong, so there's nothing that your tests could be run against"};
 }

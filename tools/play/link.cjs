@@ -1,6 +1,6 @@
 // Links a demo that plays functions of several sections:  link.cjs DEMO.wasm compiler and its words...
-// It exports ours, yours and the wrong one of each exercise that the page is asked for, and no others: what is exported stays in it. These
-// may call others again, so it's linked until nothing new is asked for.
+// It exports ours, yours and the wrong one of each exercise that the page is asked for, and no others: what is exported
+// stays in it. These may call others again, so it's linked until nothing new is asked for.
 'use strict';
 const fs = require('node:fs'), { spawnSync } = require('node:child_process');
 const [linked, compiler, ...words] = process.argv.slice(2);

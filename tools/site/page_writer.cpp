@@ -356,7 +356,7 @@ class PageWriter {
             mark->exercise = last_box;
             out = demo(*mark, cmark_node_get_start_line(node));
         }
-        if (std::string_view{text}.starts_with(suspects_mark)) out = suspects(tree, file);
+        if (std::string_view{text}.starts_with(suspects_mark)) out = two_suspects();
         static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
         out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());
@@ -364,11 +364,22 @@ class PageWriter {
 
     /// A demo's place; nothing if its section keeps none in demos/.
     std::string demo(const DemoMark &mark, int line) {
-        if (!all_demos) all_demos = demos(tree);
-        for (const Demo &one : *all_demos)
+        for (const Demo &one : known_demos())
             if (one.mark.name == mark.name)
                 return demo_figure(one, demo_id(mark, demos_so_far++), mark, markdown(mark.task, line));
         return "";
+    }
+
+    /// The demo of this chapter twice, once with a bug; nothing if there is none.
+    std::string two_suspects() {
+        for (const Demo &one : known_demos())
+            if (tree.chapter(one.section) == file) return suspects(tree, one);
+        return "";
+    }
+
+    const std::vector<Demo> &known_demos() {
+        if (!all_demos) all_demos = demos(tree);
+        return *all_demos;
     }
 
     /// A few words of Markdown with formulas, within HTML.

@@ -1,10 +1,7 @@
 #include "site/suspects.hpp"
 
 #include "book/chapter.hpp"
-#include "ground/complaint.hpp"
 #include "ground/files.hpp"
-#include "loop/bugs.hpp"
-#include "site/demos.hpp"
 #include "site/html.hpp"
 
 #include <algorithm>
@@ -19,26 +16,16 @@ std::string choice(const std::string &name, std::size_t value, const std::string
 }
 
 /// The bug that is shown, if there is one.
-std::optional<Bug> shown_bug(const Tree &tree, const Section &section) try {
+std::optional<Bug> shown_bug(const Tree &tree, const Section &section) {
+    if (!tree.has_answers(section)) return {};
     for (const Bug &bug : bugs_of(tree, section))
         if (!bug.others.empty()) return bug;
     return {};
-} catch (const Complaint &) {
-    return {};
-} // without answers
-
-/// As at the exercise's box, but for what the bug needs to be seen.
-DemoMark place_of(const Tree &tree, const Bug &bug, const Demo &demo) {
-    const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(demo.section)));
-    const auto there = std::ranges::find(marks, bug.exercise, &DemoMark::exercise);
-    DemoMark mark = there == marks.end() ? demo.mark : *there;
-    if (!bug.place.empty()) mark.start = bug.place;
-    mark.mine = false;
-    return mark;
 }
 
 std::string two_of(const Tree &tree, const Demo &demo, const Bug &bug, const std::string &function) {
-    const DemoMark mark = place_of(tree, bug, demo);
+    DemoMark mark = place_of_bug(tree, demo.section, bug);
+    mark.mine = false;
     const Causes causes = causes_of(tree, demo.section, bug);
     const std::string name = escaped(bug.exercise + ' ' + function);
     std::string html =
@@ -58,12 +45,16 @@ std::string two_of(const Tree &tree, const Demo &demo, const Bug &bug, const std
 
 } // namespace
 
-std::string suspects(const Tree &tree, const std::filesystem::path &chapter) {
-    for (const Demo &demo : demos(tree))
-        if (tree.chapter(demo.section) == chapter)
-            if (const auto bug = shown_bug(tree, demo.section))
-                for (const ListedExercise &one : declared_exercises(read_file(tree.header(demo.section))))
-                    if (one.number == bug->exercise) return two_of(tree, demo, *bug, one.function);
+DemoMark place_of_bug(const Tree &tree, const Section &section, const Bug &bug) {
+    const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
+    const auto its = std::ranges::find(marks, bug.place, &DemoMark::start);
+    return !bug.place.empty() && its != marks.end() ? *its : marks[place_for(marks, bug.exercise, true)];
+}
+
+std::string suspects(const Tree &tree, const Demo &demo) {
+    if (const auto bug = shown_bug(tree, demo.section))
+        for (const ListedExercise &one : declared_exercises(read_file(tree.header(demo.section))))
+            if (one.number == bug->exercise) return two_of(tree, demo, *bug, one.function);
     return "";
 }
 

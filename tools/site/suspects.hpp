@@ -2,8 +2,9 @@
 // Which of these two is wrong? The same demo twice in a chapter's page, and one of them plays a bug of tests/bugs.txt.
 
 #include "ground/tree.hpp"
+#include "loop/bugs.hpp"
+#include "site/demos.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,11 @@ namespace course {
 /// What marks the place in a chapter, on a line of its own; a forge shows nothing there.
 inline constexpr std::string_view suspects_mark = "<!-- which is wrong -->";
 
-/// Both demos, and the questions which it is and why, for docs/play.js. "" if the chapter keeps no demo, or if the course
-/// is one without answers.
-std::string suspects(const Tree &tree, const std::filesystem::path &chapter);
+/// Where a section's demo shows a bug: as it begins at the exercise with the reader's code, or as the bug says.
+DemoMark place_of_bug(const Tree &tree, const Section &section, const Bug &bug);
+
+/// Both demos, and the questions which it is and why, for docs/play.js. "" if the section shows no bug, or if this edition
+/// of the course has no answers.
+std::string suspects(const Tree &tree, const Demo &demo);
 
 } // namespace course
