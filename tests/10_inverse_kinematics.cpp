@@ -343,6 +343,7 @@ TEST_CASE("puts the elbow that bends left first, and the other one is its mirror
 //> Half a turn is enough
 TEST_CASE("keeps both angles within half a turn", "[10.2]") {
     const auto check_angles = [](const std::vector<Pose> &all) {
+        CHECK_THAT(int(all.size()), IsAtLeast(1).of("poses"));
         for (const Pose &pose : all) {
             CHECK_THAT(std::abs(pose.first), IsAtMost(pi).of("first angle without its sign [rad]"));
             CHECK_THAT(std::abs(pose.second), IsAtMost(pi).of("second angle without its sign [rad]"));
