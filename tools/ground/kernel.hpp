@@ -65,6 +65,13 @@ inline constexpr bool sanitized = true;
 inline constexpr bool sanitized = false;
 #endif
 
+/// This process gets a signal as soon as its parent ends, however that does. Safe between fork and exec.
+inline void end_with_parent([[maybe_unused]] int signal) {
+#ifdef __linux__
+    ::prctl(PR_SET_PDEATHSIG, signal);
+#endif
+}
+
 /// From here on no process of the same user can read or change this one's memory, files or environment through /proc, or
 /// trace it: a student's code runs beside it. (Root can; and the leak checker of a sanitizer must.)
 inline void hide_from_other_processes() {

@@ -118,6 +118,7 @@ void add_missing_verdicts(const Part &part) {
 
 /// Such a process. It has children of its own, and so finds what a student's code has left behind.
 [[noreturn]] void work(const Job &job, int items, int core, NamelessFile &lines) {
+    end_with_parent(SIGKILL);
     try {
         prepare_for_subjects(core);
         for (unsigned item = 0; ::read(items, &item, sizeof item) == sizeof item;) job(item, lines);

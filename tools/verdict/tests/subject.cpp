@@ -66,9 +66,7 @@ struct Start {
 /// Between fork and exec: only what is safe there.
 [[noreturn]] void become(const Start &start) {
     ::setsid(); // a group of its own, so that one signal reaches all of it
-#ifdef __linux__
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
+    end_with_parent(SIGKILL);
     const int nothing = ::open("/dev/null", O_RDONLY);
     ::dup2(nothing, 0);
     ::dup2(start.output, 1);
