@@ -128,13 +128,16 @@ macro(section_tests)
   target_compile_options(${section}_missing PRIVATE -w -DCOURSE_STUB_BEHIND "SHELL:-include verdict/student/missing.hpp")
   set(missing ${PROJECT_BINARY_DIR}/loop/${section}_missing.o)
   add_weak_object(${missing} ${section}_missing)
+  set(ours ${PROJECT_BINARY_DIR}/loop/${section}_ours.o) # our functions, where a student's file has none
+  add_weak_object(${ours} ${section}_reference)
 
-  add_custom_target(${section}_loop ALL DEPENDS ${missing} ${catalogue} ${section}_tests ${section}_server ${earlier_objects} course_pch)
+  add_custom_target(${section}_loop ALL DEPENDS ${missing} ${ours} ${catalogue} ${section}_tests ${section}_server ${earlier_objects} course_pch)
   add_dependencies(section-tests ${section}_loop)
   set(json "{}")
   put_into_json(json name ${section})
   put_into_json(json server $<TARGET_OBJECTS:${section}_server>)
   put_into_json(json missing ${missing})
+  put_into_json(json ours ${ours})
   put_list_into_json(json earlier ${earlier_objects})
   string(TOLOWER "${section_PLAYS_YOURS}" plays_yours) # true or false
   string(JSON json SET "${json}" plays_yours ${plays_yours})

@@ -81,6 +81,7 @@ nlohmann-json3-dev 3.11.2-2
 libfmt-dev 9.1.0+ds1-2
 libcmark-gfm-dev 0.29.0.gfm.6-6
 libpugixml-dev 1.13-0.2
+libzip-dev 1.7.3-1
 libgmp-dev 2:6.2.1
 gnuplot-nox 5.4.4
 graphviz 2.42.2-7

@@ -111,7 +111,7 @@ class Bugs {
     }
 
     int look_at(const Bug &bug) {
-        const Judgement judgement = judge(tree, section, file, seed, bug.exercise);
+        const Judgement judgement = judge(tree, section, file, {seed, bug.exercise});
         const auto all = std::ssize(judgement.verdicts),
                    red = all - std::ranges::count_if(judgement.verdicts, &Verdict::passed);
         if (judgement.all_passed()) return name_law(bug, all);

@@ -175,7 +175,7 @@ class Check {
                 continue;
             }
             const Judgement judgement =
-                course::judge(tree, section, file_of(section), options.seed, only ? only->number : "");
+                course::judge(tree, section, file_of(section), {options.seed, only ? only->number : ""});
             report(section, judgement);
             code = std::max(code, judgement.our_fault()    ? +our_fault
                                   : judgement.all_passed() ? +all_well

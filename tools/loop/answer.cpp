@@ -3,11 +3,10 @@
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 #include "ground/text.hpp"
+#include "loop/functions.hpp"
 #include "loop/said.hpp"
 
 #include <algorithm>
-#include <array>
-#include <set>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -65,24 +64,6 @@ bool always_returns(std::string_view code, std::string_view before) {
 
 bool may_follow_return(std::string_view code) {
     return contains("}#/", code.substr(0, 1)) || code.starts_with("case ") || code.ends_with(':');
-}
-
-/// Code with blanks for all that is in comments and quotes. Its lines stay.
-std::string code_of(std::string code) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> hides{
-        {{"//", "\n"}, {"/*", "*/"}, {"\"", "\""}}};
-    replace_all(code, "\\\"", "  ");
-    for (std::size_t at = 0; at < code.size(); ++at)
-        for (const auto &[begin, end] : hides) {
-            if (!std::string_view{code}.substr(at).starts_with(begin)) continue;
-            const std::size_t behind =
-                std::min(code.find(end, at + begin.size()), code.size() - end.size()) + end.size();
-            std::replace_if(
-                code.begin() + long(at), code.begin() + long(behind), [](char c) { return c != '\n'; }, ' ');
-            at = behind - 1;
-            break;
-        }
-    return code;
 }
 
 /// Whether a number may begin behind this as the first of a product: not behind 0.5 *, where all is double already, not
@@ -157,23 +138,18 @@ std::optional<Verdict> diagnose_text(std::string_view text, const std::string &n
 
 std::vector<std::string> warnings_about(const std::vector<std::string> &warnings, std::string_view text,
                                         const std::string &name, const std::vector<std::string> &others) {
-    std::set<int> lines; // of the others' functions, from the one with the name to the brace at the left edge
-    int number = 0;
-    bool inside = false;
-    for (const Line &line : lines_of(text)) {
-        ++number;
-        const std::string_view code = without_blanks_behind(line.text);
-        const auto begins = [&](const std::string &function) { return contains(code, ' ' + function + '('); };
-        const bool at_the_left = !code.empty() && code[0] != ' ' && code[0] != '\t' && code[0] != '/';
-        if (at_the_left && !code.ends_with(';')) inside = inside || std::ranges::any_of(others, begins);
-        if (inside) lines.insert(number);
-        if (at_the_left && code.ends_with('}')) inside = false;
-    }
+    const std::string code = code_of(std::string{text});
+    const auto is_in_another = [&](int line) {
+        return std::ranges::any_of(others, [&](const std::string &other) {
+            const auto its = definition_of(code, other, others);
+            return its && its->holds(line_begins(code, line));
+        });
+    };
     std::vector<std::string> about;
     for (const std::string &warning : warnings) {
         const std::size_t place = warning.starts_with(name + ':') ? name.size() + 1 : warning.size();
         const auto its = leading_number(std::string_view{warning}.substr(place));
-        if (!its || !lines.contains(*its)) about.push_back(warning);
+        if (!its || !is_in_another(*its)) about.push_back(warning);
     }
     return about;
 }

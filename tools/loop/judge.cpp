@@ -63,11 +63,10 @@ void help_the_accepting(std::vector<Verdict> &verdicts, const Tree &tree, const 
 
 /// Runs the tests against a subject.
 /// @return what they printed: a line of JSON for each verdict
-std::string run_tests(const Tree &tree, const Section &section, const std::string &subject, unsigned seed,
-                      const std::string &exercise) {
+std::string run_tests(const Tree &tree, const Section &section, const std::string &subject, const Judging &how) {
     std::vector<std::string> command{tree.test_program(section).string(), subject, "--json", "--seed",
-                                     std::to_string(seed)};
-    if (!exercise.empty()) command.insert(command.end(), {"--exercise", exercise});
+                                     std::to_string(how.seed)};
+    if (!how.exercise.empty()) command.insert(command.end(), {"--exercise", how.exercise});
     const auto tested = run(command, {.deadline = longest_test});
     if (tested.timed_out)
         throw MachineTrouble{"the tests of section " + section.short_number() + " did not finish within "
@@ -87,6 +86,7 @@ struct SubjectBuild {
     const Section &section;
     const Toolbox &tools;
     const std::string &name, &text;
+    const bool with_ours;
     const Scratch scratch{tree.build / "loop" / "judge"};
     const fs::path file = scratch.folder / "student.cpp";
     const ShutIn shut_in{places_of(tools, scratch.folder), {.calls = false, .privileges = false}};
@@ -181,8 +181,9 @@ struct SubjectBuild {
         return command;
     }
     Finished link_with(const std::vector<std::string> &also) const {
-        std::vector<std::string> command{tools.compiler.program, object(), tools.server.string(),
-                                         tools.missing.string(), "-o",     subject()};
+        std::vector<std::string> command{tools.compiler.program, object(), tools.server.string()};
+        if (with_ours) command.push_back(tools.ours.string());
+        command.insert(command.end(), {tools.missing.string(), "-o", subject()});
         command.insert(command.end(), also.begin(), also.end());
         command.insert(command.end(), tools.earlier.begin(), tools.earlier.end());
         command.insert(command.end(), tools.link.begin(), tools.link.end());
@@ -227,10 +228,12 @@ std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std
     return verdicts;
 }
 
-Judgement judge(const Tree &tree, const Section &section, const fs::path &given, unsigned seed,
-                const std::string &exercise) {
-    const std::string name = tree.shown(given);
-    const std::string text = read_answer(given);
+Judgement judge(const Tree &tree, const Section &section, const fs::path &given, const Judging &how) {
+    return judge(tree, section, tree.shown(given), read_answer(given), how);
+}
+
+Judgement judge(const Tree &tree, const Section &section, const std::string &name, const std::string &text,
+                const Judging &how) {
     if (auto trouble = diagnose_text(text, name, section.short_number())) return not_built(*trouble);
     if (auto trouble = diagnose_section(text, name, tree, section)) return not_built(*trouble);
 
@@ -238,7 +241,7 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     const Toolbox tools = toolbox(tree, section);
     bring_up_to_date(tree, section, tools);
     sweep(tree.build / "loop");
-    SubjectBuild build{tree, section, tools, name, text};
+    SubjectBuild build{tree, section, tools, name, text, how.with_ours};
     build.make_copy();
     std::vector<std::string> warnings;
     if (auto trouble = build.compile(warnings)) return not_built(*trouble);
@@ -247,8 +250,9 @@ Judgement judge(const Tree &tree, const Section &section, const fs::path &given,
     if (auto trouble = build.link()) return not_built(*trouble, warnings);
 
     auto tests = tests_of(tree, section);
-    if (!exercise.empty()) std::erase_if(tests, [&](const KnownTest &test) { return test.exercise != exercise; });
-    Judgement judgement{{}, one_for_each(tests, run_tests(tree, section, build.subject(), seed, exercise)), warnings};
+    if (!how.exercise.empty())
+        std::erase_if(tests, [&](const KnownTest &test) { return test.exercise != how.exercise; });
+    Judgement judgement{{}, one_for_each(tests, run_tests(tree, section, build.subject(), how)), warnings};
     help_the_missing(judgement.verdicts, tree, section, build);
     help_the_accepting(judgement.verdicts, tree, section, text);
     return judgement;

@@ -20,14 +20,22 @@ struct Judgement {
     bool our_fault() const; ///< a test has no verdict
 };
 
+/// How a file is judged.
+struct Judging {
+    unsigned seed = 2026;      ///< for generated values
+    std::string exercise = {}; ///< "7.2": only its tests are run; empty: all
+    bool with_ours = false;    ///< functions that it lacks are taken from our solution
+};
+
 /// Judges a file as a section's exercise, and keeps nothing. A process judges one file at a time; several processes may
 /// judge at once, in one build folder.
 /// @param file  a student's file, wherever it is
-/// @param seed  for generated values
-/// @param exercise  "7.2": only its tests are run; empty: all
 /// @throws Complaint if the file is not there, or the course cannot be built; MachineTrouble if the machine is in the way
-Judgement judge(const Tree &tree, const Section &section, const std::filesystem::path &file, unsigned seed,
-                const std::string &exercise = "");
+Judgement judge(const Tree &tree, const Section &section, const std::filesystem::path &file, const Judging &how);
+
+/// The same with the text of a file, under the name by which its author knows it.
+Judgement judge(const Tree &tree, const Section &section, const std::string &name, const std::string &text,
+                const Judging &how);
 
 /// What the tests said, as one verdict for each test that there is: a test without one, or with two, has none, and so has
 /// one that is not known.

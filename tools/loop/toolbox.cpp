@@ -43,6 +43,7 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
             if (each.at("name") == section.name) {
                 w.server = each.at("server").get<std::string>();
                 w.missing = each.at("missing").get<std::string>();
+                w.ours = each.at("ours").get<std::string>();
                 w.earlier = each.at("earlier");
                 w.plays_yours = each.value("plays_yours", false);
             }
@@ -56,7 +57,7 @@ namespace {
 
 /// What the build has made for these tools.
 std::vector<fs::path> made_for(const Toolbox &tools) {
-    std::vector<fs::path> files{tools.server, tools.missing};
+    std::vector<fs::path> files{tools.server, tools.missing, tools.ours};
     files.insert(files.end(), tools.earlier.begin(), tools.earlier.end());
     auto quick = tools.quick_link;
     if (tools.quick) quick.insert(quick.end(), tools.quick->precompiled.begin(), tools.quick->precompiled.end());
