@@ -31,17 +31,6 @@ void add_property(pugi::xml_node node, const char *name, const std::string &valu
     set(property, "value", value);
 }
 
-/// What happened, in one line.
-std::string message(const Verdict &verdict) {
-    std::string text =
-        verdict.file.empty() || verdict.test != "" ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ";
-    text += verdict.sentence;
-    for (const std::string &input : verdict.accepted) text += (input == verdict.accepted.front() ? " " : "; ") + input;
-    if (!text.empty()) return text;
-    return (verdict.label.empty() ? "" : verdict.label + ": ") + verdict.yours + " instead of " + verdict.expected
-           + (verdict.tolerance.empty() ? "" : " ± " + verdict.tolerance);
-}
-
 /// The verdict on a test: its own, that on the whole file, or none.
 Verdict verdict_on(const KnownTest &test, const Report &report) {
     if (report.unbuilt) return *report.unbuilt;
@@ -69,11 +58,23 @@ void add_test(pugi::xml_node suite, const KnownTest &test, const Report &report)
     if (verdict.passed()) return;
     pugi::xml_node what = node.append_child(element_of(verdict.kind));
     set(what, "type", std::string{name_of(verdict.kind)});
-    set(what, "message", message(verdict));
+    set(what, "message", in_one_line(verdict));
     what.text() = plain(explain(verdict, 0)).c_str();
 }
 
 } // namespace
+
+std::string course_version() { return COURSE_VERSION; }
+
+std::string in_one_line(const Verdict &verdict) {
+    std::string text =
+        verdict.file.empty() || verdict.test != "" ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ";
+    text += verdict.sentence;
+    for (const std::string &input : verdict.accepted) text += (input == verdict.accepted.front() ? " " : "; ") + input;
+    if (!text.empty()) return text;
+    return (verdict.label.empty() ? "" : verdict.label + ": ") + verdict.yours + " instead of " + verdict.expected
+           + (verdict.tolerance.empty() ? "" : " ± " + verdict.tolerance);
+}
 
 std::string junit(const std::vector<Report> &reports) {
     pugi::xml_document document;
@@ -83,9 +84,10 @@ std::string junit(const std::vector<Report> &reports) {
         set(suite, "name", report.section.name);
         pugi::xml_attribute tests = suite.append_attribute("tests"), failures = suite.append_attribute("failures"),
                             errors = suite.append_attribute("errors"), skipped = suite.append_attribute("skipped");
-        add_property(suite, "course version", COURSE_VERSION);
+        add_property(suite, "course version", course_version());
         add_property(suite, "file", report.file);
         add_property(suite, "seed", std::to_string(report.seed));
+        for (const auto &[name, value] : report.also) add_property(suite, name.c_str(), value);
         for (const KnownTest &test : report.tests) add_test(suite, test, report);
         const auto count = [&](const char *path) { return suite.select_nodes(path).size(); };
         tests = report.tests.size();

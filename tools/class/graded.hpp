@@ -1,0 +1,52 @@
+#pragma once
+// What comes out for a class: each student's verdicts and points.
+
+#include "class/submissions.hpp"
+#include "loop/catalogue.hpp"
+#include "verdict/shared/verdict.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// One exercise of one student.
+struct GradedExercise {
+    Exercise exercise;
+    double possible = 0; ///< points
+    double earned = 0;
+    std::size_t passed = 0, counted = 0; ///< of its tests, without those that are void
+    std::size_t baseline = 0;            ///< how many of those an answer passes that computes nothing
+    std::vector<Verdict> verdicts;       ///< one for each test, in the order of its file
+    std::optional<Verdict> unbuilt;      ///< why this function doesn't compile: the rest was judged without it
+    std::string consequence_of;          ///< "5.4": it's right, but calls this one, which isn't; else empty
+    std::string mistake;                 ///< what the student did, if that is known: "you leave the ends open."
+
+    bool all_passed() const { return !unbuilt && counted > 0 && passed == counted; }
+};
+
+struct Graded {
+    Submission submission;
+    std::vector<GradedExercise> exercises; ///< empty if nothing was judged
+    std::optional<Verdict> unbuilt;        ///< why the file as a whole doesn't compile, or is none
+    std::string our_trouble;          ///< why there is no verdict that counts: the grader's fault, or the machine's
+    std::optional<double> overridden; ///< points that the instructor has set instead
+    std::string why;                  ///< the instructor's reason
+    std::string file_hash;            ///< SHA-256 of what was judged, 64 digits
+
+    double earned() const;
+    double possible() const;
+};
+
+/// All of a class, with what was agreed on.
+struct GradedClass {
+    Section section;
+    Platform platform = Platform::folder;
+    std::string version, tests_hash;     ///< of the course; of what judged
+    std::vector<std::string> void_tests; ///< by name
+    std::vector<Graded> students;        ///< by id, as Submissions has them
+    std::vector<KnownTest> tests;        ///< of the section, in the order of its file
+};
+
+} // namespace course
