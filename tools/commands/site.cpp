@@ -67,6 +67,10 @@ fs::path bring_up(const Tree &tree, bool mine) {
 }
 
 void open(const Tree &tree, const std::string &section, bool mine) {
+    if (const fs::path report = fs::absolute(section) / "report.html"; !section.empty() && fs::exists(report)) {
+        std::cout << (show(report) ? "Opening " : "Open this file in your browser: ") << report.string() << '\n';
+        return;
+    }
     const fs::path chapter = section.empty() ? tree.root / "book.md" : tree.chapter(tree.section(section));
     const std::string file = (bring_up(tree, mine) / (page_name(tree, chapter) + ".html")).string();
     std::cout << (show(file) ? "Opening " : "Open this file in your browser: ") << file << '\n';
@@ -92,7 +96,8 @@ void add_open(CLI::App &app, const Tree &tree) {
     const auto section = std::make_shared<std::string>();
     const auto mine = std::make_shared<bool>(false);
     CLI::App *command = app.add_subcommand("open", "Open the book, or a chapter, in your browser");
-    command->add_option("section", *section, "its number, name or file; the front page without it");
+    command->add_option("section", *section,
+                        "its number, name or file, or a folder of `grade`; the front page without it");
     command->add_flag("--mine", *mine, "your own copy: your figures, your code in the demos");
     command->footer(std::string{about_mine} + "./course open 7");
     command->callback([&tree, section, mine] { open(tree, *section, *mine); });

@@ -1,0 +1,249 @@
+// `course grade`: a class's submissions, from the platform's download to what goes back.
+
+#include "class/assignment.hpp"
+#include "class/feedback.hpp"
+#include "class/points.hpp"
+#include "class/statistics.hpp"
+#include "commands/commands.hpp"
+#include "ground/plain.hpp"
+#include "ground/terminal.hpp"
+#include "ground/text.hpp"
+#include "loop/answer.hpp"
+#include "loop/functions.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+namespace course {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GradeOptions {
+    std::string section = {}, given = {}, gradebook = {}, column = {}, points = {}, out = {}, shard = {}, show = {};
+    std::vector<std::string> only = {}, without = {}, merge = {};
+    bool dry_run = false, again = false, forgive = false, verbose = false;
+};
+
+/// "3/8" as (3, 8)
+std::pair<std::size_t, std::size_t> part_of(const std::string &shard) {
+    if (shard.empty()) return {1, 1};
+    const std::size_t slash = shard.find('/');
+    const auto which = leading_number(shard),
+               of = leading_number(std::string_view{shard}.substr(std::min(slash, shard.size() - 1) + 1));
+    if (slash == shard.npos || !which || !of || *which < 1 || *which > *of)
+        throw Complaint{"--shard wants a part and of how many, as in 3/8, not " + shard};
+    return {static_cast<std::size_t>(*which), static_cast<std::size_t>(*of)};
+}
+
+std::string listed(const std::vector<std::string> &words) {
+    std::string text;
+    for (const std::string &word : words) text += (text.empty() ? "" : ", ") + plain_line(word, 100);
+    return text;
+}
+
+/// What's agreed on: by an earlier call, as far as this one doesn't say otherwise.
+Agreed agreed_on(const Tree &tree, const GradeOptions &options) {
+    Agreed agreed;
+    if (options.section.empty()) agreed = Assignment::kept(options.out);
+    else {
+        if (options.given.empty())
+            throw Complaint{"which submissions? Name the platform's download: ./course grade " + options.section
+                            + " submissions.zip --out g" + options.section};
+        agreed.section = tree.section(options.section).name;
+        agreed.given = fs::absolute(options.given);
+    }
+    const auto path = [](const std::string &word) { return fs::absolute(word); };
+    if (!options.gradebook.empty()) agreed.gradebook = path(options.gradebook);
+    if (!options.column.empty()) agreed.column = options.column;
+    if (!options.points.empty()) agreed.worth = path(options.points);
+    for (const std::string &test : options.without)
+        if (std::ranges::find(agreed.void_tests, test) == agreed.void_tests.end()) agreed.void_tests.push_back(test);
+    agreed.forgive = agreed.forgive || options.forgive;
+    return agreed;
+}
+
+/// What was understood, before anything is done.
+void print_class(const Assignment &assignment) {
+    const Submissions &all = assignment.submissions();
+    std::cout << "Section " << assignment.section().short_number() << ", from " << name_of(all.platform) << ": "
+              << counted(all.all.size(), "student") << " handed something in.\n";
+    if (const auto &book = assignment.gradebook())
+        std::cout << "The gradebook comes from " << name_of(book->platform()) << ": "
+                  << counted(book->rows().size(), "row") << "; grades go into \"" << plain_line(book->column(), 100)
+                  << "\", " << points_text(book->most()) << " points at most.\n";
+    const auto print_all = [](const char *what, const std::vector<std::string> &ids) {
+        if (!ids.empty()) std::cout << what << " (" << ids.size() << "): " << listed(ids) << '\n';
+    };
+    print_all("Handed in nothing, so their rows stay as they are", assignment.missing());
+    print_all("Handed in, but not in the gradebook", assignment.strangers());
+    print_all("Belongs to nobody, and was left alone", all.left_alone);
+    for (const Submission &each : all.all) {
+        if (!each.trouble.empty()) std::cout << "  " << each.id << ": " << plain_line(each.trouble, 300) << '\n';
+        else if (!each.others.empty()) std::cout << "  " << each.id << ": not taken: " << listed(each.others) << '\n';
+    }
+    if (const auto &book = assignment.gradebook())
+        for (const Person &row : book->rows())
+            if (!row.locked.empty()) std::cout << "  " << row.id << ' ' << row.locked << ": the row stays as it is\n";
+}
+
+void print_plan(const Assignment &assignment) {
+    for (const Submission &each : assignment.submissions().all)
+        std::cout << "  " << each.id << ": " << (each.file.empty() ? "nothing to judge" : plain_line(each.taken, 200))
+                  << (each.late ? ", late" : "") << '\n';
+    if (const auto &book = assignment.gradebook())
+        for (const Person &row : book->rows())
+            if (row.locked.empty() && std::ranges::count(assignment.submissions().all, row.id, &Submission::id) == 1)
+                std::cout << "  row " << row.id << " (" << plain_line(row.name, 60) << ") would change"
+                          << (row.was.empty() ? "" : ", which has " + plain_line(row.was, 20)) << '\n';
+    std::cout << "Nothing was judged or written.\n";
+}
+
+/// A line that moves, on a terminal: how far it is, how fast, and how long it'll take.
+class ProgressLine {
+  public:
+    void operator()(std::size_t done, std::size_t of) const {
+        if (!is_terminal()) return;
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+        const double rate = double(done) / std::max(took.count(), 1e-3);
+        std::cout << "\r\x1b[K  " << done << " of " << of << ", " << points_text(rate) << " a second, "
+                  << static_cast<int>(double(of - done) / rate + 0.5) << " s left" << (done == of ? "\r\x1b[K" : "")
+                  << std::flush;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
+};
+
+/// Where nobody but the instructor can help: first of all, and the exit code tells.
+std::size_t print_our_troubles(const GradedClass &graded) {
+    std::size_t troubles = 0;
+    for (const Graded &student : graded.students)
+        if (!student.our_trouble.empty()) {
+            ++troubles;
+            std::cout << painted(Colour::red, "not graded ") << student.submission.id << ": "
+                      << plain_line(student.our_trouble, 300) << '\n';
+        }
+    return troubles;
+}
+
+void print_changes(const std::vector<Change> &changes) {
+    if (!changes.empty()) std::cout << "Since last time " << counted(changes.size(), "student") << " changed:\n";
+    for (const Change &change : changes)
+        std::cout << "  " << change.id << ": " << change.before << " -> " << change.after << " ("
+                  << plain_line(change.because, 300) << ")\n";
+}
+
+void print_sums(const GradedClass &graded) {
+    std::vector<double> points;
+    std::size_t full = 0;
+    for (const Graded &student : graded.students) {
+        if (!student.our_trouble.empty()) continue;
+        points.push_back(student.earned());
+        if (points_text(student.earned()) == points_text(student.possible())) ++full;
+    }
+    const auto spread = quartiles(points);
+    if (!spread) return;
+    std::cout << counted(points.size(), "student") << " graded: " << full << " with all "
+              << points_text(graded.students.front().possible()) << " points, half of them with "
+              << points_text(spread->median) << " or more.\n";
+}
+
+void print_appeal(const GradedClass &graded, const std::vector<std::string> &only, bool verbose) {
+    for (const Graded &student : graded.students)
+        if (std::ranges::find(only, student.submission.id) != only.end())
+            std::cout << student.submission.id << '\n' << feedback(graded, student, verbose) << '\n';
+}
+
+/// All answers to one exercise, equal ones once, with whose they are and what they earned.
+void print_answers(const GradedClass &graded, const std::string &number) {
+    std::vector<std::string> functions;
+    for (const GradedExercise &each : graded.students.front().exercises) functions.push_back(each.exercise.function);
+    std::map<std::string, std::vector<std::string>> whose; // by the answer's text
+    for (const Graded &student : graded.students)
+        for (const GradedExercise &each : student.exercises) {
+            if (each.exercise.number != number || student.submission.file.empty()) continue;
+            const std::string text = read_answer(student.submission.file);
+            const auto its = definition_of(code_of(text), each.exercise.function, functions);
+            if (its)
+                whose[plain_output(text.substr(its->begin, its->end - its->begin))].push_back(
+                    student.submission.id + " (" + points_text(each.earned) + ')');
+        }
+    for (const auto &[text, ids] : whose) std::cout << "// " << listed(ids) << '\n' << text << '\n';
+}
+
+void grade(const Tree &tree, const GradeOptions &options) {
+    const auto part = part_of(options.shard);
+    if (options.dry_run) {
+        const fs::path scratch = tree.build / "grade-dry-run";
+        fs::remove_all(scratch);
+        const Assignment assignment{tree, agreed_on(tree, options), scratch};
+        print_class(assignment);
+        print_plan(assignment);
+        fs::remove_all(scratch);
+        return;
+    }
+    const fs::path out = fs::absolute(options.out);
+    Assignment assignment{tree, agreed_on(tree, options), out};
+    if (!options.again && options.only.empty() && options.show.empty()) print_class(assignment);
+    for (const std::string &id : options.only)
+        if (std::ranges::count(assignment.submissions().all, id, &Submission::id) == 0)
+            throw Complaint{"nobody with the id " + id + " has handed anything in"};
+    for (const std::string &folder : options.merge) assignment.merge(folder);
+    const std::size_t judged = assignment.judge({options.only.begin(), options.only.end()}, part, ProgressLine{});
+    if (part.second > 1) {
+        std::cout << judged << " judged: part " << options.shard
+                  << ". When all parts are there: ./course grade --out DIR --merge " << options.out << " …\n";
+        return;
+    }
+    const GradedClass graded = assignment.graded();
+    if (!options.show.empty()) return print_answers(graded, find_exercise(tree, options.show).exercise.number);
+    const auto changes = assignment.write(graded);
+    print_appeal(graded, options.only, options.verbose);
+    std::cout << judged << " judged now; what else has a result has kept it.\n";
+    const std::size_t troubles = print_our_troubles(graded);
+    print_sums(graded);
+    print_changes(changes);
+    if (options.again && changes.empty()) std::cout << "Nobody's points have changed.\n";
+    std::cout << "See ./course open " << options.out << "; then upload "
+              << (assignment.gradebook() ? (fs::path{options.out} / "grades.csv").string() + " and " : "")
+              << (fs::path{options.out} / "feedback.zip").string() << '\n';
+    if (troubles > 0) {
+        std::cout << counted(troubles, "student")
+                  << " not graded: their rows stay as they are. Try again with ./course grade --out " << options.out
+                  << " --again\n";
+        throw Leave{our_fault};
+    }
+}
+
+} // namespace
+
+void add_grade(CLI::App &app, const Tree &tree) {
+    const auto options = std::make_shared<GradeOptions>();
+    CLI::App *command = app.add_subcommand("grade", "Grade a class, from the platform's download to its upload");
+    command->add_option("section", options->section, "its number, name or file; not again for a folder that's there");
+    command->add_option("submissions", options->given, "Canvas' or Moodle's zip, or a folder of folders: id/file.cpp");
+    command->add_option("--out", options->out, "the folder for all that comes of it; it's made");
+    command->add_option("--gradebook", options->gradebook, "Canvas' export, or Moodle's worksheet: comes back filled");
+    command->add_option("--column", options->column, "of the gradebook, if more than one could be meant");
+    command->add_option("--points", options->points, "what exercises are worth, in the form of tests/points.txt");
+    command->add_option("--without", options->without, "a test that doesn't count for anybody, by its name");
+    command->add_flag("--forgive", options->forgive, "a function costs nothing that fails only because of another");
+    command->add_option("--only", options->only, "judge these ids anew, and print what they read");
+    command->add_option("--show", options->show, "print all answers to one exercise, as 5.4");
+    command->add_flag("--again", options->again, "after a test was mended, or overrides.csv: says who changed");
+    command->add_option("--shard", options->shard, "only a part, as in 3/8, for many machines");
+    command->add_option("--merge", options->merge, "folders of parts, to be joined");
+    command->add_flag("--dry-run", options->dry_run, "say who, which file, which rows; judge nothing");
+    command->add_flag("-v,--verbose", options->verbose, "with --only: every failing test whole");
+    command->footer("Example: ./course grade 5 submissions.zip --gradebook grades.csv --out g5\n"
+                    "Exits with 3 if somebody couldn't be graded: then their rows stay as they are.");
+    command->callback([&tree, options] {
+        if (options->out.empty() && !options->dry_run)
+            throw Complaint{"where to? Name a folder, which is made: --out g5"};
+        grade(tree, *options);
+    });
+}
+
+} // namespace course
