@@ -272,6 +272,7 @@ TEST_CASE("what was built and has been cut to nothing is built again, not believ
     const nlohmann::json section{{"name", "07_wall_meeting"},
                                  {"server", file("server.o")},
                                  {"missing", file("missing.o")},
+                                 {"ours", file("ours.o")},
                                  {"earlier", nlohmann::json::array()}};
     const nlohmann::json none = nlohmann::json::array();
     small.write(build / "course.json", nlohmann::json{{"compiler", "c++"},
@@ -283,7 +284,7 @@ TEST_CASE("what was built and has been cut to nothing is built again, not believ
                                                       {"includes", none},
                                                       {"sections", {section}}}
                                            .dump());
-    for (const char *name : {"server.o", "missing.o"}) small.write(build / name, "whole");
+    for (const char *name : {"server.o", "missing.o", "ours.o"}) small.write(build / name, "whole");
     small.write("exercises/07_wall_meeting.cpp", "int first() { return 1; }\n");
     small.write(program, "");
     small.write(build / "loop/07_wall_meeting.checked", "");
