@@ -245,7 +245,7 @@ TEST_CASE("the column that must be meant is the only one, or the only one that n
     CHECK(column_chosen({"n–t Collisions (1)", "Exam (2)"}, "", collisions) == "n–t Collisions (1)");
 }
 
-TEST_CASE("--column is a title, or one without its number, or a part of one", "[gradebook]") {
+TEST_CASE("the option --column is a title, or one without its number, or a part of one", "[gradebook]") {
     const std::vector<std::string> titles{"HW 1 (10)", "HW 10 (11)", "HW 11 (12)", "Essay (1)"};
     CHECK(column_chosen(titles, "HW 1") == "HW 1 (10)");
     CHECK(column_chosen(titles, "HW 1 (10)") == "HW 1 (10)");

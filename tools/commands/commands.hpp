@@ -38,6 +38,7 @@ void add_bug(CLI::App &app, const Tree &tree);
 void add_list(CLI::App &app, const Tree &tree);
 void add_mytests(CLI::App &app, const Tree &tree);
 void add_grade(CLI::App &app, const Tree &tree);
+void add_update(CLI::App &app, const Tree &tree);
 void add_hint(CLI::App &app, const Tree &tree);
 void add_solution(CLI::App &app, const Tree &tree);
 void add_reset(CLI::App &app, const Tree &tree);

@@ -66,14 +66,15 @@ fs::path bring_up(const Tree &tree, bool mine) {
     return mine ? own_site_folder(tree) : site_folder(tree);
 }
 
+void open_file(const fs::path &file) {
+    std::cout << (show(file) ? "Opening " : "Open this file in your browser: ") << file.string() << '\n';
+}
+
 void open(const Tree &tree, const std::string &section, bool mine) {
-    if (const fs::path report = fs::absolute(section) / "report.html"; !section.empty() && fs::exists(report)) {
-        std::cout << (show(report) ? "Opening " : "Open this file in your browser: ") << report.string() << '\n';
-        return;
-    }
+    if (const fs::path report = fs::path{section} / "report.html"; !section.empty() && fs::exists(report))
+        return open_file(fs::absolute(report));
     const fs::path chapter = section.empty() ? tree.root / "book.md" : tree.chapter(tree.section(section));
-    const std::string file = (bring_up(tree, mine) / (page_name(tree, chapter) + ".html")).string();
-    std::cout << (show(file) ? "Opening " : "Open this file in your browser: ") << file << '\n';
+    open_file(bring_up(tree, mine) / (page_name(tree, chapter) + ".html"));
 }
 
 } // namespace

@@ -1,0 +1,136 @@
+// `course update`: all that's the course's is renewed, and nothing that's the student's.
+
+#include "small_course.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using Catch::Matchers::ContainsSubstring;
+using namespace course;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string
+    stub_before = "// 7.1 core\nint first() {\n    throw 1;\n}\n\n// 7.2 core\nint second() {\n    throw 2;\n}\n",
+    stub_after = "// 7.1 core\nint first() {\n    throw 1;\n}\n\n// 7.2 core\nint second(int of) {\n    throw 2;\n}\n";
+
+/// A student's course, and a newer version of it beside it.
+struct TwoVersions {
+    TwoVersions() {
+        for (const SmallCourse *each : {&student, &newer}) {
+            each->write("course", "#!/bin/sh\n");
+            for (const char *folder : {"exercises", "tests/stubs"})
+                each->write(std::string{folder} + "/07_wall_meeting.cpp", each == &newer ? stub_after : stub_before);
+        }
+        newer.write("chapters/07_wall_meeting/README.md", "# 7, better\n");
+        newer.write("chapters/07_wall_meeting/new.hpp", "new\n");
+        fs::remove_all(newer.tree.build);
+    }
+    static void git(const SmallCourse &course, std::vector<std::string> words) {
+        words.insert(words.begin(), {"git", "-c", "user.name=n", "-c", "user.email=e"});
+        const Finished done = run(words, {.folder = course.tree.root});
+        INFO(done.out << done.err);
+        REQUIRE(done.code == 0);
+    }
+    /// The student's is a clone of what the newer one was once.
+    void in_git() const {
+        git(student, {"init", "--quiet", "--initial-branch=main"});
+        student.write(".gitignore", "/build/\n");
+        student.write("old.txt", "old\n");
+        git(student, {"add", "."});
+        git(student, {"commit", "--quiet", "-m", "old"});
+        newer.write(".gitignore", "/build/\n");
+        git(newer, {"init", "--quiet", "--initial-branch=main"});
+        git(newer, {"fetch", "--quiet", student.tree.root.string(), "main"});
+        git(newer, {"reset", "--quiet", "FETCH_HEAD"});
+        git(newer, {"add", "--all", "."});
+        git(newer, {"commit", "--quiet", "-m", "new"});
+    }
+    Finished update() const { return student({"update", newer.tree.root.string()}); }
+    SmallCourse student{"a student XXXXXX"}, newer{"newer XXXXXX"};
+};
+
+constexpr const char *file_of_student = "exercises/07_wall_meeting.cpp";
+constexpr const char *beside = "exercises/07_wall_meeting.new.txt";
+
+} // namespace
+
+TEST_CASE("an update renews the course, and puts a stub that has changed beside the student's file") {
+    const TwoVersions course;
+    const bool clone = GENERATE(false, true);
+    if (clone) course.in_git();
+    course.student.write(file_of_student, "int first() { return 1; } // mine\n");
+    course.student.write("exercises/07_wall_meeting_tests.cpp", "// mine, too\n");
+    const Finished done = course.update();
+    INFO(done.out << done.err);
+    REQUIRE(done.code == 0);
+    CHECK_THAT(done.out, ContainsSubstring("is yours, and stays. Its stub has changed (7.2 second)"));
+    CHECK(course.student.read(file_of_student) == "int first() { return 1; } // mine\n");
+    CHECK(course.student.read("exercises/07_wall_meeting_tests.cpp") == "// mine, too\n");
+    CHECK(course.student.read(beside) == stub_after);
+    CHECK(course.student.read("tests/stubs/07_wall_meeting.cpp") == stub_after);
+    CHECK(course.student.read("chapters/07_wall_meeting/README.md") == "# 7, better\n");
+    CHECK(course.student.read("chapters/07_wall_meeting/new.hpp") == "new\n");
+    CHECK(course.student.has("old.txt") == false);
+
+    const Finished again = course.update();
+    CHECK(again.out == "This is the newest version already.\n");
+    if (clone) { // git knows no other change than the student's
+        const Finished status = run({"git", "status", "--porcelain"}, {.folder = course.student.tree.root});
+        CHECK_THAT(status.out,
+                   ContainsSubstring(" M exercises/07_wall_meeting.cpp\n") && !ContainsSubstring("chapters"));
+    }
+}
+
+TEST_CASE("an exercise that nobody has begun becomes the new stub") {
+    const TwoVersions course;
+    CHECK(course.update().code == 0);
+    CHECK(course.student.read(file_of_student) == stub_after);
+    CHECK_FALSE(course.student.has(beside));
+}
+
+TEST_CASE("what a student has committed stays in the history") {
+    const TwoVersions course;
+    course.in_git();
+    course.student.write(file_of_student, "// mine\n");
+    TwoVersions::git(course.student, {"commit", "--quiet", "-am", "mine"});
+    const Finished done = course.update();
+    INFO(done.out << done.err);
+    REQUIRE(done.code == 0);
+    CHECK(course.student.read(file_of_student) == "// mine\n");
+    const Finished log = run({"git", "log", "--format=%s"}, {.folder = course.student.tree.root});
+    CHECK_THAT(log.out, ContainsSubstring("mine\n") && ContainsSubstring("new\n"));
+    CHECK(run({"git", "diff", "--name-only", "FETCH_HEAD", "--", ".", ":!exercises"},
+              {.folder = course.student.tree.root})
+              .out.empty());
+}
+
+TEST_CASE("what a student has changed beside the exercises isn't written over") {
+    const TwoVersions course;
+    course.in_git();
+    course.student.write("chapters/07_wall_meeting/README.md", "# my notes\n");
+    const Finished refused = course.update();
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, ContainsSubstring("you have changed chapters/07_wall_meeting/README.md"));
+    CHECK(course.student.read("chapters/07_wall_meeting/README.md") == "# my notes\n");
+}
+
+TEST_CASE("an update comes from an archive, too, and from nothing else") {
+    const TwoVersions course;
+    const fs::path archive = course.newer.folder.path / "new.tar.gz";
+    REQUIRE(run({"tar", "czf", archive.string(), "--exclude=new.tar.gz", "-C",
+                 course.newer.folder.path.parent_path().string(), course.newer.folder.path.filename().string()})
+                .code
+            == 0);
+    CHECK(course.student({"update", archive.string()}).code == 0);
+    CHECK(course.student.read("chapters/07_wall_meeting/new.hpp") == "new\n");
+    course.student.write("no archive", "text");
+    for (const std::string &wrong : {(course.student.tree.root / "no archive").string(),
+                                     (course.student.tree.root / "tests").string(), std::string{"nowhere"}}) {
+        const Finished refused = course.student({"update", wrong});
+        CHECK(refused.code == 2);
+        CHECK_FALSE(refused.err.empty());
+    }
+}
