@@ -29,10 +29,10 @@ class Page {
             possible = std::max(possible, student.possible());
         }
         std::string facts = fact("Students", in_numbers(all.size(), missing));
-        std::string spread = points(possible) + " possible";
+        std::string spread = points_text(possible) + " possible";
         if (const auto middle = quartiles(all))
             spread += fmt::format("; the median is {}, and half of the class is between {} and {}",
-                                  points(middle->median), points(middle->lower), points(middle->upper));
+                                  points_text(middle->median), points_text(middle->lower), points_text(middle->upper));
         facts += fact("Points", spread) + fact("Course", shown(graded.version))
                  + fact("Hash of the tests", "<code>" + shown(graded.tests_hash) + "</code>");
         std::string voids;

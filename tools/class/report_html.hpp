@@ -1,13 +1,13 @@
 #pragma once
 // Pieces of the instructor's report. What comes into them has been through `shown`, or is our own.
 
+#include "class/points.hpp"
 #include "ground/plain.hpp"
 #include "ground/text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,9 +22,6 @@ inline std::string shown(std::string text) {
 
 /// The same with its lines.
 inline std::string preformatted(const std::string &text) { return "<pre>" + escaped(plain_output(text)) + "</pre>\n"; }
-
-/// "7.5", with two decimals at most
-inline std::string points(double number) { return fmt::format("{}", std::round(number * 100) / 100); }
 
 inline std::string times(std::size_t count) {
     return count == 1 ? "once" : count == 2 ? "twice" : std::to_string(count) + " times";

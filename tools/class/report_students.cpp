@@ -35,8 +35,8 @@ std::string cell(const GradedExercise &exercise) {
 /// What's wrong with an exercise, from its points to the verdict that says most.
 std::string detail(const GradedClass &graded, const GradedExercise &exercise) {
     std::string html = fmt::format("<h3>{} {}</h3>\n<p>{}, {} of {} {}", shown(exercise.exercise.number),
-                                   shown(exercise.exercise.function), share(exercise), points(exercise.earned),
-                                   points(exercise.possible), exercise.possible == 1 ? "point" : "points");
+                                   shown(exercise.exercise.function), share(exercise), points_text(exercise.earned),
+                                   points_text(exercise.possible), exercise.possible == 1 ? "point" : "points");
     if (exercise.baseline > 0) html += fmt::format(". An answer that computes nothing passes {}", exercise.baseline);
     html += ".</p>\n";
     if (!exercise.consequence_of.empty())
@@ -104,7 +104,7 @@ std::string rows(const GradedClass &graded, const Graded &student, const People 
 <tr><th scope="row"><a href="#{0}">{2}</a></th>)",
                                    People::anchor(id), is_to_look_at(student) ? "" : "whole", shown(id));
     if (!people.names.empty()) html += "<td class=\"name\">" + people.name(id) + "</td>";
-    html += "<td>" + (has_grade(student) ? points(student.earned()) : sign("–", "no grade")) + "</td>";
+    html += "<td>" + (has_grade(student) ? points_text(student.earned()) : sign("–", "no grade")) + "</td>";
     html += cells(student, exercises) + "<td class=\"file\">" + shown(student.submission.taken) + ' '
             + (student.submission.late ? tag("late") : "") + (student.overridden ? tag("set by you") : "")
             + "</td></tr>\n";
