@@ -213,6 +213,26 @@ TEST_CASE("a function that fails because of another one is told so, and one that
     CHECK(both.because_of.count("5.4") == 0);
 }
 
+TEST_CASE("what a student hasn't written is no consequence, although with ours in its place it passes") {
+    const std::string heading = "double incline_acceleration(const Box &box, double angle, double g) {";
+    const std::string wrong = with(answer_of_ours(), right_normal_force, wrong_normal_force);
+    SECTION("it takes something else than it should") {
+        const Outcomes outcomes =
+            come_out(with(wrong, heading, "double incline_acceleration(Box &box, double angle, double g) {"));
+        CHECK(that_fail(outcomes) == "5.3 5.4 5.7 ");
+        CHECK(outcomes.because_of.count("5.4") == 0);
+    }
+    SECTION("it goes away together with the one that it calls") {
+        const std::string hidden = "\n#define OPENS {\n}\n#define OTHER incline_acceleration\n"
+                                   "double OTHER(const Box &, double, double) { return 1; }\n#define CLOSES }\n";
+        const Outcomes outcomes =
+            come_out(with(with(wrong, wrong_normal_force + std::string{"\n}"}, wrong_normal_force + hidden), heading,
+                          "double incline_acceleration(Box &box, double angle, double g) {"));
+        CHECK(that_fail(outcomes) == "5.3 5.4 5.7 ");
+        CHECK(outcomes.because_of.count("5.4") == 0);
+    }
+}
+
 TEST_CASE("outcomes are the same when they come back from a file, and half a file is none") {
     const Outcomes outcomes = come_out(with(answer_of_ours(), right_normal_force, "return mass * g * std::sin(angle)"));
     const std::string text = to_text(outcomes);

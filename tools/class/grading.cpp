@@ -78,6 +78,15 @@ std::vector<const Exercise *> called_by(const Exercise &exercise, const Remains 
     return all;
 }
 
+/// Whether the function is still there when these others are taken out: with ours in their place, ours would be judged
+/// in its place, too, if it's in another namespace, say, or takes something else.
+bool is_their_own(const Tree &tree, const Section &section, const std::string &name, const Exercise &exercise,
+                  Remains without, const std::vector<const Exercise *> &others, unsigned seed) {
+    for (const Exercise *other : others) without.replace(*other, without.empty(*other));
+    const Judgement judgement = judge(tree, section, name, without.text, {.seed = seed, .exercise = exercise.number});
+    return !judgement.unbuilt && std::ranges::count(judgement.verdicts, Kind::missing, &Verdict::kind) == 0;
+}
+
 /// Finds out which exercises fail only because of others.
 void find_consequences(const Tree &tree, const Section &section, const std::string &name, const Remains &remains,
                        unsigned seed, Outcomes &outcomes) {
@@ -93,7 +102,8 @@ void find_consequences(const Tree &tree, const Section &section, const std::stri
         }
         const Judgement again =
             judge(tree, section, name, alone.text, {.seed = seed, .exercise = exercise.number, .with_ours = true});
-        if (again.all_passed()) outcomes.because_of[exercise.number] = numbers;
+        if (again.all_passed() && is_their_own(tree, section, name, exercise, remains, called, seed))
+            outcomes.because_of[exercise.number] = numbers;
     }
 }
 
