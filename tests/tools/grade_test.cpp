@@ -270,6 +270,33 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         CHECK_THAT(grade({"--out", grade.out(), "--again"}).out, ContainsSubstring("Nobody's points have changed"));
         CHECK_THAT(grade.read("overrides.csv"), ContainsSubstring("the upload, broke"));
     }
+    SECTION("an override that can't be meant is refused; its head may be missing") {
+        const auto refused = [&](const std::string &text) {
+            write_file(fs::path{grade.out()} / "overrides.csv", text);
+            const Finished done = grade({"--out", grade.out(), "--again"});
+            CHECK(done.code == 2);
+            return done.err;
+        };
+        CHECK_THAT(refused("id,points,why\n10033,7,oral\n"), ContainsSubstring("nobody has the id 10033"));
+        CHECK_THAT(refused("10033,7,oral\n"), ContainsSubstring("nobody has the id 10033"));
+        CHECK_THAT(refused("id,points,why\n1003,nan,oral\n"), ContainsSubstring("the line of 1003 should be"));
+    }
+    SECTION("a second download keeps what was agreed with the first") {
+        const std::string name = "on a level board it presses with its whole weight, 100 N";
+        grade({"--out", grade.out(), "--forgive", "--without", name});
+        const std::string before = grade.read("grade.json");
+        grade.hand_in("1003", answer_of_ours());
+        const Finished second = grade({"5", grade.in(), "--out", grade.out()});
+        INFO(second.out << second.err);
+        CHECK_THAT(second.out, ContainsSubstring("1 student changed:\n  1003: 0 -> 10 "));
+        CHECK(grade.read("grade.json") == before);
+        CHECK_THAT(grade.read("grades.csv"), ContainsSubstring(",1003,10\n"));
+    }
+    SECTION("another section wants another folder") {
+        const Finished other = grade({"7", grade.in(), "--out", grade.out()});
+        CHECK(other.code == 2);
+        CHECK_THAT(other.err, ContainsSubstring("holds section 5 already: name another folder, as --out g7"));
+    }
     SECTION("an appeal is judged anew, and shown whole") {
         const Finished appeal = grade({"--out", grade.out(), "--only", "1002", "-v"});
         CHECK_THAT(appeal.out, ContainsSubstring("1 judged") && ContainsSubstring("when you take the sine")
@@ -282,6 +309,9 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
                                 && ContainsSubstring(std::string{"    "} + wrong_normal_force));
         CHECK_THAT(grade({"--out", grade.out(), "--show", "5.5"}).out,
                    ContainsSubstring("// 1001 (1.54), 1002 (1.54)\n"));
+        const Finished none = grade({"--out", grade.out(), "--show", "6.1"});
+        CHECK(none.code == 2);
+        CHECK_THAT(none.err, ContainsSubstring("answers to section 5, and none to 6.1"));
     }
     SECTION("a void test counts for nobody, and everybody is told") {
         const std::string name = "on a level board it presses with its whole weight, 100 N";
@@ -301,6 +331,26 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         const Finished again = grade({"--out", grade.out(), "--again"});
         CHECK_THAT(again.out, ContainsSubstring("2 judged") && ContainsSubstring("1004: 0 -> 10"));
     }
+}
+
+TEST_CASE("a folder with other things in it, or a file, is left alone") {
+    const SmallClass grade;
+    grade.hand_in("1", answer_of_ours());
+    write_file(fs::path{grade.out()} / "report.html", "somebody's own");
+    const Finished folder = grade({"5", grade.in(), "--out", grade.out()});
+    CHECK(folder.code == 2);
+    CHECK_THAT(folder.err, ContainsSubstring("something else in it, report.html"));
+    CHECK(grade.read("report.html") == "somebody's own");
+    const Finished file = grade({"5", grade.in(), "--out", grade.out() + "/report.html"});
+    CHECK(file.code == 2);
+    CHECK_THAT(file.err, ContainsSubstring("is a file: name a folder"));
+}
+
+TEST_CASE("a call that failed stands in nobody's way") {
+    const SmallClass grade;
+    grade.hand_in("1", answer_of_ours());
+    CHECK(grade({"5", grade.in(), "--out", grade.out(), "--without", "no such test"}).code == 2);
+    CHECK(grade({"5", grade.in(), "--out", grade.out()}).code == 0);
 }
 
 TEST_CASE("parts that were judged apart join to the same as a whole") {

@@ -7,7 +7,9 @@
 #include "class/pool.hpp"
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
+#include "ground/plain.hpp"
 #include "ground/process.hpp"
+#include "ground/text.hpp"
 #include "loop/answer.hpp"
 #include "loop/junit.hpp"
 #include "loop/mistakes.hpp"
@@ -16,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -76,7 +79,7 @@ std::map<std::string, std::pair<double, std::string>> overrides_in(const fs::pat
     const std::string text = read_file(file);
     bool head = true;
     for (const std::vector<CsvCell> &row : read_csv(text, file.string()).rows) {
-        const bool is_head = std::exchange(head, false);
+        const bool is_head = std::exchange(head, false) && row.front().text == "id";
         if (is_head || row.front().text.empty()) continue;
         std::string points = row.size() < 2 ? "" : row[1].text;
         std::ranges::replace(points, ',', '.');
@@ -85,12 +88,24 @@ std::map<std::string, std::pair<double, std::string>> overrides_in(const fs::pat
         try {
             worth = std::stod(points, &end);
         } catch (const std::exception &) {}
-        if (row.size() != 3 || end != points.size() || worth < 0)
+        if (row.size() != 3 || end != points.size() || !std::isfinite(worth) || worth < 0)
             throw Complaint{file.string() + ": the line of " + row.front().text
                             + " should be an id, points, and why: 1003,7.5,\"was ill\""};
         all[row.front().text] = {worth, row[2].text};
     }
     return all;
+}
+
+/// A folder that holds anything else may be anybody's: nothing there is written over.
+void require_own_folder(const fs::path &out) {
+    if (!fs::exists(out) || Assignment::is_begun(out)) return;
+    if (!fs::is_directory(out)) throw Complaint{out.string() + " is a file: name a folder, which is made"};
+    for (const fs::directory_entry &entry : fs::directory_iterator{out}) {
+        const std::string name = entry.path().filename().string();
+        if (!is_any_of(name, {"files", "handed_in.zip", "gradebook.csv", "points.txt", "overrides.csv"}))
+            throw Complaint{out.string() + " has something else in it, " + name
+                            + ", so nothing is written there: name a new folder, which is made"};
+    }
 }
 
 /// The names of tests that failed, each with what came out: what an appeal or a mended test may change.
@@ -108,13 +123,19 @@ Assignment::Assignment(const Tree &tree_, Agreed agreed_, const fs::path &out_)
     : tree{tree_}, agreed{std::move(agreed_)}, out{out_}, its_section{tree.section(agreed.section)} {
     if (!tree.has_answers(its_section))
         throw Complaint{"this edition of the course has no solutions, so it can't grade: use the whole one"};
+    require_own_folder(out);
     if (!agreed.gradebook.empty()) book.emplace(agreed.gradebook, its_section, agreed.column);
     fs::create_directories(out / "files");
     fs::permissions(out, fs::perms::owner_all);
     handed_in = read_submissions(agreed.given, its_section, out / "files");
     if (book && handed_in.platform != Platform::folder && handed_in.platform != book->platform())
         throw Complaint{"the submissions are from " + std::string{name_of(handed_in.platform)}
-                        + ", but the gradebook is " + std::string{name_of(book->platform())} + "'s"};
+                        + ", but the gradebook is from " + std::string{name_of(book->platform())}};
+    for (const auto &[id, set] : overrides_in(out / "overrides.csv"))
+        if (std::ranges::count(handed_in.all, id, &Submission::id) == 0
+            && !(book && std::ranges::count(book->rows(), id, &Person::id) > 0))
+            throw Complaint{(out / "overrides.csv").string() + ": nobody has the id " + plain_line(id, 100)
+                            + ", neither among the submissions nor in the gradebook"};
     const auto tests = tests_of(tree, its_section);
     for (const std::string &name : agreed.void_tests)
         if (std::ranges::find(tests, name, &KnownTest::claim) == tests.end())
@@ -134,8 +155,10 @@ Assignment::Assignment(const Tree &tree_, Agreed agreed_, const fs::path &out_)
     for (std::size_t i = 0; i < ids.size(); ++i) hashes[ids[i]] = of_files[i];
 }
 
+bool Assignment::is_begun(const fs::path &folder) { return fs::exists(folder / "grade.json"); }
+
 Agreed Assignment::kept(const fs::path &folder) try {
-    if (!fs::exists(folder / "grade.json"))
+    if (!is_begun(folder))
         throw Complaint{folder.string()
                         + " is no folder that `grade` has made: begin with a section and a download, as "
                           "in ./course grade 5 submissions.zip --out "
@@ -145,7 +168,8 @@ Agreed Assignment::kept(const fs::path &folder) try {
     return {its.at("section"), path("given"),        path("gradebook"), its.at("column"),
             path("worth"),     its.at("void_tests"), its.at("forgive"), its.at("seed")};
 } catch (const json::exception &) {
-    throw Complaint{(folder / "grade.json").string() + " is broken: name section, download and gradebook again"};
+    throw Complaint{(folder / "grade.json").string()
+                    + " is broken: delete it, and name section, download and gradebook again"};
 }
 
 std::vector<std::string> Assignment::missing() const {

@@ -35,6 +35,9 @@ class Assignment {
     /// @param out  the folder; it's made, for its owner alone, with copies of what was given
     Assignment(const Tree &tree, Agreed agreed, const std::filesystem::path &out);
 
+    /// Whether an earlier call has made this folder.
+    static bool is_begun(const std::filesystem::path &out);
+
     /// The folder of an earlier call. @throws Complaint if it's none
     static Agreed kept(const std::filesystem::path &out);
 

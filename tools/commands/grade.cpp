@@ -45,13 +45,18 @@ std::string listed(const std::vector<std::string> &words) {
 
 /// What's agreed on: by an earlier call, as far as this one doesn't say otherwise.
 Agreed agreed_on(const Tree &tree, const GradeOptions &options) {
+    const bool begun = !options.out.empty() && Assignment::is_begun(options.out);
     Agreed agreed;
-    if (options.section.empty()) agreed = Assignment::kept(options.out);
-    else {
+    if (begun || options.section.empty()) agreed = Assignment::kept(options.out);
+    if (!options.section.empty()) {
         if (options.given.empty())
             throw Complaint{"which submissions? Name the platform's download: ./course grade " + options.section
                             + " submissions.zip --out g" + options.section};
-        agreed.section = tree.section(options.section).name;
+        const Section section = tree.section(options.section);
+        if (begun && agreed.section != section.name)
+            throw Complaint{options.out + " holds section " + tree.section(agreed.section).short_number()
+                            + " already: name another folder, as --out g" + section.short_number()};
+        agreed.section = section.name;
         agreed.given = fs::absolute(options.given);
     }
     const auto path = [](const std::string &word) { return fs::absolute(word); };
@@ -156,6 +161,14 @@ void print_appeal(const GradedClass &graded, const std::vector<std::string> &onl
             std::cout << student.submission.id << '\n' << feedback(graded, student, verbose) << '\n';
 }
 
+std::string exercise_to_show(const Tree &tree, const Section &section, const std::string &words) {
+    const FoundExercise found = find_exercise(tree, words);
+    if (found.section.name != section.name)
+        throw Complaint{"these are answers to section " + section.short_number() + ", and none to "
+                        + found.exercise.number};
+    return found.exercise.number;
+}
+
 /// All answers to one exercise, equal ones once, with whose they are and what they earned.
 void print_answers(const GradedClass &graded, const std::string &number) {
     std::vector<std::string> functions;
@@ -190,6 +203,7 @@ void grade(const Tree &tree, const GradeOptions &options) {
     for (const std::string &id : options.only)
         if (std::ranges::count(assignment.submissions().all, id, &Submission::id) == 0)
             throw Complaint{"nobody with the id " + id + " has handed anything in"};
+    const std::string shown = options.show.empty() ? "" : exercise_to_show(tree, assignment.section(), options.show);
     for (const std::string &folder : options.merge) assignment.merge(folder);
     const std::size_t judged = assignment.judge({options.only.begin(), options.only.end()}, part, ProgressLine{});
     if (part.second > 1) {
@@ -198,7 +212,7 @@ void grade(const Tree &tree, const GradeOptions &options) {
         return;
     }
     const GradedClass graded = assignment.graded();
-    if (!options.show.empty()) return print_answers(graded, find_exercise(tree, options.show).exercise.number);
+    if (!options.show.empty()) return print_answers(graded, shown);
     const auto changes = assignment.write(graded);
     print_appeal(graded, options.only, options.verbose);
     std::cout << judged << " judged now; what else has a result has kept it.\n";
