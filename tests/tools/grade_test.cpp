@@ -288,7 +288,7 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         grade.hand_in("1003", answer_of_ours());
         const Finished second = grade({"5", grade.in(), "--out", grade.out()});
         INFO(second.out << second.err);
-        CHECK_THAT(second.out, ContainsSubstring("1 student changed:\n  1003: 0 -> 10 "));
+        CHECK_THAT(second.out, ContainsSubstring("1 student changed:\n  1003: 0 -> 10 (another file was handed in)\n"));
         CHECK(grade.read("grade.json") == before);
         CHECK_THAT(grade.read("grades.csv"), ContainsSubstring(",1003,10\n"));
     }
@@ -329,7 +329,8 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         write_file(fs::path{grade.out()} / "results" / "1001.json", grade.read("results/1001.json").substr(0, 300));
         grade.hand_in("1004", answer_of_ours());
         const Finished again = grade({"--out", grade.out(), "--again"});
-        CHECK_THAT(again.out, ContainsSubstring("2 judged") && ContainsSubstring("1004: 0 -> 10"));
+        CHECK_THAT(again.out, ContainsSubstring("2 judged")
+                                  && ContainsSubstring("1004: 0 -> 10 (another file was handed in)\n"));
     }
 }
 

@@ -305,7 +305,7 @@ std::vector<Change> Assignment::changes(const GradedClass &graded) const {
             continue;
         }
         const std::set<std::string> failed = failed_tests(student);
-        now[id] = {{"points", points_text(student.earned())}, {"failed", failed}};
+        now[id] = {{"points", points_text(student.earned())}, {"failed", failed}, {"file", student.file_hash}};
         if (!last.contains(id) || last[id].value("points", "") == now[id]["points"]) continue;
         const std::set<std::string> before = last[id].value("failed", std::set<std::string>{});
         Change change{id, last[id].value("points", ""), points_text(student.earned()), ""};
@@ -313,6 +313,8 @@ std::vector<Change> Assignment::changes(const GradedClass &graded) const {
         std::ranges::set_symmetric_difference(before, failed, std::back_inserter(others));
         for (const std::string &test : others) change.because += (change.because.empty() ? "" : "; ") + test;
         if (student.overridden) change.because = "set by hand: " + student.why;
+        else if (last[id].value("file", student.file_hash) != student.file_hash)
+            change.because = "another file was handed in";
         else if (others.empty()) change.because = "what the points are counted by";
         all.push_back(std::move(change));
     }
