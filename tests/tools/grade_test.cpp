@@ -194,6 +194,13 @@ TEST_CASE("a function that doesn't compile costs no other one anything") {
         CHECK(outcomes.without.contains("5.5"));
         CHECK(outcomes.without.size() == 2);
     }
+    SECTION("a last brace is missing: the compiler stops in the next function, which isn't to blame") {
+        const Outcomes outcomes =
+            come_out(with(answer_of_ours(), "return std::atan(mu_s);\n}", "return std::atan(mu_s);"));
+        CHECK(outcomes.without.size() == 1);
+        CHECK(outcomes.without.contains("5.5"));
+        CHECK(that_fail(outcomes) == "5.5 ");
+    }
     SECTION("what's broken is in no function of an exercise") {
         const Outcomes outcomes =
             come_out(with(answer_of_ours(), "namespace inclined_planes {", "int x\nnamespace inclined_planes {"));
@@ -329,8 +336,8 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         write_file(fs::path{grade.out()} / "results" / "1001.json", grade.read("results/1001.json").substr(0, 300));
         grade.hand_in("1004", answer_of_ours());
         const Finished again = grade({"--out", grade.out(), "--again"});
-        CHECK_THAT(again.out, ContainsSubstring("2 judged")
-                                  && ContainsSubstring("1004: 0 -> 10 (another file was handed in)\n"));
+        CHECK_THAT(again.out,
+                   ContainsSubstring("2 judged") && ContainsSubstring("1004: 0 -> 10 (another file was handed in)\n"));
     }
 }
 
