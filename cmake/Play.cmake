@@ -6,7 +6,7 @@
 #   play/NN_slug_bug.js    the same with exercises/NN_bug.cpp: target NN_slug_play_bug
 #
 # In a demo of section(NN_slug BUILDS_ON ... PLAYS_YOURS) all functions of earlier sections, too, are called through the
-# page, which passes each call on to ours or to the student's.
+# page, which passes each call on to ours or to the student's. So it is in any demo of a handout, which has no ours to link.
 #
 # The last three need Debian's Clang 14 with its C library and C++ library for WebAssembly. Without them all the rest is
 # built, and the site has the demos that are kept in demos/.
@@ -100,30 +100,37 @@ endfunction()
 macro(section_demo)
   set(play ${PROJECT_BINARY_DIR}/play)
   file(MAKE_DIRECTORY ${play})
-  if(COURSE_WASM)
-    wasm_object(${play}/${section}_solution.o ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp) # for later sections
+  if(COURSE_WASM AND solved)
+    wasm_object(${play}/${section}_solution.o ${solution}) # for later sections
   endif()
   if(EXISTS ${chapter}/demo.cpp)
-    add_executable(${section}_demo tools/play/host/script.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
-    stand_behind_student_header(${section}_demo course_flags)
-    target_compile_definitions(${section}_demo PRIVATE DEMO="${section}/demo.cpp")
-    set_target_properties(${section}_demo PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/demo)
-    add_dependencies(demo-tests ${section}_demo)
-    add_dependencies(${section}_checks ${section}_demo)
-    set(tests ${section}.demo)
-    add_test(NAME ${section}.demo COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/play/script.mjs $<TARGET_FILE:${section}_demo>
-      ${PROJECT_SOURCE_DIR}/demos/${section}.js)
-    file(GLOB tasks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section_number}_*.mjs) # what a place asks can be done
-    foreach(task ${tasks})
-      cmake_path(GET task STEM stem)
-      add_test(NAME ${section}.demo.${stem} COMMAND ${NODE} ${task} $<TARGET_FILE:${section}_demo>)
-      list(APPEND tests ${section}.demo.${stem})
-    endforeach()
-    set_tests_properties(${tests} PROPERTIES LABELS slow)
+    if(solved)
+      section_script()
+    endif()
     if(COURSE_WASM)
       section_wasm()
     endif()
   endif()
+endmacro()
+
+# The demo without a page, on our functions, and what plays it.
+macro(section_script)
+  add_executable(${section}_demo tools/play/host/script.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
+  stand_behind_student_header(${section}_demo course_flags)
+  target_compile_definitions(${section}_demo PRIVATE DEMO="${section}/demo.cpp")
+  set_target_properties(${section}_demo PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/demo)
+  add_dependencies(demo-tests ${section}_demo)
+  add_dependencies(${section}_checks ${section}_demo)
+  set(tests ${section}.demo)
+  add_test(NAME ${section}.demo COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/play/script.mjs $<TARGET_FILE:${section}_demo>
+    ${PROJECT_SOURCE_DIR}/demos/${section}.js)
+  file(GLOB tasks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section_number}_*.mjs) # what a place asks can be done
+  foreach(task ${tasks})
+    cmake_path(GET task STEM stem)
+    add_test(NAME ${section}.demo.${stem} COMMAND ${NODE} ${task} $<TARGET_FILE:${section}_demo>)
+    list(APPEND tests ${section}.demo.${stem})
+  endforeach()
+  set_tests_properties(${tests} PROPERTIES LABELS slow)
 endmacro()
 
 macro(section_wasm)
@@ -139,12 +146,13 @@ macro(section_wasm)
     list(TRANSFORM earlier REPLACE "(.+)" "${play}/\\1_solution.o" OUTPUT_VARIABLE earlier_wasm)
   endif()
   wasm_object(${play}/${section}_page.o ${host}/page.cpp ${known_before} -include calls.hpp "-DDEMO=\"${section}/demo.cpp\"")
-  wasm_object(${play}/${section}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${known_before} ${as_ours})
-  section_bugs(${section} ${play}/${section}_bugs)
-  set(objects ${play}/${section}_page.o ${play}/${section}_ours.o ${bugs} ${earlier_wasm})
-  wasm_demo(${play}/${section}.js ${section} ${objects} -Wl,--strip-all)
-  add_custom_target(${section}_play DEPENDS ${play}/${section}.js)
-  add_dependencies(demos ${section}_play)
+  set(objects ${play}/${section}_page.o)
+  if(solved)
+    wasm_object(${play}/${section}_ours.o ${solution} ${known_before} ${as_ours})
+    section_bugs(${section} ${play}/${section}_bugs)
+    list(APPEND objects ${play}/${section}_ours.o ${bugs})
+  endif()
+  list(APPEND objects ${earlier_wasm})
   # What a student's file reads anyway is compiled beforehand: a save is then in the page in a second.
   set(known ${play}/${section}_known.hpp)
   file(CONFIGURE OUTPUT ${known} CONTENT "#include <${section}/${slug}.hpp>\n#include <algorithm>\n#include <cmath>\n")
@@ -154,6 +162,16 @@ macro(section_wasm)
     section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section}.cpp ${play}/${section}_mine ${earlier_mine})
     add_custom_target(${section}_play_mine DEPENDS ${play}/${section}_mine.js)
   endif()
+  if(solved)
+    section_wasm_with_ours()
+  endif()
+endmacro()
+
+# What needs our functions: the published demo, one with a bug, and what tests play.
+macro(section_wasm_with_ours)
+  wasm_demo(${play}/${section}.js ${section} ${objects} -Wl,--strip-all)
+  add_custom_target(${section}_play DEPENDS ${play}/${section}.js)
+  add_dependencies(demos ${section}_play)
   # What `./course bug` has written, or not yet: one function, and all others are ours
   section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section_number}_bug.cpp ${play}/${section}_bug)
   add_custom_target(${section}_play_bug DEPENDS ${play}/${section}_bug.js)
@@ -193,13 +211,15 @@ function(section_bugs one to)
   set(bugs ${to}.o PARENT_SCOPE)
 endfunction()
 
-# Earlier sections for a demo that plays yours of them, too: our solutions, and a student's files, of which some may not
-# compile, and some may be gone.
+# Earlier sections for a demo that plays yours of them, too: our solutions, where they are, and a student's files, of which
+# some may not compile, and some may be gone.
 macro(earlier_in_the_page)
   foreach(one ${earlier})
-    page_answers(${one} ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp ${play}/${section}_${one}_ours.o ours)
-    section_bugs(${one} ${play}/${section}_${one}_bugs)
-    list(APPEND earlier_wasm ${play}/${section}_${one}_ours.o ${bugs})
+    if(EXISTS ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp)
+      page_answers(${one} ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp ${play}/${section}_${one}_ours.o ours)
+      section_bugs(${one} ${play}/${section}_${one}_bugs)
+      list(APPEND earlier_wasm ${play}/${section}_${one}_ours.o ${bugs})
+    endif()
   endforeach()
   earlier_files(earlier_mine ${PROJECT_SOURCE_DIR}/exercises ${play}/${section})
 endmacro()

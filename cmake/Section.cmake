@@ -9,6 +9,9 @@
 # section 08, a student's too, may call section 07's functions. Those are always our solution, never a student's answers.
 # section(13_table_hockey BUILDS_ON 07_segment_intersection PLAYS_YOURS): but in its demo they are the student's, where these
 # are done. See Play.cmake.
+#
+# A handout, the edition without solutions, makes of a section what can be made without them: its tests, its stub and the
+# student's program. There the functions of earlier sections are the student's own.
 
 option(COURSE_THOROUGH "Judge tests/wrong, and solutions by all generated cases: neither depends on the compiler, so once is enough. OFF, for sanitizers, runs the tests with the solution in one process, too" ON)
 set(COURSE_SECTIONS "" CACHE INTERNAL "")
@@ -17,6 +20,10 @@ add_custom_target(section-tests)
 add_custom_target(checks)   # what `./course test` needs: all of the sections, and every kind of verdict
 add_custom_target(thorough) # what its tests with that label need: every wrong and right answer, every generated case
 add_custom_target(figures)
+set(COURSE_HANDOUT FALSE)
+if(EXISTS ${PROJECT_SOURCE_DIR}/HANDOUT.md)
+  set(COURSE_HANDOUT TRUE)
+endif()
 add_executable(answers-in-one tests/answers/generate.cpp tools/loop/differences.cpp)
 target_include_directories(answers-in-one PRIVATE tools)
 target_link_libraries(answers-in-one PRIVATE course_flags)
@@ -35,10 +42,17 @@ function(section section)
   string(SUBSTRING ${section} 0 2 section_number)
   string(SUBSTRING ${section} 3 -1 slug)
   set(chapter ${PROJECT_SOURCE_DIR}/chapters/${section})
-  foreach(file chapters/${section}/README.md chapters/${section}/${slug}.hpp chapters/${section}/main.cpp solutions/${section}.cpp
-               tests/${section}.cpp tests/stubs/${section}.cpp)
+  foreach(file chapters/${section}/README.md chapters/${section}/${slug}.hpp chapters/${section}/main.cpp tests/${section}.cpp
+               tests/stubs/${section}.cpp)
     need_file(${file})
   endforeach()
+  set(solution ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp)
+  set(solved TRUE)
+  if(COURSE_HANDOUT AND NOT EXISTS ${solution})
+    set(solved FALSE)
+  else()
+    need_file(solutions/${section}.cpp)
+  endif()
   find_earlier_sections(${ARGN})
   set(COURSE_SECTIONS ${COURSE_SECTIONS} ${section} CACHE INTERNAL "")
 
@@ -49,7 +63,8 @@ function(section section)
 endfunction()
 
 # What this section builds on, and what those sections build on themselves:
-# `earlier` are their names, `earlier_objects` the objects of their solutions.
+# `earlier` are their names, `earlier_objects` the objects of their solutions, or of the student's files; and
+# `earlier_stand_ins` the same whatever a student has written.
 macro(find_earlier_sections)
   cmake_parse_arguments(section PLAYS_YOURS "" BUILDS_ON ${ARGN})
   if(section_UNPARSED_ARGUMENTS)
@@ -66,27 +81,24 @@ macro(find_earlier_sections)
   endforeach()
   list(REMOVE_DUPLICATES earlier)
   set(COURSE_${section}_BUILDS_ON ${earlier} CACHE INTERNAL "")
-  list(TRANSFORM earlier REPLACE "(.+)" "$<TARGET_OBJECTS:\\1_reference>" OUTPUT_VARIABLE earlier_objects)
+  if(COURSE_HANDOUT AND earlier)
+    set(section_PLAYS_YOURS TRUE)
+  endif()
+  set(earlier_objects)
+  set(earlier_stand_ins)
+  foreach(one ${earlier})
+    list(APPEND earlier_objects ${COURSE_${one}_OBJECTS})
+    list(APPEND earlier_stand_ins ${COURSE_${one}_STAND_INS})
+  endforeach()
 endmacro()
 
 macro(section_programs)
-  add_library(${section}_reference OBJECT solutions/${section}.cpp)
-  stand_behind_student_header(${section}_reference course_flags)
-
-  add_executable(${section} ${chapter}/main.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
-  stand_behind_student_header(${section} course_flags)
-  set_target_properties(${section} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
-  add_dependencies(programs ${section})
-
-  # What measures is built on demand, by `course bench`, and optimized as a game would be.
-  if(EXISTS ${chapter}/bench.cpp)
-    add_executable(${section}_bench EXCLUDE_FROM_ALL ${chapter}/bench.cpp solutions/${section}.cpp ${earlier_objects})
-    target_link_libraries(${section}_bench PRIVATE Eigen3::Eigen)
-    target_include_directories(${section}_bench PRIVATE ${chapter})
-    target_compile_options(${section}_bench PRIVATE -O2 ${COURSE_WARNINGS})
-    add_custom_target(${section}_measure USES_TERMINAL VERBATIM COMMENT "Measuring"
-      COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/bench
-      COMMAND ${section}_bench --out ${PROJECT_BINARY_DIR}/bench)
+  add_library(${section}_stub OBJECT tests/stubs/${section}.cpp)
+  stand_behind_student_header(${section}_stub course_student_flags)
+  if(solved)
+    section_reference()
+  else()
+    section_yours()
   endif()
 
   # The student's file is in no default target: whatever is in it, the course builds.
@@ -99,6 +111,52 @@ macro(section_programs)
     math(EXPR number "1${section_number} - 100")
     message(WARNING "exercises/${section}.cpp is not there; `./course reset ${number}` brings the empty one back.")
   endif()
+endmacro()
+
+# Our functions, and the programs that call them.
+macro(section_reference)
+  add_library(${section}_reference OBJECT ${solution})
+  stand_behind_student_header(${section}_reference course_flags)
+  set(COURSE_${section}_OBJECTS $<TARGET_OBJECTS:${section}_reference> CACHE INTERNAL "")
+  set(COURSE_${section}_STAND_INS ${COURSE_${section}_OBJECTS} CACHE INTERNAL "")
+
+  add_executable(${section} ${chapter}/main.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
+  stand_behind_student_header(${section} course_flags)
+  set_target_properties(${section} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
+  add_dependencies(programs ${section})
+
+  # What measures is built on demand, by `course bench`, and optimized as a game would be.
+  if(EXISTS ${chapter}/bench.cpp)
+    add_executable(${section}_bench EXCLUDE_FROM_ALL ${chapter}/bench.cpp ${solution} ${earlier_objects})
+    target_link_libraries(${section}_bench PRIVATE Eigen3::Eigen)
+    target_include_directories(${section}_bench PRIVATE ${chapter})
+    target_compile_options(${section}_bench PRIVATE -O2 ${COURSE_WARNINGS})
+    add_custom_target(${section}_measure USES_TERMINAL VERBATIM COMMENT "Measuring"
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/bench
+      COMMAND ${section}_bench --out ${PROJECT_BINARY_DIR}/bench)
+  endif()
+endmacro()
+
+# Without a solution, what later sections build on is the student's file; a function that it lacks isn't started.
+macro(section_yours)
+  set(yours ${PROJECT_BINARY_DIR}/loop/${section}_yours.o)
+  set(not_started ${PROJECT_BINARY_DIR}/loop/${section}_not_started.o)
+  set(COURSE_${section}_OBJECTS ${yours} ${not_started} CACHE INTERNAL "")
+  set(COURSE_${section}_STAND_INS ${not_started} CACHE INTERNAL "")
+  set(earlier_header ${PROJECT_SOURCE_DIR}/tools/verdict/student/earlier.hpp)
+  add_library(${section}_not_started OBJECT tests/stubs/${section}.cpp)
+  stand_behind_student_header(${section}_not_started course_student_flags)
+  target_compile_options(${section}_not_started PRIVATE "-DCOURSE_EARLIER=\"${slug}\"" "SHELL:-include ${earlier_header}")
+  add_weak_object(${not_started} ${section}_not_started)
+  file(GLOB written CONFIGURE_DEPENDS exercises/${section}.cpp)
+  set(compile ${PROJECT_SOURCE_DIR}/cmake/compile_yours.sh)
+  string(LENGTH ${slug} length)
+  add_custom_command(OUTPUT ${yours}
+    COMMAND sh ${compile} ${yours} ${not_started} ${length}${slug} ${CMAKE_NM} ${CMAKE_OBJCOPY}
+      ${CMAKE_CXX_COMPILER} ${COURSE_LOOP} ${COURSE_LOOP_PCH} "-DCOURSE_EARLIER=\"${slug}\"" -include ${earlier_header} -w -I${chapter}
+      -MD -MF ${yours}.d -c ${written}
+    DEPENDS ${compile} ${not_started} ${written} ${compiled} DEPFILE ${yours}.d VERBATIM
+    COMMENT "Compiling exercises/${section}.cpp for later sections")
 endmacro()
 
 macro(section_tests)
@@ -120,16 +178,17 @@ macro(section_tests)
   target_include_directories(${section}_server PRIVATE tools)
   target_compile_definitions(${section}_server PRIVATE COURSE_SECTION="${slug}.hpp")
 
-  add_library(${section}_stub OBJECT tests/stubs/${section}.cpp)
-  stand_behind_student_header(${section}_stub course_student_flags)
   add_library(${section}_missing OBJECT tests/stubs/${section}.cpp)
   stand_behind_student_header(${section}_missing course_flags)
   target_include_directories(${section}_missing PRIVATE tools)
   target_compile_options(${section}_missing PRIVATE -w -DCOURSE_STUB_BEHIND "SHELL:-include verdict/student/missing.hpp")
   set(missing ${PROJECT_BINARY_DIR}/loop/${section}_missing.o)
   add_weak_object(${missing} ${section}_missing)
-  set(ours ${PROJECT_BINARY_DIR}/loop/${section}_ours.o) # our functions, where a student's file has none
-  add_weak_object(${ours} ${section}_reference)
+  set(ours) # our functions, where a student's file has none
+  if(solved)
+    set(ours ${PROJECT_BINARY_DIR}/loop/${section}_ours.o)
+    add_weak_object(${ours} ${section}_reference)
+  endif()
 
   add_custom_target(${section}_loop ALL DEPENDS ${missing} ${ours} ${catalogue} ${section}_tests ${section}_server ${earlier_objects} course_pch)
   add_dependencies(section-tests ${section}_loop)
@@ -137,38 +196,43 @@ macro(section_tests)
   put_into_json(json name ${section})
   put_into_json(json server $<TARGET_OBJECTS:${section}_server>)
   put_into_json(json missing ${missing})
-  put_into_json(json ours ${ours})
+  put_into_json(json ours "${ours}")
   put_list_into_json(json earlier ${earlier_objects})
   string(TOLOWER "${section_PLAYS_YOURS}" plays_yours) # true or false
   string(JSON json SET "${json}" plays_yours ${plays_yours})
   set_property(GLOBAL PROPERTY course_json_${section} "${json}")
 
-  add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
   add_subject(stub none $<TARGET_OBJECTS:${section}_stub>)
-  add_dependencies(checks ${section}_loop ${section}_subject_solution ${section}_subject_stub)
-  section_answers()
-  if(COURSE_THOROUGH)
-    add_test(NAME ${section}.all_cases COMMAND ${section}_tests $<TARGET_FILE:${section}_subject_solution> --expect all --all-cases)
-    set_tests_properties(${section}.all_cases ${section}.answers PROPERTIES LABELS thorough)
-  endif()
-
-  add_custom_target(${section}_checks DEPENDS ${section}_loop ${section}_subject_solution ${section}_subject_stub ${section}_answers)
+  add_dependencies(checks ${section}_loop ${section}_subject_stub)
+  add_custom_target(${section}_checks DEPENDS ${section}_loop ${section}_subject_stub)
   add_dependencies(thorough ${section}_checks)
-
-  # Everything in one process, for sanitizers;
-  if(NOT COURSE_THOROUGH)
-    add_executable(${section}_direct $<TARGET_OBJECTS:${section}_reference> $<TARGET_OBJECTS:${section}_cases>)
-    in_one_process(direct)
-    add_dependencies(${section}_checks ${section}_direct)
-    add_test(NAME ${section}.direct COMMAND ${section}_direct)
+  if(solved)
+    section_answers()
   endif()
 
-  # and with the student's file, compiled for a debugger.
+  # The student's file and the tests in one process, compiled for a debugger.
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
     add_executable(${section}_debug EXCLUDE_FROM_ALL exercises/${section}.cpp tests/${section}.cpp)
     target_compile_options(${section}_debug PRIVATE -g)
     set_target_properties(${section}_debug PROPERTIES COURSE_OPTIMIZE -O0)
     in_one_process(debug)
+  endif()
+endmacro()
+
+# Whether our answers are judged as they should be: the solution, and those of tests/wrong and tests/right.
+macro(section_answers)
+  add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
+  add_dependencies(checks ${section}_subject_solution)
+  section_wrong_and_right()
+  add_dependencies(${section}_checks ${section}_subject_solution ${section}_answers)
+  if(COURSE_THOROUGH)
+    add_test(NAME ${section}.all_cases COMMAND ${section}_tests $<TARGET_FILE:${section}_subject_solution> --expect all --all-cases)
+    set_tests_properties(${section}.all_cases ${section}.answers PROPERTIES LABELS thorough)
+  else() # everything in one process, for sanitizers
+    add_executable(${section}_direct $<TARGET_OBJECTS:${section}_reference> $<TARGET_OBJECTS:${section}_cases>)
+    in_one_process(direct)
+    add_dependencies(${section}_checks ${section}_direct)
+    add_test(NAME ${section}.direct COMMAND ${section}_direct)
   endif()
 endmacro()
 
@@ -181,7 +245,7 @@ macro(in_one_process whose)
 endmacro()
 
 # All of tests/wrong and tests/right in one program, which is told by name which answer it is to be.
-macro(section_answers)
+macro(section_wrong_and_right)
   set(kinds right)
   if(COURSE_THOROUGH)
     list(APPEND kinds wrong)
@@ -194,7 +258,7 @@ macro(section_answers)
   set(unit ${PROJECT_BINARY_DIR}/answers/${section})
   add_custom_command(OUTPUT ${unit}.cpp ${unit}.txt ${unit}_claims.txt
     COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${section} ${unit}.cpp ${unit}.txt ${unit}_claims.txt ${kinds}
-    DEPENDS answers-in-one ${answers} solutions/${section}.cpp ${chapter}/${slug}.hpp VERBATIM COMMENT "")
+    DEPENDS answers-in-one ${answers} ${solution} ${chapter}/${slug}.hpp VERBATIM COMMENT "")
   add_executable(${section}_answers ${unit}.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
   stand_behind_student_header(${section}_answers course_student_flags)
   target_include_directories(${section}_answers PRIVATE tests/answers tools)
@@ -231,7 +295,7 @@ endmacro()
 
 # A program that serves the functions of one file, and the test that its verdicts are as expected.
 macro(add_subject name expect)
-  add_executable(${section}_subject_${name} $<TARGET_OBJECTS:${section}_server> ${earlier_objects} ${ARGN})
+  add_executable(${section}_subject_${name} $<TARGET_OBJECTS:${section}_server> ${earlier_stand_ins} ${ARGN})
   set_target_properties(${section}_subject_${name} PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${name}
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
   target_link_options(${section}_subject_${name} PRIVATE ${COURSE_LOOP_LINK})
@@ -243,6 +307,16 @@ macro(section_figures)
   if(NOT scripts)
     message(FATAL_ERROR "section(${section}) has no figure: write plots/${section}_<figure>.gp")
   endif()
+  # chapter, contract and program; game.hpp, renamed.txt and a peer, if there are any
+  file(GLOB beside CONFIGURE_DEPENDS ${chapter}/* tests/peers/${section}.*)
+  set_property(GLOBAL APPEND PROPERTY course_book ${beside} ${scripts} ${PROJECT_SOURCE_DIR}/tests/${section}.cpp)
+  if(solved)
+    section_drawings()
+  endif()
+endmacro()
+
+# Drawn from what our program traces.
+macro(section_drawings)
   set(traces ${PROJECT_BINARY_DIR}/traces/${section})
   set(traced ${traces}.txt) # what the program printed: made whenever it has run
   add_custom_command(OUTPUT ${traced}
@@ -266,10 +340,7 @@ macro(section_figures)
   endforeach()
   add_custom_target(${section}_figures ALL DEPENDS ${drawings})
   add_dependencies(figures ${section}_figures)
-  # chapter, contract and program; game.hpp, renamed.txt and a peer, if there are any
-  file(GLOB beside CONFIGURE_DEPENDS ${chapter}/* tests/peers/${section}.*)
-  set_property(GLOBAL APPEND PROPERTY course_book ${beside} ${traced} ${scripts}
-    ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${PROJECT_SOURCE_DIR}/tests/${section}.cpp)
+  set_property(GLOBAL APPEND PROPERTY course_book ${traced} ${solution})
 endmacro()
 
 # TEXT as a string of JSON.
@@ -332,6 +403,10 @@ function(finish_course)
   endforeach()
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/course.json CONTENT "${json}\n")
 
+  if(COURSE_HANDOUT) # its chapters are without solutions, and nobody changes them
+    add_custom_target(book)
+    return()
+  endif()
   get_property(book GLOBAL PROPERTY course_book)
   add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/book.stamp
     COMMAND course-tool weave --check

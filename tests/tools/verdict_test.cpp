@@ -368,6 +368,22 @@ TEST_CASE("a value that is not the answer of the last call has to be named") {
     CHECK(is_near(1.0, 1.0, 0, {}));
 }
 
+TEST_CASE("a function of an earlier section that isn't started is told from one of the same name") {
+    const ExerciseLine earlier{"motion", "0.7", "core", "half", "x [m]", "m", describe_one, describe_half, 0};
+    earlier_exercise_lines() = {&earlier};
+    OwnSession own{"answers"};
+    const auto needed_by = [&](const char *function) {
+        own.begin("1.1", "half of five");
+        own.note_not_started("how much is it?", function);
+        return own.end(true);
+    };
+    CHECK(needed_by("motion::half").needs == "0.7 half");
+    CHECK(needed_by("motion::half").sentence
+          == "It calls 0.7 half, which isn't started. Where to begin: how much is it?");
+    CHECK(needed_by("momentum::half").needs.empty());
+    earlier_exercise_lines().clear();
+}
+
 TEST_CASE("a process that answers properly passes") { CHECK(OwnSession{"answers"}.half_of_five().passed()); }
 
 TEST_CASE("a process that breaks the protocol fails that call, and no other") {

@@ -218,10 +218,11 @@ bool names(const std::string &header, const std::string &name) {
 } // namespace
 
 Page page_of(const Tree &tree, const Section &section) {
-    Page page{tree.chapter(section),
-              {tree.header(section), tree.program(section), tree.solution(section)},
-              {},
-              {tree.header(section), tree.solution(section)}};
+    Page page{tree.chapter(section), {tree.header(section), tree.program(section)}, {}, {tree.header(section)}};
+    if (tree.has_solution(section)) {
+        page.code.push_back(tree.solution(section));
+        page.shown.push_back(tree.solution(section));
+    }
     for (const fs::path &file : files_in(page.file.parent_path(), "pp")) // a benchmark, and what it measures
         if (std::ranges::find(page.code, file) == page.code.end()) page.code.push_back(file);
     for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);

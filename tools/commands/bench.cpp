@@ -30,6 +30,7 @@ double time_of(const std::vector<std::string> &command) {
 
 /// Save to verdict, for a finished solution, against a bare compilation of the same file with the same flags.
 void bench_loop(const Tree &tree, const Section &section, int runs) {
+    tree.require_solution(section, "There's nothing to measure without them");
     const fs::path object = tree.build / "loop" / "bench.o", solution = tree.solution(section);
     const std::vector<std::string> check{(tree.root / "course").string(), "check", section.name, "--file",
                                          solution.string()};
@@ -67,6 +68,7 @@ constexpr Benchmark benchmarks[] = {
 
 /// A section's benchmark prints a table, and writes its trace: cmake/Section.cmake knows how it is built and run.
 void bench_program(const Tree &tree, const Section &section) {
+    tree.require_solution(section, "The chapter has our numbers");
     std::cout << "This takes about a minute; let the machine do nothing else.\n" << std::flush;
     if (run({"cmake", "--build", tree.build.string(), "--target", section.name + "_measure"}, {.quiet = false}).code)
         throw Leave{something_to};

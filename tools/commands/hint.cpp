@@ -42,7 +42,9 @@ FoundExercise next_exercise(const Tree &tree) {
 
 void show_hint(const Tree &tree, const HintOptions &options) {
     const FoundExercise found = options.exercise.empty() ? next_exercise(tree) : find_exercise(tree, options.exercise);
-    const std::string &number = found.exercise.number, solution = "`./course solution " + number + "` shows ours.";
+    const std::string &number = found.exercise.number;
+    const std::string solution = tree.has_solution(found.section) ? "`./course solution " + number + "` shows ours."
+                                                                  : "Still stuck? Ask your instructor.";
     const std::vector<Hint> rungs = rungs_of(tree, found);
     const int last = static_cast<int>(rungs.size());
     if (last == 0) {

@@ -10,6 +10,9 @@ namespace course {
 namespace {
 
 void run_section(const Tree &tree, const Section &section, const std::string &part, Whose whose) {
+    if (whose == Whose::reference)
+        tree.require_solution(section,
+                              "`./course run " + section.short_number() + " --mine` runs the program with yours");
     const std::filesystem::path traces =
         whose == Whose::student ? student_traces(tree, section) : reference_traces(tree, section);
     const Lock lock{tree};

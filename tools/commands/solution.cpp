@@ -11,6 +11,7 @@ namespace {
 
 void show_solution(const Tree &tree, const std::string &words) {
     const FoundExercise found = find_exercise(tree, words);
+    tree.require_solution(found.section, "`./course hint " + found.exercise.number + "` gives you a hint");
     const char *between = "";
     for (const Chunk &chunk : solution(tree, found.section, found.exercise.number)) {
         std::cout << between;

@@ -54,6 +54,10 @@ struct Tree {
     std::filesystem::path written_exercise(const Section &s) const;
     std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }
     std::filesystem::path solution(const Section &s) const { return root / "solutions" / (s.name + ".cpp"); }
+    /// Whether it's there: not in a handout, the edition of the course without solutions.
+    bool has_solution(const Section &s) const;
+    /// @throws Complaint with what to do instead, if it's not there
+    void require_solution(const Section &s, const std::string &instead) const;
     /// Our wrong answers that are written as differences to the solution.
     std::filesystem::path wrong_answers(const Section &s) const {
         return root / "tests" / "wrong" / (s.name + ".diff");

@@ -237,6 +237,7 @@ Judgement judge(const Tree &tree, const Section &section, const std::string &nam
     if (auto trouble = diagnose_text(text, name, section.short_number())) return not_built(*trouble);
     if (auto trouble = diagnose_section(text, name, tree, section)) return not_built(*trouble);
 
+    if (how.with_ours) tree.require_solution(section, "Grade with the whole course, which has them");
     require_room_in_files();
     const Toolbox tools = toolbox(tree, section);
     bring_up_to_date(tree, section, tools);

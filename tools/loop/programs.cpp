@@ -12,7 +12,9 @@
 namespace course {
 namespace fs = std::filesystem;
 
-fs::path reference_traces(const Tree &tree, const Section &section) { return tree.build / "traces" / section.name; }
+fs::path reference_traces(const Tree &tree, const Section &section) {
+    return tree.has_solution(section) ? tree.build / "traces" / section.name : tree.root / "plots";
+}
 
 fs::path student_traces(const Tree &tree, const Section &section) {
     return tree.build / "mine" / "traces" / section.name;

@@ -13,7 +13,8 @@ namespace course {
 /// Whose functions a section's program is linked with.
 enum class Whose { reference, student };
 
-/// Where the reference's program writes its traces, one `NN_slug_<figure>.tsv` for each figure.
+/// Where the reference's program writes its traces, one `NN_slug_<figure>.tsv` for each figure; without a solution, where
+/// the published ones are.
 std::filesystem::path reference_traces(const Tree &tree, const Section &section);
 
 /// The same for the student's program; it is emptied before each run.

@@ -57,7 +57,8 @@ namespace {
 
 /// What the build has made for these tools.
 std::vector<fs::path> made_for(const Toolbox &tools) {
-    std::vector<fs::path> files{tools.server, tools.missing, tools.ours};
+    std::vector<fs::path> files{tools.server, tools.missing};
+    if (!tools.ours.empty()) files.push_back(tools.ours);
     files.insert(files.end(), tools.earlier.begin(), tools.earlier.end());
     auto quick = tools.quick_link;
     if (tools.quick) quick.insert(quick.end(), tools.quick->precompiled.begin(), tools.quick->precompiled.end());
@@ -86,7 +87,7 @@ fs::file_time_type newest(const Tree &tree, const Section &section) {
         look(file);
     for (const Section &each : tree.sections()) { // this one may build on it
         look(tree.header(each));
-        look(tree.solution(each));
+        look(tree.has_solution(each) || each.number() >= section.number() ? tree.solution(each) : tree.exercise(each));
     }
     return date;
 }

@@ -26,10 +26,11 @@ struct Toolbox {
     std::string nm, node;
     std::vector<std::string> link, quick_link; ///< the last: also, for what the quick compiler has compiled
     std::filesystem::path server, missing;
-    std::filesystem::path ours; ///< our functions, each of which gives way to one of the same name
+    std::filesystem::path ours; ///< our functions, each of which gives way to one of the same name; empty in a handout
     std::vector<std::filesystem::path> includes; ///< what a student's file may include: files, or folders with headers
-    std::vector<std::string> earlier;            ///< objects: the solutions of the sections that this one builds on
-    bool plays_yours = false;                    ///< whether its demo plays the student's functions of those, too
+    std::vector<std::string>
+        earlier; ///< objects: the solutions of the sections that this one builds on; in a handout, the student's
+    bool plays_yours = false; ///< whether its demo plays the student's functions of those, too
 };
 
 /// @throws Complaint if the course is not built yet, or course.json is broken

@@ -45,6 +45,8 @@ everything() {
     target 1 'site' site
     leave_build_folder
     short=${build#"$root"/}
+    plots=$short/plots
+    [ ! -e "$root/HANDOUT.md" ] || plots=plots # without our programs they are as they were published
     echo
     if [ "$unlike" ]; then
         printf 'All is built and drawn. But the book and the code differ:\n%s\n\n' "$unlike"
@@ -53,7 +55,7 @@ everything() {
     fi
     cat <<END
   the book        $short/site/index.html, in your browser: ./course open
-  the figures     $short/plots
+  the figures     $plots
   the exercises   exercises/, one file a section: they are yours to change
 Next: type ./course open, open the first exercise in your editor, and type ./course check
 END

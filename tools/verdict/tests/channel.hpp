@@ -28,6 +28,12 @@ inline std::vector<const ExerciseLine *> &exercise_lines() {
     return all;
 }
 
+/// Those of the sections that it builds on.
+inline std::vector<const ExerciseLine *> &earlier_exercise_lines() {
+    static std::vector<const ExerciseLine *> all;
+    return all;
+}
+
 /// Makes the call in the student's code, wherever that runs, and gives back the bytes of its result, until the next call.
 /// @throws NotYet, std::invalid_argument  as the student's code does
 /// @throws CaseOver  if there will be no result; the verdict has been noted

@@ -24,7 +24,10 @@ template <class Result, class... Arguments, Result (*F)(Arguments...)> class Rem
                    .describe_arguments = &describe_all,
                    .describe_result = &describe_one} {
         std::vector<const ExerciseLine *> &lines = exercise_lines();
-        if (!lines.empty() && lines.front()->section != section) lines.clear(); // an earlier one's, included first
+        if (!lines.empty() && lines.front()->section != section) { // an earlier one's, included first
+            earlier_exercise_lines().insert(earlier_exercise_lines().end(), lines.begin(), lines.end());
+            lines.clear();
+        }
         exercise.index = static_cast<std::uint32_t>(lines.size());
         lines.push_back(&exercise);
     }

@@ -65,6 +65,19 @@ std::string in_words(std::string refusal) {
     return refusal;
 }
 
+/// The exercise of a function that isn't started: of an earlier section's it says "motion::step_all".
+const ExerciseLine *exercise_of(std::string_view function) {
+    const std::size_t colons = function.find("::");
+    const bool is_earlier = colons != function.npos;
+    const std::string_view section = function.substr(0, is_earlier ? colons : 0),
+                           name = function.substr(is_earlier ? colons + 2 : 0);
+    const auto &lines = is_earlier ? earlier_exercise_lines() : exercise_lines();
+    const auto found = std::ranges::find_if(lines, [&](const ExerciseLine *one) {
+        return one->function == name && (!is_earlier || one->section == section);
+    });
+    return found == lines.end() ? nullptr : *found;
+}
+
 } // namespace
 
 Session *&session() {
@@ -236,13 +249,14 @@ void Session::start() {
 }
 
 /// The function that was called has said where to begin, or another one that it calls.
-void Session::over_not_started(const std::string &hint, std::string_view function) {
-    if (function != last_exercise->function)
-        for (const ExerciseLine *other : exercise_lines())
-            if (other->function == function) verdict.needs = std::string{other->number} + ' ' + std::string{function};
-    over(Kind::not_started,
-         (verdict.needs.empty() ? "Not started." : "It calls " + verdict.needs + ", which isn't started.")
-             + " Where to begin: " + as_sentence(hint));
+void Session::note_not_started(const std::string &hint, std::string_view function) {
+    if (!verdict.passed()) return;
+    const ExerciseLine *other = exercise_of(function);
+    if (other != nullptr && other != last_exercise)
+        verdict.needs = std::string{other->number} + ' ' + std::string{other->function};
+    note_verdict(Kind::not_started,
+                 (verdict.needs.empty() ? "Not started." : "It calls " + verdict.needs + ", which isn't started.")
+                     + " Where to begin: " + as_sentence(hint));
 }
 
 std::string_view Session::call(const ExerciseLine &exercise, std::string arguments) {
@@ -293,7 +307,7 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
     };
     switch (reply->header.frame) {
     case wire::Frame::refused: throw std::invalid_argument{in_words(tidied(first))};
-    case wire::Frame::not_yet: over_not_started(tidied(first), second);
+    case wire::Frame::not_yet: note_not_started(tidied(first), second); throw CaseOver{};
     case wire::Frame::missing:
         over(Kind::missing, "Your file has no function `" + std::string{exercise.function}
                                 + "` with the parameters that the header asks for.");

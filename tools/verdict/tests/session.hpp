@@ -40,6 +40,9 @@ class Session {
     /// A check of the running case failed, and this is why; the first one counts.
     void fail(Kind kind, std::string sentence, const std::string &file, int line);
 
+    /// What the test itself has called isn't started: a function of an earlier section, where that is the student's own.
+    void note_not_started(const std::string &hint, std::string_view function);
+
     /// The case is over: its verdict.
     Verdict end(bool asserted_something);
 
@@ -65,7 +68,6 @@ class Session {
   private:
     [[noreturn]] void over(Kind kind, std::string sentence);
     [[noreturn]] void over_in_silence();
-    [[noreturn]] void over_not_started(const std::string &hint, std::string_view function);
     void start();
     Allowance allowance() const;
     void count_spent();
