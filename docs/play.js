@@ -33,9 +33,10 @@
 
   // Why ours stands in for this function from the start; '' if it needn't. The reader's of an earlier section play once they're done.
   const notDone = 'not done yet', isDone = (number) => (self.progress?.sections ?? []).some(({ exercises }) => exercises.some((one) => one.number === number && one.done));
+  // A handout has none of ours to play in a demo with the reader's code: there the demo stops instead.
   function whyOurs(called, section, exports) {
     const number = called.split(' ')[0], [, broken] = Object.keys(exports).map((name) => /^broken ((\d+)_.*)/.exec(name)).find((found) => Number(found?.[2]) === parseInt(number, 10)) ?? [];
-    return broken ? `${broken} doesn't compile` : !exports[`yours ${called}`] ? 'not in your file' : parseInt(number, 10) === section || isDone(number) ? '' : notDone;
+    return broken ? `${broken} doesn't compile` : !exports[`yours ${called}`] ? 'not in your file' : !exports[`ours ${called}`] || parseInt(number, 10) === section || isDone(number) ? '' : notDone;
   }
 
   // A world: a demo of this section that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
@@ -59,9 +60,9 @@
     }
     function call(name, values) {
       called.set(name, clock);
-      const own = exports[`yours ${name}`];
+      const own = exports[`yours ${name}`], ours = exports[`ours ${name}`];
       if (broken.has(name)) return exports[`wrong ${name}`](...values);
-      if (!yours || fallen.has(name)) return exports[`ours ${name}`](...values);
+      if (!yours || fallen.has(name)) return ours ? ours(...values) : stop(() => `${name} can't be played: ${fallen.get(name)}.`);
       const stack = exports.__stack_pointer.value;
       running.push(name);
       try {
@@ -69,12 +70,12 @@
         running.pop();
         return answer;
       } catch (error) {
-        if (!(error instanceof NotStarted)) throw error;
+        if (!(error instanceof NotStarted) || !ours) throw error;
         running.pop();
         const [, inner = name] = /\byours (\d+\.\d+ \w+)/.exec(error.stack) ?? [];
         fallen.set(name, inner === name ? 'not started' : `needs ${inner.split(' ')[0]}`);
         exports.__stack_pointer.value = stack;
-        return exports[`ours ${name}`](...values);
+        return ours(...values);
       }
     }
     const imports = {
@@ -122,7 +123,7 @@
         const inner = /\byours (\d+\.\d+ \w+)/.exec(error.stack)?.[1] ?? running.at(-1), [, ours] = /^[^]*?\b(?:yours|ours (\d+\.\d+ \w+))/.exec(error.stack) ?? [];
         const who = inner && ours ? `${inner} called ${ours}, which` : inner ?? nobody;
         running = [];
-        if (error instanceof NotStarted) return `${who} isn't started: ${error.message}.`;
+        if (error instanceof NotStarted) return `${who} isn't started: ${error.message}${error.message.endsWith('?') ? '' : '.'}`;
         if (error instanceof Stopped) return error.said(who);
         if (error instanceof RangeError || exports.__stack_pointer.value < 4096) return `${who} called itself, again and again, until the stack was full. When does it stop?`;
         return `${who} crashed: ${error.message}.`;

@@ -108,8 +108,9 @@ std::string about_broken(const Tree &tree, const Section &section) {
     std::string said;
     for (const Section &each : sections_of_demo(tree, section))
         if (read_file(earlier_object(tree, section, each)).find("broken " + each.name) != std::string::npos)
-            said += tree.shown(tree.exercise(each)) + " doesn't compile, so the demo has our functions of section "
-                    + each.short_number() + ": ./course check " + each.short_number() + " says why.\n";
+            said += tree.shown(tree.exercise(each)) + " doesn't compile, so the demo has "
+                    + (tree.has_solution(each) ? "our" : "no") + " functions of section " + each.short_number()
+                    + ": ./course check " + each.short_number() + " says why.\n";
     return said;
 }
 
