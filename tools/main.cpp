@@ -34,7 +34,7 @@ const std::vector<Group> groups{
      {add_check, add_list, add_hint, add_solution, add_reset, add_run, add_plot, add_play, add_debug, add_bug,
       add_mytests, add_site, add_open, add_make, by_the_script("setup", "Install what the course needs; asks first"),
       add_update, add_doctor}},
-    {"For instructors", {add_grade, by_the_script("test", "Run the whole test suite")}},
+    {"For instructors", {add_grade, add_export, by_the_script("test", "Run the whole test suite")}},
     {"For contributors", {add_new, add_weave, add_draw, add_publish, add_bench}},
 };
 

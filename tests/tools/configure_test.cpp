@@ -1,5 +1,6 @@
 // What CMake says of a course that lacks a file, has one too many, or has its exercise deleted.
 
+#include "class/handout.hpp"
 #include "ground/files.hpp"
 #include "ground/process.hpp"
 #include "own_folder.hpp"
@@ -52,6 +53,16 @@ TEST_CASE("a section without its solution is a configure error that names the fi
     const Copy copy;
     fs::remove(copy.root / "solutions/07_segment_intersection.cpp");
     copy.is_refused("needs solutions/07_segment_intersection.cpp, which is not there");
+}
+
+TEST_CASE("a handout configures without solutions, and has the tests of its stubs", "[configure]") {
+    const Copy copy;
+    course::make_handout(copy.root);
+    REQUIRE(copy.configure().code == 0);
+    const std::string tests = course::run({"ctest", "-N", "--test-dir", (copy.root / "a build").string()}).out;
+    CHECK_THAT(tests, ContainsSubstring("07_segment_intersection.stub") && !ContainsSubstring(".solution"));
+    CHECK_THAT(course::read_file(copy.root / "a build" / "course.json"),
+               ContainsSubstring("09_forward_kinematics_yours.o"));
 }
 
 TEST_CASE("a file of no section is a configure error that names it", "[configure]") {

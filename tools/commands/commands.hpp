@@ -47,6 +47,7 @@ void add_plot(CLI::App &app, const Tree &tree);
 void add_debug(CLI::App &app, const Tree &tree);
 void add_new(CLI::App &app, const Tree &tree);
 void add_doctor(CLI::App &app, const Tree &tree);
+void add_export(CLI::App &app, const Tree &tree);
 void add_draw(CLI::App &app, const Tree &tree);
 void add_publish(CLI::App &app, const Tree &tree);
 void add_bench(CLI::App &app, const Tree &tree);

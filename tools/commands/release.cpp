@@ -2,40 +2,23 @@
 
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
-#include "ground/process.hpp"
+#include "ground/repository.hpp"
 #include "ground/text.hpp"
 #include "site/addresses.hpp"
 
 #include <fmt/format.h>
 #include <iostream>
-#include <regex>
 
 namespace course {
 namespace fs = std::filesystem;
 namespace {
-
-/// As `course --version` says it.
-std::string version_of(const Tree &tree) {
-    static const std::regex version{R"(project\(\w+ VERSION ([\d.]+))"};
-    std::smatch found;
-    const std::string text = read_file(tree.root / "CMakeLists.txt");
-    if (!std::regex_search(text, found, version)) throw Complaint{"CMakeLists.txt has no project(… VERSION 1.2.3)"};
-    return found[1];
-}
-
-std::string printed_by(const std::vector<std::string> &command, const fs::path &folder) {
-    const Finished done = run(command, {.folder = folder});
-    if (done.code != 0) throw Complaint{command[0] + ' ' + command[1] + " failed: " + done.err};
-    return done.out;
-}
 
 /// Whoever takes it must be able to say what they have, and to read what's new in it.
 void require_ready(const Tree &tree, const std::string &version) {
     if (!contains(read_file(tree.root / "CHANGELOG.md"), "\n## " + version + '\n'))
         throw Complaint{"CHANGELOG.md has no heading \"## " + version
                         + "\": say what a reader gets, or change the version in CMakeLists.txt"};
-    if (const std::string changed = printed_by({"git", "status", "--porcelain"}, tree.root); !changed.empty())
-        throw Complaint{"commit first, since a release is made of what is committed:\n" + changed};
+    require_committed(tree, "a release");
 }
 
 } // namespace

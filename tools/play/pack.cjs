@@ -1,4 +1,5 @@
-// Packs a demo for a page, and compares two packed ones:  pack.cjs demo.wasm NAME   pack.cjs --same ONE TWO
+// Packs a demo for a page, compares two packed ones, and prints what is in one:
+//     pack.cjs demo.wasm NAME   pack.cjs --same ONE TWO   pack.cjs --unpack ONE
 // A page from disk can read scripts only, so WebAssembly travels as base64 of gzip. What another version of gzip makes
 // of the same bytes may differ: what is compared is what was packed.
 'use strict';
@@ -6,4 +7,5 @@ const fs = require('node:fs'), zlib = require('node:zlib');
 const packed = (file) => zlib.gunzipSync(Buffer.from(/ = '(.*)';/.exec(fs.readFileSync(file, 'utf8'))[1], 'base64'));
 const [first, second, third] = process.argv.slice(2);
 if (first === '--same') process.exitCode = packed(second).equals(packed(third)) ? 0 : 1;
+else if (first === '--unpack') process.stdout.write(packed(second));
 else process.stdout.write(`(self.playable ??= {})['${second}'] = '${zlib.gzipSync(fs.readFileSync(first), { level: 9 }).toString('base64')}';\n`);

@@ -1,0 +1,215 @@
+// `course export handout`: what's in it, what isn't, and that a line of ours that is left in it is found.
+
+#include "class/handout.hpp"
+#include "small_course.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace course;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+/// A small course in a repository, with a solution whose second line tells how it's done.
+struct HandedOutCourse : SmallCourse {
+    HandedOutCourse() {
+        write("CMakeLists.txt", "project(x VERSION 1.2.3)\nsection(07_wall_meeting)\n");
+        write("README.md", "# A course\n\n## I teach with it\n\n[All of it](docs/instructors.md)\n\nMIT licence.\n");
+        write("docs/instructors.md", "# For instructors\n");
+        write("solutions/07_wall_meeting.cpp", solution_code);
+        write("tests/07_wall_meeting.cpp", "// tests\n");
+        write("tests/wrong/07_wall_meeting.diff", "7.1 wrong\n");
+        write("exercises/07_wall_meeting.cpp", "// mine\n");
+        write("chapters/07_wall_meeting/README.md", chapter_before + bar + chapter_behind);
+        write(".gitignore", "/build/\n/out/\n");
+        git({"init", "--quiet"});
+        commit();
+    }
+    void git(std::vector<std::string> words) const {
+        words.insert(words.begin(), {"git", "-C", tree.root.string(), "-c", "user.name=x", "-c", "user.email=x"});
+        REQUIRE(run(words).code == 0);
+    }
+    void commit() const {
+        git({"add", "--all"});
+        git({"commit", "--quiet", "--message", "all of it"});
+    }
+    Finished handout() const { return (*this)({"export", "handout", out.string()}); }
+    std::string log_of_handout() const {
+        return run({"git", "-C", (out / "frame-by-frame").string(), "log", "--format=%s"}).out;
+    }
+    /// What is found in a folder with this one file.
+    std::vector<Finding> leaks_of(const std::string &file, const std::string &text) const {
+        std::filesystem::remove_all(out);
+        write_file(out / file, text);
+        return leaks(tree, out);
+    }
+
+    const std::filesystem::path out = tree.root / "out";
+    static constexpr const char *solution_code = "//> Solution 7.1: one\ndouble first(double x) {\n    return "
+                                                 "std::max(0.0, x < 3 ? x * x * x : \"\"[0]);\n}\n//>\n";
+    static inline const std::string chapter_before = "# 7 Walls\n\nText.\n\n",
+                                    bar =
+                                        std::string{
+                                            "<details><summary>Our solution of 7.1</summary>\n\nLook:\n\n```cpp\n"}
+                                        + solution_code + "```\n</details>\n\n",
+                                    chapter_behind = "Three bugs to hunt: `./course bug 7`.\n\nThe end.\n";
+};
+
+} // namespace
+
+TEST_CASE("a handout has chapters, exercises and stubs, and none of our answers") {
+    const HandedOutCourse course;
+    const Finished made = course.handout();
+    INFO(made.err);
+    REQUIRE(made.code == 0);
+    CHECK(course.log_of_handout() == "Frame by Frame 1.2.3\n");
+    for (const char *file : {"chapters/07_wall_meeting/README.md", "exercises/07_wall_meeting.cpp", "HANDOUT.md",
+                             "tests/stubs/07_wall_meeting.cpp", "tests/07_wall_meeting.cpp"})
+        CHECK(course.has("out/frame-by-frame/" + std::string{file}));
+    CHECK(course.read("out/frame-by-frame/exercises/07_wall_meeting.cpp")
+          == read_file(course.tree.stub(course.seven())));
+    for (const char *file : {"solutions", "tests/wrong", "docs/instructors.md"})
+        CHECK(!course.has("out/frame-by-frame/" + std::string{file}));
+    CHECK(course.read("out/frame-by-frame/chapters/07_wall_meeting/README.md") == "# 7 Walls\n\nText.\n\nThe end.\n");
+    CHECK(course.read("out/frame-by-frame/README.md") == "# A course\n\nMIT licence.\n");
+    const std::string packed =
+        run({"cmake", "-E", "tar", "tf", (course.out / "frame-by-frame-1.2.3-handout.zip").string()}).out;
+    CHECK_THAT(packed, ContainsSubstring("frame-by-frame/HANDOUT.md\n") && !ContainsSubstring("solution"));
+}
+
+TEST_CASE("a second handout is a commit that students can pull, and keeps out of other folders") {
+    const HandedOutCourse course;
+    REQUIRE(course.handout().code == 0);
+    REQUIRE(course.handout().code == 0);
+    CHECK(course.log_of_handout() == "Frame by Frame 1.2.3\n"); // nothing is new
+    course.write("chapters/07_wall_meeting/wall_meeting.hpp", "// new\n");
+    CHECK_THAT(course.handout().err, ContainsSubstring("commit first, since a handout is made of what is committed"));
+    course.commit();
+    REQUIRE(course.handout().code == 0);
+    CHECK(course.log_of_handout() == "Frame by Frame 1.2.3\nFrame by Frame 1.2.3\n");
+
+    course.write("out/frame-by-frame/exercises/07_wall_meeting.cpp", "// tried\n");
+    CHECK_THAT(course.handout().err, ContainsSubstring("somebody has changed"));
+    CHECK(course.read("out/frame-by-frame/exercises/07_wall_meeting.cpp") == "// tried\n");
+
+    std::filesystem::remove_all(course.out);
+    course.write("out/frame-by-frame/mine.txt", "");
+    CHECK_THAT(course.handout().err, ContainsSubstring("is there already, and is no handout"));
+    CHECK(course.has("out/frame-by-frame/mine.txt"));
+}
+
+TEST_CASE("what gives a solution away is found, and nothing is written") {
+    const HandedOutCourse course;
+    course.write("chapters/07_wall_meeting/notes.md", HandedOutCourse::bar);
+    course.write("book.md", "[gone](docs/instructors.md)\n\nType `./course bug 7`.\n");
+    course.write("chapters/course.txt", HandedOutCourse::solution_code);
+    course.commit();
+    const Finished made = course.handout();
+    CHECK(made.code == 2);
+    CHECK_THAT(made.err,
+               ContainsSubstring("\nchapters/course.txt: has a line of our solution, solutions/07_wall_meeting.cpp:3")
+                   && ContainsSubstring("\nbook.md:1: ") && ContainsSubstring("\nbook.md:3: names `./course bug`")
+                   && !ContainsSubstring("notes.md"));
+    CHECK(!course.has("out/frame-by-frame"));
+}
+
+TEST_CASE("a line of a solution is found in a page with colours, in a search index, and in a packed demo") {
+    const HandedOutCourse course;
+    CHECK(course.leaks_of("page.html", "<p>return std::max").empty());
+    CHECK(course
+              .leaks_of("page.html", "<b>return</b> std::<i class=\"x\">max</i>(0.0, x &lt; 3 ? x * x * x : "
+                                     "&quot;&quot;[0]);")
+              .size()
+          == 1);
+    CHECK(course.leaks_of("search.js", R"({"text": "return std::max(0.0,\n x < 3 ? x * x * x : \"\"[0]);"})").size()
+          == 1);
+    std::filesystem::create_directories(course.tree.root / "tools" / "play");
+    std::filesystem::copy(std::filesystem::path{COURSE_ROOT} / "tools/play/pack.cjs", course.tree.root / "tools/play");
+    const auto pack = [&](const std::string &text) {
+        course.write("packed", text);
+        return run({"node", COURSE_ROOT "/tools/play/pack.cjs", (course.tree.root / "packed").string(), "x"}).out;
+    };
+    CHECK(course.leaks_of("demo.js", pack(HandedOutCourse::solution_code)).size() == 1);
+    CHECK(course.leaks_of("demo.js", pack("void f();")).empty());
+}
+
+TEST_CASE("what the chapter's own text tells, or the tests, is no leak") {
+    const HandedOutCourse course;
+    const std::string line = "return std::max(0.0, x < 3 ? x * x * x : \"\"[0]);";
+    const std::string file = GENERATE("chapters/07_wall_meeting/README.md", "tests/07_wall_meeting.cpp");
+    course.write(file, "> | `" + line + "` | that's all |\n");
+    CHECK(course.leaks_of("page.txt", line).empty());
+}
+
+TEST_CASE("of a bar with a solution and a frame loop, the frame loop stays") {
+    const std::string before = "<details><summary>Our solution of 12.1, and the frame loop that calls it</summary>\n\n"
+                               "```cpp\n//> Solution 12.1: fly\nreturn 1;\n```\n\n"
+                               "```cpp\n//> Frame loop 1\nfly();\n```\n</details>\n\nText.\n";
+    CHECK(page_in_handout("chapters/12/README.md", before)
+          == "<details><summary>The frame loop that calls 12.1</summary>\n\n```cpp\n//> Frame loop 1\nfly();\n```\n"
+             "</details>\n\nText.\n");
+}
+
+TEST_CASE("a page loses what needs our answers, and keeps what stands around it") {
+    CHECK(page_in_handout("x.md", "| `./course list` | a |\n| `./course solution 1.2` | b |\n")
+          == "| `./course list` | a |\n");
+    CHECK(page_in_handout("x.md", "One.\n\n> **Your test (10 minutes).** Swap.\n> More.\n\nTwo.\n")
+          == "One.\n\nTwo.\n");
+    CHECK(page_in_handout("x.md", "- A?\n- How far can you trust our solutions?\n  Far.\n\n  Very.\n- B?\n")
+          == "- A?\n- B?\n");
+    const std::string door = "<div>\n\n## I want to learn\n\n</div>\n",
+                      other = "<div>\n\n## I teach with it\n\n</div>\n";
+    CHECK(page_in_handout("docs/front.md", "<div>\n" + door + other + "</div>\n") == "<div>\n" + door + "</div>\n");
+}
+
+TEST_CASE(
+    "without solutions, commands that need them say so in one sentence, and a hint doesn't send anybody to them") {
+    const SmallCourse course;
+    std::filesystem::remove_all(course.tree.root / "solutions");
+    const auto [words, sentence] = GENERATE(
+        std::pair{
+            std::vector<std::string>{"solution", "7.2"},
+            "course: this edition of the course has no solutions: your instructor has them. `./course hint 7.2` gives "
+            "you a hint\n"},
+        std::pair{std::vector<std::string>{"run", "7"},
+                  "course: this edition of the course has no solutions: your instructor "
+                  "has them. `./course run 7 --mine` runs the program with yours\n"});
+    const Finished said = course(words);
+    CHECK(said.code == 2);
+    CHECK(said.err == sentence);
+    CHECK_THAT(course({"hint", "7.1", "--all"}).out,
+               ContainsSubstring("That was the last one. Still stuck? Ask your instructor.\n"));
+}
+
+TEST_CASE("a student's earlier file is linked with helpers of the same name, or with its stand-in where it's broken") {
+    const SmallCourse course;
+    const auto object = [&](const std::string &name, const std::string &code) {
+        course.write(name + ".cpp", code);
+        const std::string file = (course.tree.root / name).string();
+        REQUIRE(run({"sh", COURSE_ROOT "/cmake/compile_yours.sh", file + ".o", file + ".stand_in", "4" + name, "nm",
+                     "objcopy", "c++", "-c", file + ".cpp"})
+                    .code
+                == 0);
+        return file + ".o";
+    };
+    const auto result_of = [&](const std::string &program) {
+        course.write("main.cpp", program);
+        const std::string to = (course.tree.root / "program").string();
+        const Finished built =
+            run({"c++", (course.tree.root / "main.cpp").string(), (course.tree.root / "wall.o").string(),
+                 (course.tree.root / "ball.o").string(), "-o", to});
+        INFO(built.err);
+        REQUIRE(built.code == 0);
+        return run({to}).code;
+    };
+    const char *program =
+        "namespace wall { int f(); } namespace ball { int f(); } int main() { return wall::f() + ball::f(); }";
+    object("wall", "int help() { return 40; } namespace wall { int f() { return help(); } }");
+    object("ball", "int help() { return 2; } namespace ball { int f() { return help(); } }");
+    CHECK(result_of(program) == 42);
+    std::filesystem::copy(course.tree.root / "ball.o", course.tree.root / "wall.stand_in");
+    object("wall", "what?");
+    CHECK(read_file(course.tree.root / "wall.o") == read_file(course.tree.root / "ball.o"));
+}

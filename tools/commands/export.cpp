@@ -1,0 +1,109 @@
+// `course export handout`: the edition without solutions, for students of an instructor who keeps those.
+
+#include "class/handout.hpp"
+#include "commands/commands.hpp"
+#include "ground/files.hpp"
+#include "ground/process.hpp"
+#include "ground/repository.hpp"
+#include "ground/text.hpp"
+
+#include <fmt/format.h>
+#include <iostream>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char *repository_name = "frame-by-frame";
+
+constexpr const char *about_export = R"(
+It writes DIR/frame-by-frame, a git repository that students can clone, and the same as DIR/frame-by-frame-VERSION-handout.zip,
+of what is committed. Export into the same folder again, and students pull what has changed.
+In a handout are no solutions, no wrong or right answers, and no bars of solutions in chapters. Nothing is written
+if a line of ours is still in it. After a build in the handout, --check looks through its site, too.
+
+Example: ./course export handout dist
+         ./course export handout --check dist/frame-by-frame/build/default/site)";
+
+/// In an editor's words, as compilers have them.
+void require_no_leaks(const Tree &tree, const fs::path &folder) {
+    std::string all;
+    for (const Finding &leak : leaks(tree, folder))
+        all += '\n' + leak.file.lexically_relative(folder).generic_string()
+               + (leak.line == 0 ? "" : ':' + std::to_string(leak.line)) + ": " + leak.message;
+    if (!all.empty()) throw Complaint{"a handout mustn't have this in it:" + all};
+}
+
+/// What is committed, in a folder.
+void take_committed(const Tree &tree, const fs::path &folder) {
+    const std::string archive = folder.string() + ".tar";
+    fs::create_directories(folder);
+    printed_by({"git", "archive", "--output=" + archive, "HEAD"}, tree.root);
+    printed_by({"cmake", "-E", "tar", "xf", archive}, folder);
+    fs::remove(archive);
+}
+
+/// Git in this repository, by nobody in particular.
+std::string git_in(const fs::path &repository, std::vector<std::string> words) {
+    words.insert(words.begin(), {"git", "-c", "user.name=Frame by Frame", "-c", "user.email=handout@localhost", "-c",
+                                 "commit.gpgsign=false"});
+    return printed_by(words, repository);
+}
+
+/// An earlier handout gives way to this one, but for its history; nothing else does.
+void require_handout_or_nothing(const fs::path &repository) {
+    if (!fs::exists(repository)) return;
+    if (!fs::exists(repository / handout_mark) || !fs::exists(repository / ".git"))
+        throw Complaint{repository.string() + " is there already, and is no handout: name another folder"};
+    if (!git_in(repository, {"status", "--porcelain"}).empty())
+        throw Complaint{"somebody has changed " + repository.string() + ": commit that there, or name another folder"};
+}
+
+void put_into_repository(const fs::path &made, const fs::path &repository, const std::string &version) {
+    require_handout_or_nothing(repository);
+    fs::create_directories(repository);
+    for (const fs::directory_entry &each : fs::directory_iterator{repository})
+        if (!is_any_of(each.path().filename().string(), {".git", ".course", "build"})) fs::remove_all(each.path());
+    fs::copy(made, repository, fs::copy_options::recursive);
+    if (!fs::exists(repository / ".git")) git_in(repository, {"init", "--quiet"});
+    git_in(repository, {"add", "--all"});
+    if (!git_in(repository, {"status", "--porcelain"}).empty())
+        git_in(repository, {"commit", "--quiet", "--message", "Frame by Frame " + version});
+}
+
+void export_handout(const Tree &tree, const fs::path &folder) {
+    require_committed(tree, "a handout");
+    const std::string version = version_of(tree);
+    fs::create_directories(folder);
+    const Scratch scratch{fs::absolute(folder) / ".handout"};
+    if (scratch.folder.empty()) throw Complaint{"cannot write in " + folder.string() + "; is it yours?"};
+    const fs::path made = scratch.folder / repository_name,
+                   zip = folder / fmt::format("frame-by-frame-{}-handout.zip", version);
+    take_committed(tree, made);
+    make_handout(made);
+    require_no_leaks(tree, made);
+    put_into_repository(made, folder / repository_name, version);
+    printed_by({"cmake", "-E", "tar", "cf", fs::absolute(zip).string(), "--format=zip", repository_name},
+               scratch.folder);
+    std::cout << fmt::format("{}, a repository for students to clone\n{}, {:.1f} MB\n",
+                             (folder / repository_name).string(), zip.string(), double(fs::file_size(zip)) / 1e6);
+}
+
+} // namespace
+
+void add_export(CLI::App &app, const Tree &tree) {
+    CLI::App *command = app.add_subcommand("export", "Write an edition of the course for others");
+    CLI::App *handout =
+        command->add_subcommand("handout", "without solutions, for your students")->footer(about_export);
+    command->require_subcommand(1);
+    const auto folder = std::make_shared<std::string>(), looked_at = std::make_shared<std::string>();
+    auto *where = handout->add_option("folder", *folder, "where to write it");
+    handout->add_option("--check", *looked_at, "write nothing: look for our solutions in this folder")->excludes(where);
+    handout->callback([&tree, folder, looked_at] {
+        if (!looked_at->empty()) return require_no_leaks(tree, *looked_at);
+        if (folder->empty()) throw Complaint{"name a folder to write to: ./course export handout dist"};
+        export_handout(tree, *folder);
+    });
+}
+
+} // namespace course
