@@ -121,8 +121,7 @@ std::set<std::string> failed_tests(const Graded &student) {
 
 Assignment::Assignment(const Tree &tree_, Agreed agreed_, const fs::path &out_)
     : tree{tree_}, agreed{std::move(agreed_)}, out{out_}, its_section{tree.section(agreed.section)} {
-    if (!tree.has_answers(its_section))
-        throw Complaint{"this edition of the course has no solutions, so it can't grade: use the whole one"};
+    tree.require_solution(its_section, "Grade with the whole course, which has them");
     require_own_folder(out);
     if (!agreed.gradebook.empty()) book.emplace(agreed.gradebook, its_section, agreed.column);
     fs::create_directories(out / "files");

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a program prints that must not fail.
-std::string printed_by(const Tree &tree, const std::vector<std::string> &command, const std::string &sorry) {
+std::string what_git_says(const Tree &tree, const std::vector<std::string> &command, const std::string &sorry) {
     const Finished done = run(command, {.folder = tree.root});
     if (done.code != 0) throw Complaint{sorry + ": " + done.err.substr(0, done.err.find('\n'))};
     return done.out;
@@ -45,9 +45,10 @@ fs::path newer_files(const Tree &tree, const std::string &from, const fs::path &
         if (!is_clone(tree))
             throw Complaint{"there's no file " + from
                             + ", and this course isn't a clone that could fetch: name a release's archive"};
-        printed_by(tree, {"git", "fetch", "--quiet", from, "HEAD"}, "git can't fetch from " + from);
+        what_git_says(tree, {"git", "fetch", "--quiet", from, "HEAD"}, "git can't fetch from " + from);
         archive = (scratch / "newer.tar").string();
-        printed_by(tree, {"git", "archive", "--output=" + archive, "FETCH_HEAD"}, "git can't read what it has fetched");
+        what_git_says(tree, {"git", "archive", "--output=" + archive, "FETCH_HEAD"},
+                      "git can't read what it has fetched");
     }
     fs::create_directories(scratch / "newer");
     if (const Finished done = run({"cmake", "-E", "tar", "xf", archive}, {.folder = scratch / "newer"}); done.code != 0)
@@ -71,7 +72,7 @@ bool is_the_students(const std::string &file) { return file.starts_with("exercis
 /// them, or as the last update has noted them.
 std::set<std::string> known_files(const Tree &tree, const fs::path &list) {
     std::string text;
-    if (is_clone(tree)) text = printed_by(tree, {"git", "ls-files"}, "git can't list the course's files");
+    if (is_clone(tree)) text = what_git_says(tree, {"git", "ls-files"}, "git can't list the course's files");
     else if (fs::exists(list)) text = read_file(list);
     std::set<std::string> all;
     for (const Line &line : lines_of(text)) all.emplace(line.text);
@@ -119,10 +120,10 @@ void renew_exercise(const Tree &tree, const fs::path &newer, const std::string &
 void require_unchanged(const Tree &tree, bool by_git) {
     if (!is_clone(tree)) return;
     const std::string sorry = "git can't tell what you have changed";
-    std::string changed = printed_by(tree, {"git", "diff", "--name-only", "HEAD", "--", ".", ":!exercises"}, sorry);
+    std::string changed = what_git_says(tree, {"git", "diff", "--name-only", "HEAD", "--", ".", ":!exercises"}, sorry);
     if (by_git)
         changed +=
-            printed_by(tree, {"git", "diff", "--name-only", "FETCH_HEAD...HEAD", "--", ".", ":!exercises"}, sorry);
+            what_git_says(tree, {"git", "diff", "--name-only", "FETCH_HEAD...HEAD", "--", ".", ":!exercises"}, sorry);
     if (!changed.empty())
         throw Complaint{"you have changed " + changed.substr(0, changed.find('\n'))
                         + ", which an update would write over: commit it, and type git pull, which merges"};
