@@ -305,14 +305,18 @@ std::vector<Change> Assignment::changes(const GradedClass &graded) const {
         }
         const std::set<std::string> failed = failed_tests(student);
         now[id] = {{"points", points_text(student.earned())}, {"failed", failed}, {"file", student.file_hash}};
-        if (!last.contains(id) || last[id].value("points", "") == now[id]["points"]) continue;
-        const std::set<std::string> before = last[id].value("failed", std::set<std::string>{});
-        Change change{id, last[id].value("points", ""), points_text(student.earned()), ""};
+        const bool is_new = !last.contains(id);
+        if (is_new && (!student.overridden || last.empty())) continue; // who hands in later is nothing to look at
+        const json old = is_new ? json::object() : last[id];
+        const std::string before = old.value("points", "nothing");
+        if (before == now[id]["points"]) continue;
+        const auto failed_before = old.value("failed", std::set<std::string>{});
+        Change change{id, before, points_text(student.earned()), ""};
         std::vector<std::string> others;
-        std::ranges::set_symmetric_difference(before, failed, std::back_inserter(others));
+        std::ranges::set_symmetric_difference(failed_before, failed, std::back_inserter(others));
         for (const std::string &test : others) change.because += (change.because.empty() ? "" : "; ") + test;
         if (student.overridden) change.because = "set by hand: " + student.why;
-        else if (last[id].value("file", student.file_hash) != student.file_hash)
+        else if (old.value("file", student.file_hash) != student.file_hash)
             change.because = "another file was handed in";
         else if (others.empty()) change.because = "what the points are counted by";
         all.push_back(std::move(change));
