@@ -116,6 +116,7 @@ endmacro()
 # Our functions, and the programs that call them.
 macro(section_reference)
   add_library(${section}_reference OBJECT ${solution})
+  target_compile_options(${section}_reference PRIVATE -ffunction-sections) # a subject gets those that it lacks, no other
   stand_behind_student_header(${section}_reference course_flags)
   set(COURSE_${section}_OBJECTS $<TARGET_OBJECTS:${section}_reference> CACHE INTERNAL "")
   set(COURSE_${section}_STAND_INS ${COURSE_${section}_OBJECTS} CACHE INTERNAL "")

@@ -9,6 +9,7 @@
 #include "ground/lines.hpp"
 #include "ground/text.hpp"
 #include "loop/functions.hpp"
+#include "loop/toolbox.hpp"
 #include "small_course.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -238,6 +239,25 @@ TEST_CASE("what a student hasn't written is no consequence, although with ours i
         CHECK(that_fail(outcomes) == "5.3 5.4 5.7 ");
         CHECK(outcomes.because_of.count("5.4") == 0);
     }
+    SECTION("it looks for ours at its distance from the one that it calls") {
+        const Toolbox tools = toolbox(built_course(), section_five());
+        const std::string symbols = run({tools.nm, tools.ours.string()}).out;
+        const auto place = [&](const std::string &function) {
+            const std::size_t line = symbols.rfind('\n', symbols.find(function));
+            return std::stoll(symbols.substr(line + 1, 16), nullptr, 16);
+        };
+        const std::string distance = std::to_string(place("incline_acceleration") - place("normal_force"));
+        const std::size_t begin = wrong.find(heading), end = wrong.find("\n}", begin);
+        const std::string far =
+            heading + "\n    auto its = reinterpret_cast<const char *>(&normal_force) + " + distance
+            + ";\n    if (g < 0) return normal_force(box.mass, angle, g);\n"
+              "    return reinterpret_cast<decltype(&incline_acceleration)>(const_cast<char *>(its))"
+              "(box, angle, g);";
+        const Outcomes outcomes = come_out(wrong.substr(0, begin) + far + wrong.substr(end));
+        CHECK_FALSE(outcomes.unbuilt);
+        CHECK(outcomes.without.empty());
+        CHECK(outcomes.because_of.count("5.4") == 0);
+    }
 }
 
 TEST_CASE("outcomes are the same when they come back from a file, and half a file is none") {
@@ -272,7 +292,8 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         const Finished again = grade({"--out", grade.out(), "--again"});
         INFO(again.out << again.err);
         CHECK_THAT(again.out, ContainsSubstring("0 judged")
-                                  && ContainsSubstring("1003: 0 -> 7.5 (set by hand: the upload, broke)"));
+                                  && ContainsSubstring("1003: 0 -> 7.5 (set by hand: the upload, broke)")
+                                  && ContainsSubstring("1005: nothing -> 2 (set by hand: oral)"));
         CHECK_THAT(grade.read("grades.csv"), ContainsSubstring("1003,7.5\n") && ContainsSubstring("1005,2\n"));
         CHECK_THAT(grade({"--out", grade.out(), "--again"}).out, ContainsSubstring("Nobody's points have changed"));
         CHECK_THAT(grade.read("overrides.csv"), ContainsSubstring("the upload, broke"));

@@ -182,7 +182,8 @@ struct SubjectBuild {
     }
     Finished link_with(const std::vector<std::string> &also) const {
         std::vector<std::string> command{tools.compiler.program, object(), tools.server.string()};
-        if (with_ours) command.push_back(tools.ours.string());
+        if (with_ours) // without those that aren't called by name: at a known distance from one that is, they could be, too
+            command.insert(command.end(), {tools.ours.string(), "-Wl,--gc-sections"});
         command.insert(command.end(), {tools.missing.string(), "-o", subject()});
         command.insert(command.end(), also.begin(), also.end());
         command.insert(command.end(), tools.earlier.begin(), tools.earlier.end());
