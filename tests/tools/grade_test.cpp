@@ -110,6 +110,11 @@ TEST_CASE("a function's definition is found in code that needn't compile") {
           == "int first()\n{\n  return \"}\"[0];\n}");
     CHECK(found("int first() {\n  if (1) {\n}\nint second() {}\n") == "int first() {\n  if (1) {\n}\n OPEN");
     CHECK(found("int at_first() {}\n") == "none");
+    CHECK(found("char q = '\"', b = '{', e = '\\''; int n = 1'000;\nint first() { return 1; }\n")
+          == "int first() { return 1; }");
+    CHECK(found("auto s = \"open;\nint first() { return 1; }\n") == "int first() { return 1; }");
+    CHECK(found("auto s = R\"x(\" { )\" ()x\";\nint first() { return 1; }\n") == "int first() { return 1; }");
+    CHECK(found("auto s = \"\\\\\";\nint first() { return 1; }\n") == "int first() { return 1; }");
     CHECK(line_begins("a\nbc\nd", 2) == 2);
     CHECK(line_begins("a\nbc\nd", 9) == 6);
 }

@@ -4,24 +4,38 @@
 #include "loop/said.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace course {
 
+namespace {
+
+/// What ends the comment or quote that begins here; nothing if none does.
+std::string end_of_hidden(std::string_view code, std::size_t at) {
+    const std::string_view rest = code.substr(at);
+    const bool in_a_name = at > 0 && is_in_a_name(code[at - 1]); // 1'000, and the quote of a raw string
+    if (rest.starts_with("//")) return "\n";
+    if (rest.starts_with("/*")) return "*/";
+    if (rest.starts_with("R\"") && !in_a_name)
+        return ')' + std::string{rest.substr(2, std::min(rest.find('('), rest.size()) - 2)} + '"';
+    if (rest.starts_with('"')) return "\"";
+    return rest.starts_with('\'') && !in_a_name ? "'" : "";
+}
+
+} // namespace
+
 std::string code_of(std::string code) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> hides{
-        {{"//", "\n"}, {"/*", "*/"}, {"\"", "\""}}};
-    replace_all(code, "\\\"", "  ");
-    for (std::size_t at = 0; at < code.size(); ++at)
-        for (const auto &[begin, end] : hides) {
-            if (!std::string_view{code}.substr(at).starts_with(begin)) continue;
-            const std::size_t behind =
-                std::min(code.find(end, at + begin.size()), code.size() - end.size()) + end.size();
-            std::replace_if(
-                code.begin() + long(at), code.begin() + long(behind), [](char c) { return c != '\n'; }, ' ');
-            at = behind - 1;
-            break;
-        }
+    for (const char *escape : {"\\\\", "\\\"", "\\'"}) replace_all(code, escape, "  ");
+    for (std::size_t at = 0; at < code.size(); ++at) {
+        const std::string end = end_of_hidden(code, at);
+        if (end.empty()) continue;
+        const bool in_one_line = end == "\"" || end == "'"; // which ends there, too, if nobody has closed it
+        std::size_t behind = code.find(end, at + (in_one_line ? 1 : 2));
+        if (in_one_line) behind = std::min(behind, code.find('\n', at));
+        behind = behind == code.npos ? code.size() : behind + end.size();
+        std::replace_if(
+            code.begin() + long(at), code.begin() + long(behind), [](char c) { return c != '\n'; }, ' ');
+        at = behind - 1;
+    }
     return code;
 }
 
