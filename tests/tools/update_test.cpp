@@ -27,6 +27,7 @@ struct TwoVersions {
         newer.write("chapters/07_wall_meeting/README.md", "# 7, better\n");
         newer.write("chapters/07_wall_meeting/new.hpp", "new\n");
         fs::remove_all(newer.tree.build);
+        fs::remove(newer.tree.root / "exercises/06_reflection.cpp"); // a section that has gone
     }
     static void git(const SmallCourse &course, std::vector<std::string> words) {
         words.insert(words.begin(), {"git", "-c", "user.name=n", "-c", "user.email=e"});
@@ -73,7 +74,8 @@ TEST_CASE("an update renews the course, and puts a stub that has changed beside 
     CHECK(course.student.read("tests/stubs/07_wall_meeting.cpp") == stub_after);
     CHECK(course.student.read("chapters/07_wall_meeting/README.md") == "# 7, better\n");
     CHECK(course.student.read("chapters/07_wall_meeting/new.hpp") == "new\n");
-    CHECK(course.student.has("old.txt") == false);
+    CHECK_FALSE(course.student.has("old.txt"));
+    CHECK(course.student.has("exercises/06_reflection.cpp")); // whatever was written there
 
     const Finished again = course.update();
     CHECK(again.out == "This is the newest version already.\n");
