@@ -168,6 +168,7 @@ TEST_CASE(
     "without solutions, commands that need them say so in one sentence, and a hint doesn't send anybody to them") {
     const SmallCourse course;
     std::filesystem::remove_all(course.tree.root / "solutions");
+    course.write(handout_mark, "");
     const auto [words, sentence] = GENERATE(
         std::pair{
             std::vector<std::string>{"solution", "7.2"},

@@ -11,9 +11,6 @@
 
 namespace course {
 
-/// The file at its root that says to readers what a handout is, and to the build that solutions needn't be there.
-inline constexpr const char *handout_mark = "HANDOUT.md";
-
 /// Makes a handout of a copy of the course: takes out of this folder what gives answers away, or is of no use without them.
 void make_handout(const std::filesystem::path &folder);
 

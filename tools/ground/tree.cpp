@@ -107,7 +107,7 @@ std::string Tree::shown(const fs::path &file) const {
     return plain_line(outside ? file.string() : inside.generic_string(), 4096); // PATH_MAX: it's never cut
 }
 
-bool Tree::has_solution(const Section &s) const { return fs::exists(solution(s)); }
+bool Tree::has_solution(const Section &s) const { return fs::exists(solution(s)) || !fs::exists(root / handout_mark); }
 
 void Tree::require_solution(const Section &s, const std::string &instead) const {
     if (!has_solution(s))
@@ -115,7 +115,7 @@ void Tree::require_solution(const Section &s, const std::string &instead) const 
 }
 
 bool Tree::has_answers(const Section &s) const {
-    return has_solution(s) && (fs::exists(wrong_answers(s)) || fs::exists(root / "tests" / "wrong" / s.name));
+    return fs::exists(solution(s)) && (fs::exists(wrong_answers(s)) || fs::exists(root / "tests" / "wrong" / s.name));
 }
 
 fs::path Tree::written_exercise(const Section &s) const {

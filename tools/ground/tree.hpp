@@ -27,6 +27,9 @@ struct UnknownSection : Complaint {
     int number; ///< that was asked for; 0 if it was a name
 };
 
+/// The file at the root of a handout, the edition without solutions: it says so to readers and to the build.
+inline constexpr const char *handout_mark = "HANDOUT.md";
+
 /// The checkout and its build folder; every path that a command uses is asked for here.
 struct Tree {
     std::filesystem::path root;  ///< the checkout
@@ -54,7 +57,7 @@ struct Tree {
     std::filesystem::path written_exercise(const Section &s) const;
     std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }
     std::filesystem::path solution(const Section &s) const { return root / "solutions" / (s.name + ".cpp"); }
-    /// Whether it's there: not in a handout, the edition of the course without solutions.
+    /// Whether it's there, as it must be but in a handout.
     bool has_solution(const Section &s) const;
     /// @throws Complaint with what to do instead, if it's not there
     void require_solution(const Section &s, const std::string &instead) const;

@@ -43,7 +43,7 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
             if (each.at("name") == section.name) {
                 w.server = each.at("server").get<std::string>();
                 w.missing = each.at("missing").get<std::string>();
-                w.ours = each.at("ours").get<std::string>();
+                w.ours = each.value("ours", "");
                 w.earlier = each.at("earlier");
                 w.plays_yours = each.value("plays_yours", false);
             }
