@@ -31,6 +31,7 @@ constexpr std::array not_in_a_handout{
     "tests/tools",
     "tests/site",
     "tests/play",
+    "tests/class",
     "tests/points.txt",
     "tests/CMakeLists.txt",
     "tests/fresh_machine.sh",
