@@ -313,6 +313,7 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         CHECK_THAT(refused("id,points,why\n10033,7,oral\n"), ContainsSubstring("nobody has the id 10033"));
         CHECK_THAT(refused("10033,7,oral\n"), ContainsSubstring("nobody has the id 10033"));
         CHECK_THAT(refused("id,points,why\n1003,nan,oral\n"), ContainsSubstring("the line of 1003 should be"));
+        CHECK_THAT(refused("1003,7,oral\n1003,8,oral\n"), ContainsSubstring("two lines for 1003"));
     }
     SECTION("a second download keeps what was agreed with the first") {
         const std::string name = "on a level board it presses with its whole weight, 100 N";

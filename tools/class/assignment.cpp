@@ -91,7 +91,8 @@ std::map<std::string, std::pair<double, std::string>> overrides_in(const fs::pat
         if (row.size() != 3 || end != points.size() || !std::isfinite(worth) || worth < 0)
             throw Complaint{file.string() + ": the line of " + row.front().text
                             + " should be an id, points, and why: 1003,7.5,\"was ill\""};
-        all[row.front().text] = {worth, row[2].text};
+        if (!all.insert({row.front().text, {worth, row[2].text}}).second)
+            throw Complaint{file.string() + " has two lines for " + row.front().text + ": leave the one that counts"};
     }
     return all;
 }

@@ -49,7 +49,7 @@ class Assignment {
 
     /// Judges what has no result yet that fits file, tests and tool; in parallel, each result kept at once.
     /// @param only   these ids anew, and nobody else; empty: all
-    /// @param part   the how-manieth of how many parts, counted from 1: others are left to other machines
+    /// @param part   which part of how many, from 1: the others are left to other machines
     /// @param ended  is told after each how many of how many are done
     /// @return how many were judged
     std::size_t judge(const std::set<std::string> &only, std::pair<std::size_t, std::size_t> part,
