@@ -115,6 +115,13 @@ TEST_CASE("a function's definition is found in code that needn't compile") {
     CHECK(found("auto s = \"open;\nint first() { return 1; }\n") == "int first() { return 1; }");
     CHECK(found("auto s = R\"x(\" { )\" ()x\";\nint first() { return 1; }\n") == "int first() { return 1; }");
     CHECK(found("auto s = \"\\\\\";\nint first() { return 1; }\n") == "int first() { return 1; }");
+    const auto calls_second = [](const std::string &body) {
+        const std::string code = code_of("int first() { return " + body + "; }");
+        return calls(code, definition_of(code, "first", {}).value(), "second");
+    };
+    CHECK(calls_second("second(1)"));
+    CHECK(calls_second("1 + second (1)"));
+    CHECK_FALSE(calls_second("pair.second(1) + my_second(1) + second"));
     CHECK(line_begins("a\nbc\nd", 2) == 2);
     CHECK(line_begins("a\nbc\nd", 9) == 6);
 }
@@ -181,6 +188,20 @@ TEST_CASE("no trivial answer earns anything, and ours earns all") {
         CHECK(earned(each.text) == 0);
     }
     CHECK(earned(read_file(built_course().solution(section))) == double(catalogue(built_course(), section).size()));
+}
+
+TEST_CASE("a trivial answer gives back what its name says, where the type takes it") {
+    const Section section = built_course().section("7");
+    for (const Trivial &each : trivial_answers(built_course(), section)) {
+        const Outcomes outcomes = outcomes_of(built_course(), section, each.name, each.text, 2026);
+        const auto gives = [&](const std::string &answer) {
+            return std::ranges::any_of(outcomes.verdicts,
+                                       [&](const Verdict &v) { return v.call && v.call->answer == answer; });
+        };
+        INFO(each.name);
+        CHECK(gives("true") == (each.name == "return true" || each.name == "return 1"));
+        CHECK(gives("false") == (each.name == "return {}"));
+    }
 }
 
 TEST_CASE("a function that doesn't compile costs no other one anything") {
