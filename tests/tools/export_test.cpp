@@ -27,14 +27,6 @@ struct HandedOutCourse : SmallCourse {
         git({"init", "--quiet"});
         commit();
     }
-    void git(std::vector<std::string> words) const {
-        words.insert(words.begin(), {"git", "-C", tree.root.string(), "-c", "user.name=x", "-c", "user.email=x"});
-        REQUIRE(run(words).code == 0);
-    }
-    void commit() const {
-        git({"add", "--all"});
-        git({"commit", "--quiet", "--message", "all of it"});
-    }
     Finished handout() const { return (*this)({"export", "handout", out.string()}); }
     std::string log_of_handout() const {
         return run({"git", "-C", (out / "frame-by-frame").string(), "log", "--format=%s"}).out;

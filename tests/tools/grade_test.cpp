@@ -358,6 +358,13 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
                                    && ContainsSubstring("consequence of 5.3"));
         CHECK(grade({"--out", grade.out(), "--only", "1005"}).code == 2);
     }
+    SECTION("who hands in another file has no points for the one before, until it's judged") {
+        grade.hand_in("1004", answer_of_ours());
+        const Finished appeal = grade({"--out", grade.out(), "--only", "1002"});
+        CHECK(appeal.code == 3);
+        CHECK_THAT(appeal.out, ContainsSubstring("not graded 1004: it hasn't been judged as it is now"));
+        CHECK_THAT(grade.read("grades.csv"), ContainsSubstring("1004,\n"));
+    }
     SECTION("all answers to an exercise are shown, equal ones once") {
         const Finished all = grade({"--out", grade.out(), "--show", "5.3"});
         CHECK_THAT(all.out, ContainsSubstring("// 1001 (1.54)\ndouble normal_force(")

@@ -30,14 +30,6 @@ struct Repository : SmallCourse {
     }
     ~Repository() { ::setenv("PATH", before.c_str(), 1); }
 
-    void git(std::vector<std::string> words) const {
-        words.insert(words.begin(), {"git", "-C", tree.root.string(), "-c", "user.name=x", "-c", "user.email=x"});
-        REQUIRE(run(words).code == 0);
-    }
-    void commit() const {
-        git({"add", "--all"});
-        git({"commit", "--quiet", "--message", "all of it"});
-    }
     std::string listed(const std::string &archive) const {
         return run({"/usr/bin/cmake", "-E", "tar", "tf", (tree.build / "release" / archive).string()}).out;
     }

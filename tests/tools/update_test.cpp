@@ -29,25 +29,17 @@ struct TwoVersions {
         fs::remove_all(newer.tree.build);
         fs::remove(newer.tree.root / "exercises/06_reflection.cpp"); // a section that has gone
     }
-    static void git(const SmallCourse &course, std::vector<std::string> words) {
-        words.insert(words.begin(), {"git", "-c", "user.name=n", "-c", "user.email=e"});
-        const Finished done = run(words, {.folder = course.tree.root});
-        INFO(done.out << done.err);
-        REQUIRE(done.code == 0);
-    }
     /// The student's is a clone of what the newer one was once.
     void in_git() const {
-        git(student, {"init", "--quiet", "--initial-branch=main"});
+        student.git({"init", "--quiet", "--initial-branch=main"});
         student.write(".gitignore", "/build/\n");
         student.write("old.txt", "old\n");
-        git(student, {"add", "."});
-        git(student, {"commit", "--quiet", "-m", "old"});
+        student.commit("old");
         newer.write(".gitignore", "/build/\n");
-        git(newer, {"init", "--quiet", "--initial-branch=main"});
-        git(newer, {"fetch", "--quiet", student.tree.root.string(), "main"});
-        git(newer, {"reset", "--quiet", "FETCH_HEAD"});
-        git(newer, {"add", "--all", "."});
-        git(newer, {"commit", "--quiet", "-m", "new"});
+        newer.git({"init", "--quiet", "--initial-branch=main"});
+        newer.git({"fetch", "--quiet", student.tree.root.string(), "main"});
+        newer.git({"reset", "--quiet", "FETCH_HEAD"});
+        newer.commit("new");
     }
     Finished update() const { return student({"update", newer.tree.root.string()}); }
     SmallCourse student{"a student XXXXXX"}, newer{"newer XXXXXX"};
@@ -97,7 +89,7 @@ TEST_CASE("what a student has committed stays in the history") {
     const TwoVersions course;
     course.in_git();
     course.student.write(file_of_student, "// mine\n");
-    TwoVersions::git(course.student, {"commit", "--quiet", "-am", "mine"});
+    course.student.commit("mine");
     const Finished done = course.update();
     INFO(done.out << done.err);
     REQUIRE(done.code == 0);

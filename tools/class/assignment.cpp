@@ -109,7 +109,7 @@ void require_own_folder(const fs::path &out) {
     }
 }
 
-/// The names of tests that failed, each with what came out: what an appeal or a mended test may change.
+/// The names of tests that failed: what an appeal or a mended test may change.
 std::set<std::string> failed_tests(const Graded &student) {
     std::set<std::string> all;
     for (const GradedExercise &exercise : student.exercises)
@@ -131,7 +131,8 @@ Assignment::Assignment(const Tree &tree_, Agreed agreed_, const fs::path &out_)
     if (book && handed_in.platform != Platform::folder && handed_in.platform != book->platform())
         throw Complaint{"the submissions are from " + std::string{name_of(handed_in.platform)}
                         + ", but the gradebook is from " + std::string{name_of(book->platform())}};
-    for (const auto &[id, set] : overrides_in(out / "overrides.csv"))
+    overrides = overrides_in(out / "overrides.csv");
+    for (const auto &[id, set] : overrides)
         if (std::ranges::count(handed_in.all, id, &Submission::id) == 0
             && !(book && std::ranges::count(book->rows(), id, &Person::id) > 0))
             throw Complaint{(out / "overrides.csv").string() + ": nobody has the id " + plain_line(id, 100)
@@ -146,7 +147,6 @@ Assignment::Assignment(const Tree &tree_, Agreed agreed_, const fs::path &out_)
     agreed.worth = copied(agreed.worth, out / "points.txt");
     remember_agreed(agreed, out);
     tests_hash = hash_of_tests(tree, its_section, out / "judged_with.txt");
-    baselines = measure_baselines(tree, its_section);
     std::vector<fs::path> files;
     std::vector<std::string> ids;
     for (const Submission &each : handed_in.all)
@@ -198,9 +198,12 @@ std::optional<Outcomes> Assignment::result(const std::string &id) const {
     const std::string text = read_file(result_of(id));
     const std::size_t line = text.find('\n');
     if (line == text.npos || text.substr(0, line) != key_of(id)) return {};
-    auto outcomes = outcomes_from(text.substr(line));
-    if (outcomes && !outcomes->our_trouble.empty()) return {}; // it's tried again
-    return outcomes;
+    return outcomes_from(text.substr(line));
+}
+
+bool Assignment::is_judged(const std::string &id) const {
+    const auto its = result(id);
+    return its && its->our_trouble.empty(); // else it's tried again
 }
 
 void Assignment::merge(const fs::path &folder) {
@@ -208,17 +211,18 @@ void Assignment::merge(const fs::path &folder) {
         throw Complaint{folder.string() + " holds no part of a class: has its --shard run?"};
     for (const Submission &each : handed_in.all) {
         const fs::path its = folder / "results" / (each.id + ".json");
-        if (fs::exists(its) && !result(each.id)) write_file(result_of(each.id), read_file(its));
+        if (fs::exists(its) && !is_judged(each.id)) write_file(result_of(each.id), read_file(its));
     }
 }
 
 std::size_t Assignment::judge(const std::set<std::string> &only, std::pair<std::size_t, std::size_t> part,
                               const std::function<void(std::size_t, std::size_t)> &ended) {
+    baselines = measure_baselines(tree, its_section); // first: where it can't be done, nobody can be judged
     std::vector<const Submission *> open;
     for (std::size_t i = 0; i < handed_in.all.size(); ++i) {
         const Submission &each = handed_in.all[i];
         if (each.file.empty() || i % part.second != part.first - 1) continue;
-        if (only.empty() ? !result(each.id) : only.contains(each.id)) open.push_back(&each);
+        if (only.empty() ? !is_judged(each.id) : only.contains(each.id)) open.push_back(&each);
     }
     std::size_t done = 0;
     for (const Submission *each : open) fs::remove(result_of(each->id)); // what's left of earlier ones isn't theirs
@@ -242,7 +246,6 @@ GradedClass Assignment::graded() const {
     GradedClass all{its_section, handed_in.platform,         course_version(), tests_hash, agreed.void_tests,
                     {},          tests_of(tree, its_section)};
     const Worth worth{agreed.worth.empty() ? tree.root / "tests" / "points.txt" : agreed.worth};
-    const auto overrides = overrides_in(out / "overrides.csv");
     const fs::path known = file_of_mistakes(tree, its_section);
     const std::string mistakes = fs::exists(known) ? '\n' + read_file(known) : "";
     const auto exercises = catalogue(tree, its_section);
@@ -261,9 +264,8 @@ GradedClass Assignment::graded() const {
         student.submission = each;
         Outcomes outcomes;
         if (!each.file.empty()) {
-            const std::string text = fs::exists(result_of(each.id)) ? read_file(result_of(each.id)) : "";
-            if (const auto its = outcomes_from(text.substr(std::min(text.find('\n'), text.size())))) outcomes = *its;
-            else outcomes.our_trouble = "it hasn't been judged: the process that should have was ended";
+            if (const auto its = result(each.id)) outcomes = *its;
+            else outcomes.our_trouble = "it hasn't been judged as it is now, by these tests";
             student.file_hash = hashes.at(each.id);
         }
         student.our_trouble = outcomes.our_trouble;
@@ -331,13 +333,13 @@ std::vector<Change> Assignment::write(const GradedClass &graded) const {
     std::map<std::string, std::string> names;
     std::vector<std::pair<std::string, std::string>> texts;
     std::vector<Report> reports;
+    const auto exercises = catalogue(tree, its_section);
     for (const Graded &student : graded.students) {
         const Submission &its = student.submission;
         if (!its.feedback_name.empty()) texts.emplace_back(its.feedback_name, feedback(graded, student, false));
         if (!student.our_trouble.empty()) continue;
         grades[its.id] = {student.possible() > 0 ? student.earned() / student.possible() : 0, comment(student)};
-        Report report{its_section,  its.id,          agreed.seed, catalogue(tree, its_section),
-                      graded.tests, student.unbuilt, {}};
+        Report report{its_section, its.id, agreed.seed, exercises, graded.tests, student.unbuilt, {}};
         for (const GradedExercise &exercise : student.exercises)
             std::ranges::copy(exercise.verdicts, std::back_inserter(report.verdicts));
         if (!its.trouble.empty()) report.unbuilt = Verdict{.kind = Kind::empty, .sentence = its.trouble};

@@ -65,7 +65,8 @@ class Assignment {
   private:
     std::filesystem::path result_of(const std::string &id) const { return out / "results" / (id + ".json"); }
     std::string key_of(const std::string &id) const;
-    std::optional<Outcomes> result(const std::string &id) const;
+    std::optional<Outcomes> result(const std::string &id) const; ///< if there's one of this file, by these tests
+    bool is_judged(const std::string &id) const;
     std::string name_of_file() const { return its_section.name + ".cpp"; }
     std::vector<Change> changes(const GradedClass &graded) const;
 
@@ -75,9 +76,10 @@ class Assignment {
     Section its_section;
     Submissions handed_in;
     std::optional<Gradebook> book;
-    std::map<std::string, std::string> hashes; ///< of files to judge, by id
-    std::string tests_hash;                    ///< of all that judges them
-    Baselines baselines;
+    std::map<std::string, std::string> hashes;                       ///< of files to judge, by id
+    std::string tests_hash;                                          ///< of all that judges them
+    Baselines baselines;                                             ///< as measured before anybody is judged
+    std::map<std::string, std::pair<double, std::string>> overrides; ///< points and why, by id
 };
 
 } // namespace course

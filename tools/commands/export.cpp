@@ -38,16 +38,9 @@ void require_no_leaks(const Tree &tree, const fs::path &folder) {
 void take_committed(const Tree &tree, const fs::path &folder) {
     const std::string archive = folder.string() + ".tar";
     fs::create_directories(folder);
-    printed_by({"git", "archive", "--output=" + archive, "HEAD"}, tree.root);
+    git_in(tree.root, {"archive", "--output=" + archive, "HEAD"});
     printed_by({"cmake", "-E", "tar", "xf", archive}, folder);
     fs::remove(archive);
-}
-
-/// Git in this repository, by nobody in particular.
-std::string git_in(const fs::path &repository, std::vector<std::string> words) {
-    words.insert(words.begin(), {"git", "-c", "user.name=Frame by Frame", "-c", "user.email=handout@localhost", "-c",
-                                 "commit.gpgsign=false"});
-    return printed_by(words, repository);
 }
 
 /// An earlier handout gives way to this one, but for its history; nothing else does.

@@ -32,7 +32,7 @@ void release(const Tree &tree) {
     fs::remove_all(folder);
     fs::create_directories(folder);
     const auto file = [&](const char *rest) { return (folder / (name + rest)).string(); };
-    printed_by({"git", "archive", "--prefix=" + name + '/', "--output=" + file(".tar.gz"), "HEAD"}, tree.root);
+    git_in(tree.root, {"archive", "--prefix=" + name + '/', "--output=" + file(".tar.gz"), "HEAD"});
     printed_by({"cmake", "-E", "tar", "cf", file("-site.zip"), "--format=zip", site_folder(tree).filename().string()},
                site_folder(tree).parent_path());
     std::vector<std::string> stills{"cmake", "-E", "tar", "cf", file("-stills.zip"), "--format=zip"};

@@ -4,8 +4,8 @@
 #include "ground/files.hpp"
 #include "ground/lines.hpp"
 #include "ground/process.hpp"
+#include "ground/repository.hpp"
 #include "ground/text.hpp"
-#include "loop/functions.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -15,13 +15,6 @@ namespace course {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What a program prints that must not fail.
-std::string what_git_says(const Tree &tree, const std::vector<std::string> &command, const std::string &sorry) {
-    const Finished done = run(command, {.folder = tree.root});
-    if (done.code != 0) throw Complaint{sorry + ": " + done.err.substr(0, done.err.find('\n'))};
-    return done.out;
-}
 
 bool is_clone(const Tree &tree) { return fs::exists(tree.root / ".git"); }
 
@@ -45,10 +38,9 @@ fs::path newer_files(const Tree &tree, const std::string &from, const fs::path &
         if (!is_clone(tree))
             throw Complaint{"there's no file " + from
                             + ", and this course isn't a clone that could fetch: name a release's archive"};
-        what_git_says(tree, {"git", "fetch", "--quiet", from, "HEAD"}, "git can't fetch from " + from);
+        git_in(tree.root, {"fetch", "--quiet", from, "HEAD"});
         archive = (scratch / "newer.tar").string();
-        what_git_says(tree, {"git", "archive", "--output=" + archive, "FETCH_HEAD"},
-                      "git can't read what it has fetched");
+        git_in(tree.root, {"archive", "--output=" + archive, "FETCH_HEAD"});
     }
     fs::create_directories(scratch / "newer");
     if (const Finished done = run({"cmake", "-E", "tar", "xf", archive}, {.folder = scratch / "newer"}); done.code != 0)
@@ -72,7 +64,7 @@ bool is_the_students(const std::string &file) { return file.starts_with("exercis
 /// them, or as the last update has noted them.
 std::set<std::string> known_files(const Tree &tree, const fs::path &list) {
     std::string text;
-    if (is_clone(tree)) text = what_git_says(tree, {"git", "ls-files"}, "git can't list the course's files");
+    if (is_clone(tree)) text = git_in(tree.root, {"ls-files"});
     else if (fs::exists(list)) text = read_file(list);
     std::set<std::string> all;
     for (const Line &line : lines_of(text)) all.emplace(line.text);
@@ -119,11 +111,8 @@ void renew_exercise(const Tree &tree, const fs::path &newer, const std::string &
 /// An update writes over all that isn't in exercises/: what somebody has changed there is merged by git, or not at all.
 void require_unchanged(const Tree &tree, bool by_git) {
     if (!is_clone(tree)) return;
-    const std::string sorry = "git can't tell what you have changed";
-    std::string changed = what_git_says(tree, {"git", "diff", "--name-only", "HEAD", "--", ".", ":!exercises"}, sorry);
-    if (by_git)
-        changed +=
-            what_git_says(tree, {"git", "diff", "--name-only", "FETCH_HEAD...HEAD", "--", ".", ":!exercises"}, sorry);
+    std::string changed = git_in(tree.root, {"diff", "--name-only", "HEAD", "--", ".", ":!exercises"});
+    if (by_git) changed += git_in(tree.root, {"diff", "--name-only", "FETCH_HEAD...HEAD", "--", ".", ":!exercises"});
     if (!changed.empty())
         throw Complaint{"you have changed " + changed.substr(0, changed.find('\n'))
                         + ", which an update would write over: commit it, and type git pull, which merges"};
@@ -131,17 +120,13 @@ void require_unchanged(const Tree &tree, bool by_git) {
 
 /// Lets git know which version is here now. What the student has committed stays in the history.
 void tell_git(const Tree &tree) {
-    const auto git = [&](std::vector<std::string> words) {
-        words.insert(words.begin(), {"git", "-c", "user.name=course update", "-c", "user.email="});
-        return run(words, {.folder = tree.root});
-    };
-    if (git({"merge-base", "--is-ancestor", "HEAD", "FETCH_HEAD"}).code == 0) {
-        git({"reset", "--quiet", "FETCH_HEAD"}); // files stay as they are
+    if (git_in(tree.root, {"rev-list", "--count", "FETCH_HEAD..HEAD"}) == "0\n") { // nothing of the student's own
+        git_in(tree.root, {"reset", "--quiet", "FETCH_HEAD"});                     // files stay as they are
         return;
     }
-    git({"merge", "--quiet", "--no-commit", "-s", "ours", "FETCH_HEAD"});
-    git({"add", "--all", "--", ".", ":!exercises"});
-    git({"commit", "--quiet", "--message", "update of the course"});
+    git_in(tree.root, {"merge", "--quiet", "--no-commit", "-s", "ours", "FETCH_HEAD"});
+    git_in(tree.root, {"add", "--all", "--", ".", ":!exercises"});
+    git_in(tree.root, {"commit", "--quiet", "--message", "update of the course"});
 }
 
 void update(const Tree &tree, const std::string &from) {

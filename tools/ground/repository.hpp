@@ -17,6 +17,10 @@ std::string version_of(const Tree &tree);
 /// @throws Complaint if it fails
 std::string printed_by(const std::vector<std::string> &command, const std::filesystem::path &folder);
 
+/// What git prints in this repository, by nobody in particular.
+/// @throws Complaint with git's first line, if it fails
+std::string git_in(const std::filesystem::path &repository, std::vector<std::string> words);
+
 /// @throws Complaint if something isn't committed; `what` is made of what is: "a release"
 void require_committed(const Tree &tree, const std::string &what);
 
