@@ -10,6 +10,9 @@
 using motion::Integrators, motion::Motion, motion::PointMass, motion::Sample, motion::State;
 using namespace motion::subject; // px_per_second, uniform_motion, ... fit_motion: the student's
 
+// An answer is right to twelve digits of the largest term in its sum, unless it's said below; with numbers closer to 0
+// than 1e-100, other than 0 itself, to fewer.
+
 // --------------------------------------------------------------------------------------------------- 1.1 px_per_second
 
 //> Worked example: pixels
@@ -700,6 +703,8 @@ TEST_CASE("two halves of a plate balance where the whole plate does, with their 
     }
 }
 
+// A square with sides between 1 cm and 10 m is right to 1e-9 m, even far from the origin; a smaller one at the origin, to
+// 1e-9 of its side; of a thin plate, fewer digits are.
 TEST_CASE("the centroid of a small square is right to 1e-9 m, however far away and however turned", "[1.6]") {
     Dice dice;
     for (int i = 0; i < course::cases(20000); ++i) {
@@ -794,7 +799,9 @@ TEST_CASE("a corner beyond ±1e5, infinite or not a number is refused, whichever
 // --------------------------------------------------------------------------------------------------- 1.7 fit_motion
 
 //> By hand: three samples
-constexpr double fit_tolerance = 1e-8; // what the header promises
+// Each number of a motion is right to 1e-8, or to 1e-8 of itself if it's larger than 1, for positions within ±1000 m and
+// times within ±10 s that are at least half a second apart. With times closer together or farther from 0, fewer digits are.
+constexpr double fit_tolerance = 1e-8;
 
 TEST_CASE("6, 11 and 27 m after 1, 2 and 4 s come from 3 m, 2 m/s and 2 m/s²", "[1.7]") {
     // 5 m/s on average from 1 to 2 s, so 5 m/s at 1.5 s; 8 m/s on average from 2 to 4 s, so 8 m/s at 3 s

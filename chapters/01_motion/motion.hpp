@@ -7,8 +7,7 @@
 
 /// Section 1: where things are, how they move, and where they balance.
 /// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
-/// An answer is right to twelve digits of the largest term in its sum, unless its function says otherwise;
-/// with numbers closer to 0 than 1e-100, other than 0 itself, it may be right to fewer.
+/// How many digits must be right stands with the tests.
 namespace motion {
 
 using course::Vec2;
@@ -21,10 +20,10 @@ using course::Vec2;
 double px_per_second(double px_per_frame, double frames_per_second);
 
 //> Uniform motion
-/// The position at time t of something that moves at a constant velocity [m].
+/// Where something is at time t, when its velocity stays the same [m].
 /// @param start     its position at t = 0 [m]
 /// @param velocity  [m/s]
-/// @param t         [s]; a negative t asks where it was before it came to `start`
+/// @param t         [s]; negative: where it was before it came to `start`
 /// @throws std::invalid_argument if a number is not within ±1e5.
 Vec2 uniform_motion(const Vec2 &start, const Vec2 &velocity, double t);
 
@@ -36,10 +35,10 @@ struct State {
     COURSE_FIELDS("m, m/s", position, velocity)
 };
 
-/// The state at time t of something that moves with a constant acceleration.
+/// The state at time t, when the acceleration stays the same.
 /// @param start         its state at t = 0
 /// @param acceleration  [m/s²]
-/// @param t             [s]; a negative t asks for the state before `start`
+/// @param t             [s]; negative: the state before `start`
 /// @throws std::invalid_argument if a number is not within ±1e5.
 State accelerated_motion(const State &start, const Vec2 &acceleration, double t);
 
@@ -51,32 +50,30 @@ struct PointMass {
     COURSE_FIELDS("m, kg", position, mass)
 };
 
-/// The point on which all of these bodies together balance [m].
-/// Nothing if there is no mass: the list is empty, or every mass is 0.
+/// The point where all these bodies together balance [m].
+/// Nothing if there's no mass: the list is empty, or every mass is 0.
 /// @throws std::invalid_argument if a mass is negative, or a number is not within ±1e5.
 std::optional<Vec2> centre_of_mass(const std::vector<PointMass> &bodies);
 
 //> Three integrators
-/// The same motion three times, each computed by an integrator of its own.
+/// One motion, three times, each by its own integrator.
 struct Integrators {
-    State explicit_euler; ///< moves at the velocity that it has at the beginning of a step
-    State semi_implicit;  ///< moves at the velocity that it has at the end of a step
-    State exact;          ///< ends a step where constant acceleration takes it
+    State explicit_euler; ///< moves at the velocity from the start of the step
+    State semi_implicit;  ///< moves at the velocity from the end of the step
+    State exact;          ///< ends the step where constant acceleration takes it
     COURSE_FIELDS("1, 1, 1", explicit_euler, semi_implicit, exact)
 };
 
 //> One step of each
-/// All three one step later, each continued from its own state. A step of 0 s changes nothing.
+/// All three one step later, each from its own state. A step of 0 s changes nothing.
 /// @param acceleration  [m/s²]
 /// @param dt            length of the step [s], not negative
 /// @throws std::invalid_argument if `dt` is negative, or a number is not within ±1e5.
 Integrators step_all(const Integrators &before, const Vec2 &acceleration, double dt);
 
 //> The centroid of a plate
-/// The centroid of a polygon [m]: the centre of mass of a plate that is equally thick everywhere.
-/// For a square with sides between 1 cm and 10 m it is right to 1e-9 m, even far from the origin; for a smaller one at the
-/// origin, to 1e-9 of its side; for a thin plate, fewer digits are right.
-/// @param corners  in order, either way round [m]; they may repeat. Sides must not cross, but this is not checked
+/// The centroid of a polygon [m]: where a plate balances that's equally thick everywhere.
+/// @param corners  in order, either way round [m]; they may repeat. Sides mustn't cross, but that isn't checked
 /// @throws std::invalid_argument if there are fewer than three corners, if a number is not within ±1e5, or if the corners
 ///         lie on one line: if the area is some 1e-12 of the square of the longest distance between two of them, or less.
 Vec2 centroid(const std::vector<Vec2> &corners);
@@ -98,13 +95,11 @@ struct Motion {
 };
 
 //> A motion through three samples
-/// The motion that passes through these three samples, which may be in any order.
-/// Each of its numbers is right to 1e-8, or to 1e-8 of itself if it is larger than 1, for positions within ±1000 m and
-/// times within ±10 s that are at least half a second apart. With times closer together or further from 0, fewer digits are right.
+/// The motion through these three samples, in any order.
 /// @throws std::invalid_argument if two of the times are equal, or a number is not within ±1e5.
 Motion fit_motion(const Sample &first, const Sample &second, const Sample &third);
 
-//> The exercises
+//>
 namespace subject {
 COURSE_EXERCISE("1.1", core, motion, px_per_second, "px_per_frame [px/frame], frames_per_second [frame/s]", "px/s")
 COURSE_EXERCISE("1.2", core, motion, uniform_motion, "start [m], velocity [m/s], t [s]", "m")

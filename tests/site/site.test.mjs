@@ -549,7 +549,7 @@ describe('search', () => {
     'centroid of a polygon': 'chapter_01_motion.html#where-a-plate-balances',
     'fixed timestep': 'chapter_12_time_based_motion.html#the-same-jump',
     'symplectic euler': 'chapter_01_motion.html#one-frame-at-a-time',
-    'what is the game loop': 'chapter_01_motion.html#a-helicopter-crosses-the-screen',
+    'what is the game loop': 'chapter_01_motion.html#across-the-screen',
     'constant acceleration': 'chapter_01_motion.html#a-missile-gets-faster',
     'pixels per second': 'chapter_01_motion.html#your-first-line',
     'object pool': 'chapter_11_particles.html#a-place-in-the-pool',
