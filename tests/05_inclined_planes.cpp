@@ -16,6 +16,11 @@ constexpr double degree = std::numbers::pi / 180;
 
 namespace {
 
+// An answer is right to twelve digits of the largest term in its sum; with numbers closer to 0 than 1e-9, other than 0
+// itself, fewer will do. Nearer than 1e-9 to the angle where a box just holds, either is right, as it is in 5.8 where it's
+// just held, up to rounding. `critical_angle` is right to 1e-9 rad for a mu_s below 0.01 or above 100, and near the
+// critical angle the square of `back` is right to twelve digits of the square of `speed`.
+
 const Box crate{10, 0.5, 0.3};         // with g = 10 m/s² it weighs 100 N
 const double gentle = std::asin(0.28); // 16.26°, its cosine is 0.96: a board of 25 m, raised by 7 m
 const double steep = std::asin(0.6);   // 36.87°, its cosine is 0.8: a board of 5 m, raised by 3 m

@@ -9,15 +9,15 @@
 namespace inclined_planes {
 
 //> The world
-constexpr double g = 10;                ///< how much faster something falls each second [m/s²]
-constexpr double deceleration = 2;      ///< how much of its speed friction takes from the puck each second [m/s²]
+constexpr double g = 10;                ///< how much faster a falling thing gets each second [m/s²]
+constexpr double deceleration = 2;      ///< how much speed friction takes from the puck each second [m/s²]
 constexpr double frame_time = 1.0 / 60; ///< [s]
 
 //> Degrees and radians
 constexpr double degree = std::numbers::pi / 180; ///< [rad]
 
 //> The frame loop: a puck that slows down
-/// One frame of the game: the puck moves on for `dt` seconds, and its velocity changes evenly.
+/// One frame of the game: the puck moves on for `dt` seconds, and its velocity changes steadily.
 inline void next_frame(motion::State &puck, double dt) {
     puck = motion::accelerated_motion(puck, {-deceleration, 0}, dt);
 }
@@ -59,7 +59,7 @@ inline void next_frame(Sliding &it, const Box &box, double angle, double dt) {
 }
 
 //> The frame loop: a puck on a table
-/// One frame of the game, seen from above: the puck slides straight on until it rests.
+/// One frame of the game, seen from above: the puck slides straight on until it stops.
 inline void next_frame(motion::State &puck, double loss, double dt) {
     const Vec2 before = puck.velocity;
     puck.velocity = table_friction(before, loss, dt);
@@ -67,7 +67,7 @@ inline void next_frame(motion::State &puck, double loss, double dt) {
 }
 
 //> The frame loop: a box that is pushed up
-/// One frame of the game: on its way up, the board's slope and friction both slow the box down.
+/// One frame of the game: while the box goes up, the slope and friction both slow it down.
 inline void next_frame_up(Sliding &it, const Box &box, double angle, double dt) {
     if (it.speed >= 0) return next_frame(it, box, angle, dt);
     const double before = it.speed;
