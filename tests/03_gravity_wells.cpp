@@ -11,6 +11,11 @@ using gravity_wells::Fall, gravity_wells::Integrators;
 using motion::PointMass, motion::State;
 using namespace gravity_wells::subject; // gravity, time_to_fall, ... kepler_position: the student's
 
+// An answer is right to twelve digits of the largest term in its sum; time_to_fall of something thrown downwards, to as
+// many decimal places as if it were thrown upwards. kepler_position is right to nine digits of `semi_major`, for
+// eccentricities up to 0.99 and up to a hundred turns before or after t = 0. With points closer to each other than 1e-9 m,
+// but not the same, or with other numbers that small, an answer may be right to fewer.
+
 namespace {
 
 /// A body of 0.1 to 100 kg, somewhere within 50 m.
