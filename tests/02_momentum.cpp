@@ -12,6 +12,14 @@ using namespace momentum::subject; // acceleration_due_to, elastic_collision, ..
 
 namespace {
 
+// An answer is right to twelve digits of the largest velocity that it's made of, or of the sizes of all forces added up
+// (of a thousand at most), unless the header says otherwise. After a collision, one digit fewer may be right for each
+// factor of ten by which one mass is larger than the other; with masses below 1e-9 kg any answer may be right to fewer.
+// An impulse is right to its first twelve digits when each inverse mass is 0, or 1e-9 per kg or more. A row of carts is
+// right to ten digits of the largest velocity for up to ten carts with masses from 0.1 to 10 kg, and for up to a
+// hundred of equal mass; other rows may be right to fewer, and with a very light cart between heavy ones one may take
+// hours.
+
 double momentum_of(const Cart &a, const Cart &b, const Velocities &v) { return a.mass * v.a + b.mass * v.b; } // [N s]
 double energy_of(const Cart &a, const Cart &b, const Velocities &v) {                                         // [J]
     return (a.mass * v.a * v.a + b.mass * v.b * v.b) / 2;

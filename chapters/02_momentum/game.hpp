@@ -13,7 +13,7 @@ struct RailCart {
 };
 
 //> The frame loop: a cart that is pulled
-/// One frame of the game: these forces act on the cart for `dt` seconds. The rail keeps its height.
+/// One frame of the game: these forces act on the cart for `dt` seconds. It stays on the rail.
 inline void next_frame(RailCart &it, const std::vector<Vec2> &forces, double dt) {
     const Vec2 acceleration = acceleration_due_to(forces, it.cart.mass);
     const motion::State now{{it.x, 0}, {it.cart.velocity, 0}};
@@ -25,11 +25,11 @@ inline void next_frame(RailCart &it, const std::vector<Vec2> &forces, double dt)
 //> The frame loop: two carts
 constexpr double cart_length = 1; ///< [m]
 
-/// One frame of the game: two carts roll for `dt` seconds, and if they touch then, they collide.
+/// One frame of the game: two carts roll for `dt` seconds, and when they touch, they collide.
 inline void next_frame(RailCart &left, RailCart &right, double dt) {
     left.x += dt * left.cart.velocity;
     right.x += dt * right.cart.velocity;
-    if (right.x - left.x > cart_length) return; // they do not touch
+    if (right.x - left.x > cart_length) return; // they don't touch
     const Velocities after = elastic_collision(left.cart, right.cart);
     left.cart.velocity = after.a;
     right.cart.velocity = after.b;
@@ -54,7 +54,7 @@ struct RailBody {
 };
 
 //> Two neighbours
-/// If two neighbours approach each other, they exert an impulse on each other.
+/// Two neighbours that approach each other push each other apart.
 inline void push_apart(Body &left, Body &right, double restitution) {
     const double j = impulse(left, right, restitution);
     left.velocity -= j * left.inverse_mass;
@@ -62,7 +62,7 @@ inline void push_apart(Body &left, Body &right, double restitution) {
 }
 
 //> The frame loop: between walls
-/// One frame of the game, for all that is on the rail, from left to right.
+/// One frame of the game, for all bodies on the rail, from left to right.
 inline void next_frame(std::vector<RailBody> &row, double restitution, double dt) {
     for (RailBody &it : row) it.x += dt * it.body.velocity;
     for (std::size_t i = 0; i + 1 < row.size(); ++i)
@@ -70,7 +70,7 @@ inline void next_frame(std::vector<RailBody> &row, double restitution, double dt
 }
 
 //> The frame loop: a row of carts
-/// One frame of the game: all carts roll for `dt` seconds, and each group in which neighbours touch collides.
+/// One frame of the game: all carts roll for `dt` seconds; then neighbours that touch collide, group by group.
 inline void next_frame(std::vector<RailCart> &row, double dt) {
     for (RailCart &it : row) it.x += dt * it.cart.velocity;
     for (std::size_t first = 0, end = 0; first < row.size(); first = end) {
