@@ -20,6 +20,7 @@ add_custom_target(section-tests)
 add_custom_target(checks)   # what `./course test` needs: all of the sections, and every kind of verdict
 add_custom_target(thorough) # what its tests with that label need: every wrong and right answer, every generated case
 add_custom_target(figures)
+add_custom_target(lab)      # what a course for many needs beyond what `./course` makes: see tools/ground/lab.hpp
 set(COURSE_HANDOUT FALSE)
 if(EXISTS ${PROJECT_SOURCE_DIR}/HANDOUT.md)
   set(COURSE_HANDOUT TRUE)
@@ -95,6 +96,9 @@ endmacro()
 macro(section_programs)
   add_library(${section}_stub OBJECT tests/stubs/${section}.cpp)
   stand_behind_student_header(${section}_stub course_student_flags)
+  add_library(${section}_main OBJECT ${chapter}/main.cpp) # of the program, whoever's functions it calls
+  stand_behind_student_header(${section}_main course_flags)
+  add_dependencies(lab ${section}_main)
   if(solved)
     section_reference()
   else()
@@ -103,7 +107,7 @@ macro(section_programs)
 
   # The student's file is in no default target: whatever is in it, the course builds.
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
-    add_executable(${section}_mine EXCLUDE_FROM_ALL ${chapter}/main.cpp exercises/${section}.cpp ${earlier_objects})
+    add_executable(${section}_mine EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${section}_main> exercises/${section}.cpp ${earlier_objects})
     target_link_libraries(${section}_mine PRIVATE course_student_flags)
     target_include_directories(${section}_mine PRIVATE ${chapter})
     set_target_properties(${section}_mine PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/mine)
@@ -121,9 +125,8 @@ macro(section_reference)
   set(COURSE_${section}_OBJECTS $<TARGET_OBJECTS:${section}_reference> CACHE INTERNAL "")
   set(COURSE_${section}_STAND_INS ${COURSE_${section}_OBJECTS} CACHE INTERNAL "")
 
-  add_executable(${section} ${chapter}/main.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
-  stand_behind_student_header(${section} course_flags)
-  set_target_properties(${section} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
+  add_executable(${section} $<TARGET_OBJECTS:${section}_main> $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
+  set_target_properties(${section} PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
   add_dependencies(programs ${section})
 
   # What measures is built on demand, by `course bench`, and optimized as a game would be.

@@ -4,6 +4,7 @@
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
 #include "ground/kernel.hpp"
+#include "ground/lab.hpp"
 #include "ground/nearest.hpp"
 #include "ground/plain.hpp"
 #include "ground/process.hpp"
@@ -67,12 +68,14 @@ void add_commands(CLI::App &app, const Tree &tree) {
 
 std::filesystem::path folder(const char *variable, const char *built_with) {
     const char *value = std::getenv(variable);
-    return std::filesystem::absolute(value && *value ? value : built_with).lexically_normal();
+    const std::filesystem::path path = value && *value ? value : built_with;
+    return path.empty() ? path : std::filesystem::absolute(path).lexically_normal();
 }
 
 Tree find_tree() {
     const Tree tree{.root = folder("COURSE_ROOT", COURSE_DEFAULT_ROOT),
-                    .build = folder("COURSE_BUILD", COURSE_DEFAULT_BUILD)};
+                    .build = folder("COURSE_BUILD", COURSE_DEFAULT_BUILD),
+                    .home = folder("COURSE_HOME", "")};
     if (std::filesystem::exists(tree.root / "CMakeLists.txt")) return tree;
     throw Complaint{"the course is not in " + tree.root.string()
                     + "; has it been moved? Run the script ./course in its new place"};
@@ -126,6 +129,9 @@ std::vector<std::string> options_behind_the_command(std::vector<std::string> wor
 
 int obey(int argc, char **argv) {
     const Tree tree = find_tree();
+    if (tree.is_shared() && settle_in(tree))
+        std::cerr << "Your exercises are in " << (tree.home / "exercises").string() << ". In " << tree.home.string()
+                  << " you can type ./course, as the book has it.\n";
     CLI::App app{description, "./course"};
     app.require_subcommand(0, 1)->failure_message(nullptr);
     app.set_help_flag("-h,--help", "Print this help");

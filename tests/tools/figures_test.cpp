@@ -7,7 +7,7 @@
 #include "ground/files.hpp"
 #include "ground/kernel.hpp"
 #include "loop/programs.hpp"
-#include "own_folder.hpp"
+#include "small_course.hpp"
 #include "verdict/tests/shut_in.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -77,13 +77,6 @@ std::string said_of_curve(const std::string &curve) { return said_of_script(Plac
 std::string said_of_trace(const std::string &trace) {
     return refusal([&] { parse_trace(trace, "x.tsv"); });
 }
-
-/// PATH is this folder alone, for as long as it lives.
-struct OnlyPath {
-    explicit OnlyPath(const fs::path &folder) : before{std::getenv("PATH")} { ::setenv("PATH", folder.c_str(), 1); }
-    ~OnlyPath() { ::setenv("PATH", before.c_str(), 1); }
-    std::string before;
-};
 
 /// The course's own command line with `draw` in it.
 void course_draw(const std::vector<std::string> &words) {

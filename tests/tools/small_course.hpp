@@ -41,6 +41,15 @@ inline std::vector<std::string> course_command(const Tree &tree, const std::vect
     ::_exit(127);
 }
 
+/// PATH is this folder alone, for as long as it lives.
+struct OnlyPath {
+    explicit OnlyPath(const std::filesystem::path &folder) : before{std::getenv("PATH")} {
+        ::setenv("PATH", folder.c_str(), 1);
+    }
+    ~OnlyPath() { ::setenv("PATH", before.c_str(), 1); }
+    std::string before;
+};
+
 struct SmallCourse {
     explicit SmallCourse(const std::string &like = "a course XXXXXX") : folder{like} {
         tree.root = folder.path;

@@ -2,6 +2,7 @@
 
 #include "commands/commands.hpp"
 #include "ground/build.hpp"
+#include "ground/lab.hpp"
 #include "ground/lock.hpp"
 #include "ground/process.hpp"
 #include "ground/terminal.hpp"
@@ -59,6 +60,7 @@ void build(const Tree &tree, const Section &section) {
 }
 
 void debug(const Tree &tree, const std::string &words, bool print) {
+    require_own_course(tree);
     std::string function, tag;
     Section section = tree.section(words);
     if (is_number_of_exercise(words)) {

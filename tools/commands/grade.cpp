@@ -189,7 +189,7 @@ void print_answers(const GradedClass &graded, const std::string &number) {
 void grade(const Tree &tree, const GradeOptions &options) {
     const auto part = part_of(options.shard);
     if (options.dry_run) {
-        const fs::path scratch = tree.build / "grade-dry-run";
+        const fs::path scratch = tree.work() / "grade-dry-run";
         fs::remove_all(scratch);
         const Assignment assignment{tree, agreed_on(tree, options), scratch};
         print_class(assignment);

@@ -2,6 +2,7 @@
 
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
+#include "ground/lab.hpp"
 #include "ground/terminal.hpp"
 #include "ground/text.hpp"
 #include "loop/catalogue.hpp"
@@ -180,6 +181,7 @@ bool is_written(const Tree &tree, const Section &section) {
 }
 
 void my_tests(const Tree &tree, const std::string &words, bool verbose) {
+    require_own_course(tree);
     const Section section = tree.section(words);
     if (is_number_of_exercise(words))
         throw Complaint{"the tests of a section are in one file: ./course mytests " + section.short_number()};

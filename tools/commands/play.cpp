@@ -21,6 +21,7 @@
 #include <chrono>
 #include <fmt/ranges.h> // join
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <regex>
@@ -60,6 +61,9 @@ std::string sizes(const std::string &printed) {
 /// @throws Complaint that says what to do, unless there is a compiler for pages in the end.
 void need_compiler(const Tree &tree, bool yes) {
     if (can_compile_demos(tree)) return;
+    if (tree.is_shared())
+        throw Complaint{"this course was built without a compiler for pages, so its demos run on our functions alone: "
+                        "without --mine they do"};
     run({"cmake", tree.build.string()}); // it may have been installed since
     if (can_compile_demos(tree)) return;
     std::ifstream list{tree.root / "tools" / "setup" / "needs_of_pages"};
@@ -93,7 +97,7 @@ void need_compiler(const Tree &tree, bool yes) {
 
 /// What an earlier section's file is compiled to for this section's demo, if that plays the student's of all.
 fs::path earlier_object(const Tree &tree, const Section &section, const Section &earlier) {
-    return tree.build / "play" / (section.name + '_' + earlier.name + "_mine.o");
+    return tree.work() / "play" / (section.name + '_' + earlier.name + "_mine.o");
 }
 
 /// The sections whose files are in this section's demo, once it's built, beside its own.
@@ -139,15 +143,18 @@ std::vector<fs::file_time_type> dates(const std::vector<fs::path> &files) {
 }
 
 /// Compiles again at each save, until Ctrl-C.
-void watch(const Tree &tree, const Section &section) {
-    std::cout << "Save your file, and the page takes it up. Ctrl-C ends this.\n" << std::flush;
+/// @param renew  what else is to be done then
+void watch(const Tree &tree, const Section &section, const std::function<void()> &renew) {
+    std::cout << "Save your file, and " << (tree.is_shared() ? "reload the page" : "the page takes it up")
+              << ". Ctrl-C ends this.\n"
+              << std::flush;
     std::vector<fs::path> files{tree.exercise(section)};
     for (const Section &each : sections_of_demo(tree, section)) files.push_back(tree.exercise(each));
     for (auto seen = dates(files);; std::this_thread::sleep_for(std::chrono::milliseconds{100})) {
         const auto now = dates(files);
         if (now == seen || now.size() < files.size()) continue; // an editor may be between two versions of a file
         seen = now;
-        build_own(tree, section);
+        if (build_own(tree, section)) renew();
     }
 }
 
@@ -163,9 +170,13 @@ Place place_of_demo(const Tree &tree, const Section &section, const std::string 
     return {marks[place], demo_id(marks[place], place)};
 }
 
+void write_page(const Tree &tree, const Demo &demo, const DemoMark &mark, const fs::path &file) {
+    write_file(file, shared_page(tree, demo, mark, !sections_of_demo(tree, demo.section).empty()));
+}
+
 /// Writes the page that can be sent to a friend.
 void share(const Tree &tree, const Demo &demo, const DemoMark &mark, const fs::path &file) {
-    write_file(file, shared_page(tree, demo, mark, !sections_of_demo(tree, demo.section).empty()));
+    write_page(tree, demo, mark, file);
     std::cout << "Written: " << file.string() << ", " << fs::file_size(file) / 1000
               << " kB, with your code in it. Send it to a friend, who opens it with a double click.\n";
 }
@@ -194,7 +205,7 @@ DemoMark mark_of_bug(const Tree &tree, const Section &section) {
 void play_bug(const Tree &tree, const PlayOptions &options) {
     if (options.section.empty()) throw Complaint{"--bug needs a section, as in: ./course play 8 --bug"};
     const Section section = tree.section(options.section);
-    const fs::path file = tree.bug(section), page = tree.build / "play" / (section.name + "_bug.html");
+    const fs::path file = tree.bug(section), page = tree.work() / "play" / (section.name + "_bug.html");
     if (!fs::exists(file))
         throw Complaint{tree.shown(file) + " isn't there yet: ./course bug " + section.short_number()
                         + " puts a bug into it"};
@@ -240,12 +251,20 @@ void play(const Tree &tree, const PlayOptions &options) {
     bring_up_site(tree);
     bool fine = true;
     if (options.mine) {
-        copy_own_site(tree);
+        if (!tree.is_shared()) copy_own_site(tree);
         fine = build_own(tree, *section);
     }
     if (fine && !options.share.empty()) return share(tree, *demo, place.mark, options.share);
-    open_page((options.mine ? own_site_folder(tree) : site_folder(tree)) / page);
-    if (options.watch) watch(tree, *section);
+    fs::path opened = (options.mine ? own_site_folder(tree) : site_folder(tree)) / page;
+    std::function<void()> renew = [] {};
+    const bool apart = options.mine && tree.is_shared(); // where there's no room for a copy of the site
+    if (apart) {
+        opened = tree.work() / "play" / (section->name + "_mine.html");
+        renew = [&] { write_page(tree, *demo, place.mark, opened); };
+    }
+    if (fine) renew();
+    if (fine || !apart) open_page(opened);
+    if (options.watch) watch(tree, *section, renew);
     if (!fine) throw Leave{something_to};
 }
 

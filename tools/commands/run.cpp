@@ -13,8 +13,9 @@ void run_section(const Tree &tree, const Section &section, const std::string &pa
     if (whose == Whose::reference)
         tree.require_solution(section,
                               "`./course run " + section.short_number() + " --mine` runs the program with yours");
-    const std::filesystem::path traces =
-        whose == Whose::student ? student_traces(tree, section) : reference_traces(tree, section);
+    const std::filesystem::path traces = whose == Whose::student ? student_traces(tree, section)
+                                         : tree.is_shared()      ? tree.work() / "traces" / section.name
+                                                                 : reference_traces(tree, section);
     const Lock lock{tree};
     const Ran ran = run_program(tree, section, whose, traces, part);
     std::cout << ran.finished.out << std::flush;

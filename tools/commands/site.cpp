@@ -2,6 +2,7 @@
 
 #include "commands/commands.hpp"
 #include "ground/build.hpp"
+#include "ground/lab.hpp"
 #include "ground/lock.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
@@ -60,6 +61,7 @@ void bring_up_own_site(const Tree &tree) {
 
 /// Makes the site, or the student's own copy of it; returns its folder.
 fs::path bring_up(const Tree &tree, bool mine) {
+    if (mine) require_own_course(tree);
     bring_up_site(tree);
     if (mine) bring_up_own_site(tree);
     tell_pages(tree);

@@ -2,6 +2,7 @@
 
 #include "commands/commands.hpp"
 #include "ground/files.hpp"
+#include "ground/lab.hpp"
 #include "ground/lines.hpp"
 #include "ground/process.hpp"
 #include "ground/repository.hpp"
@@ -130,6 +131,7 @@ void tell_git(const Tree &tree) {
 }
 
 void update(const Tree &tree, const std::string &from) {
+    require_own_course(tree);
     const Scratch scratch{fs::temp_directory_path() / "course-update"};
     if (scratch.folder.empty()) throw MachineTrouble{"no folder can be made for what comes; is the disk full?"};
     const bool by_git = !fs::exists(from) || fs::exists(fs::path{from} / ".git");

@@ -36,7 +36,7 @@ std::string draw_mine(const Tree &tree, const Figure &figure, const Ran &ran) {
 } // namespace
 
 fs::path own_drawing(const Tree &tree, const Figure &figure) {
-    return tree.build / "plots" / "mine" / (figure.name() + ".svg");
+    return tree.work() / "plots" / "mine" / (figure.name() + ".svg");
 }
 
 OwnFigures draw_own_figures(const Tree &tree, const Section &section) {

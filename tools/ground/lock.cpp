@@ -35,18 +35,18 @@ std::string owner(const std::filesystem::path &lock) {
 } // namespace
 
 Lock::Lock(const Tree &tree) {
-    const std::filesystem::path path = tree.build / ".lock";
+    const std::filesystem::path path = tree.work() / ".lock";
     if (const char *held = std::getenv(variable); held && *held) return;
 
     std::error_code trouble;
-    std::filesystem::create_directories(tree.build, trouble);
+    std::filesystem::create_directories(tree.work(), trouble);
     file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0)
-        throw Complaint{"cannot write in the build folder " + tree.build.string() + " (" + std::strerror(errno)
+        throw Complaint{"cannot write in the build folder " + tree.work().string() + " (" + std::strerror(errno)
                         + "); make it writable, or build elsewhere with COURSE_BUILD=FOLDER"};
 
     if (!try_for_a_moment(file)) {
-        std::cerr << "Waiting for " << owner(path) << ", which is at work in " << tree.build.string() << ".\n";
+        std::cerr << "Waiting for " << owner(path) << ", which is at work in " << tree.work().string() << ".\n";
         while (::flock(file, LOCK_EX) != 0)
             if (errno != EINTR)
                 throw Complaint{"cannot lock " + path.string() + " (" + std::strerror(errno)

@@ -102,9 +102,12 @@ Section Tree::section(std::string_view words) const {
 }
 
 std::string Tree::shown(const fs::path &file) const {
-    const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(root.lexically_normal());
-    const bool outside = inside.empty() || *inside.begin() == "..";
-    return plain_line(outside ? file.string() : inside.generic_string(), 4096); // PATH_MAX: it's never cut
+    fs::path shortest = file;
+    for (const fs::path &folder : {root, own()}) {
+        const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal());
+        if (!inside.empty() && *inside.begin() != "..") shortest = inside;
+    }
+    return plain_line(shortest.generic_string(), 4096); // PATH_MAX: it's never cut
 }
 
 bool Tree::has_solution(const Section &s) const { return fs::exists(solution(s)) || !fs::exists(root / handout_mark); }

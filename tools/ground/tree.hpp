@@ -30,10 +30,16 @@ struct UnknownSection : Complaint {
 /// The file at the root of a handout, the edition without solutions: it says so to readers and to the build.
 inline constexpr const char *handout_mark = "HANDOUT.md";
 
-/// The checkout and its build folder; every path that a command uses is asked for here.
+/// The checkout and its build folder, and where the student's files are; every path that a command uses is asked for here.
 struct Tree {
-    std::filesystem::path root;  ///< the checkout
-    std::filesystem::path build; ///< the build folder
+    std::filesystem::path root;      ///< the checkout
+    std::filesystem::path build;     ///< the build folder
+    std::filesystem::path home = {}; ///< what's the student's lies here, if the course is another's; see lab.hpp
+
+    bool is_shared() const { return !home.empty(); } ///< whether nothing may be written but in `home`
+    const std::filesystem::path &own() const { return is_shared() ? home : root; }
+    /// For what's made of a student's files.
+    std::filesystem::path work() const { return is_shared() ? home / ".course" / "build" : build; }
 
     std::vector<Section> sections() const; ///< those that CMakeLists.txt names, in its order
 
@@ -41,18 +47,18 @@ struct Tree {
     /// @throws UnknownSection offering the nearest one.
     Section section(std::string_view words) const;
 
-    /// A file's path relative to the checkout, with slashes; the path as given if the file is outside the checkout.
+    /// A file's path relative to the checkout, or to the student's folder; as given if the file is in neither.
     std::string shown(const std::filesystem::path &file) const;
 
     std::filesystem::path chapter(const Section &s) const { return root / "chapters" / s.name / "README.md"; }
     std::filesystem::path header(const Section &s) const { return root / "chapters" / s.name / (s.slug() + ".hpp"); }
     std::filesystem::path program(const Section &s) const { return root / "chapters" / s.name / "main.cpp"; }
-    std::filesystem::path exercise(const Section &s) const { return root / "exercises" / (s.name + ".cpp"); }
+    std::filesystem::path exercise(const Section &s) const { return own() / "exercises" / (s.name + ".cpp"); }
     std::filesystem::path bug(const Section &s) const {
-        return root / "exercises" / (s.name.substr(0, 2) + "_bug.cpp");
+        return own() / "exercises" / (s.name.substr(0, 2) + "_bug.cpp");
     }
     /// Tests that the student has written, if any.
-    std::filesystem::path own_tests(const Section &s) const { return root / "exercises" / (s.name + "_tests.cpp"); }
+    std::filesystem::path own_tests(const Section &s) const { return own() / "exercises" / (s.name + "_tests.cpp"); }
     /// The student's file, for reading. @throws Complaint that says how to get it back, if the student's file is not there.
     std::filesystem::path written_exercise(const Section &s) const;
     std::filesystem::path stub(const Section &s) const { return root / "tests" / "stubs" / (s.name + ".cpp"); }
@@ -72,7 +78,7 @@ struct Tree {
     std::filesystem::path catalogue(const Section &s) const { return build / "catalogue" / (s.name + ".json"); }
     /// What was called otherwise in earlier versions of the section; it need not exist.
     std::filesystem::path renamed(const Section &s) const { return root / "chapters" / s.name / "renamed.txt"; }
-    std::filesystem::path memory() const { return root / ".course"; } ///< what the course remembers of its student
+    std::filesystem::path memory() const { return own() / ".course"; } ///< what the course remembers of its student
 };
 
 } // namespace course

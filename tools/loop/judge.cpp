@@ -87,14 +87,14 @@ struct SubjectBuild {
     const Toolbox &tools;
     const std::string &name, &text;
     const bool with_ours;
-    const Scratch scratch{tree.build / "loop" / "judge"};
+    const Scratch scratch{tree.work() / "loop" / "judge"};
     const fs::path file = scratch.folder / "student.cpp";
     const ShutIn shut_in{places_of(tools, scratch.folder), {.calls = false, .privileges = false}};
     bool is_linked = false;
 
     void make_copy() const {
         if (scratch.folder.empty())
-            throw MachineTrouble{"cannot write in " + tree.build.string() + " (" + std::strerror(scratch.error)
+            throw MachineTrouble{"cannot write in " + tree.work().string() + " (" + std::strerror(scratch.error)
                                  + "): make it writable, or its disk less full"};
         std::ofstream copy{file, std::ios::binary}; // write_file would wait for the disk
         if (!(copy << text).flush()) throw MachineTrouble{"the disk is full; make some room and try again"};
@@ -242,7 +242,7 @@ Judgement judge(const Tree &tree, const Section &section, const std::string &nam
     require_room_in_files();
     const Toolbox tools = toolbox(tree, section);
     bring_up_to_date(tree, section, tools);
-    sweep(tree.build / "loop");
+    sweep(tree.work() / "loop");
     SubjectBuild build{tree, section, tools, name, text, how.with_ours};
     build.make_copy();
     std::vector<std::string> warnings;

@@ -7,6 +7,7 @@
 #include "verdict/tests/shut_in.hpp"
 
 #include <cmath>
+#include <csignal>
 #include <sstream>
 
 namespace course {
@@ -17,11 +18,11 @@ fs::path reference_traces(const Tree &tree, const Section &section) {
 }
 
 fs::path student_traces(const Tree &tree, const Section &section) {
-    return tree.build / "mine" / "traces" / section.name;
+    return tree.work() / "mine" / "traces" / section.name;
 }
 
 fs::path program_binary(const Tree &tree, const Section &section, Whose whose) {
-    return tree.build / (whose == Whose::student ? "mine" : "chapters") / section.name;
+    return whose == Whose::student ? tree.work() / "mine" / section.name : tree.build / "chapters" / section.name;
 }
 
 std::string said_of(const Finished &finished, const std::string &trace) {
@@ -93,6 +94,8 @@ void empty_folder(const fs::path &folder) {
 
 /// So that a runaway function cannot bring the machine down. Sanitizers take addresses of many TB.
 constexpr Limits student_limits{.memory = sanitized ? 0 : std::size_t{4} << 30, .file_size = std::size_t{100} << 20};
+/// A busy machine makes a program wait: its deadline is of computing, and it may take so many times as long.
+constexpr double busy = 6;
 
 } // namespace
 
@@ -116,11 +119,15 @@ Ran run_program(const Tree &tree, const Section &section, Whose whose, const fs:
         places.readable.push_back(program);
         const ShutIn shut_in{places, {}};
         // The folder is its own, and named by no path: on the way may be others, where root's capabilities are needed.
-        finished = run(program_command(program, part, "."), {.deadline = deadline,
+        Limits limits = student_limits;
+        limits.processor_time = static_cast<unsigned>(std::ceil(deadline));
+        finished = run(program_command(program, part, "."), {.deadline = busy * deadline,
+                                                             .patience = deadline,
                                                              .folder = traces,
-                                                             .limits = student_limits,
+                                                             .limits = limits,
                                                              .environment = {"LC_ALL=C.UTF-8"},
                                                              .shut_in = &shut_in});
+        finished.timed_out = finished.timed_out || finished.code == 128 + SIGXCPU;
     } else {
         std::error_code ignored;
         fs::create_directories(traces, ignored); // the program says so if it cannot write

@@ -21,6 +21,27 @@ std::vector<std::string> Compiler::command(const Tree &tree, const Section &sect
     return words;
 }
 
+namespace {
+
+/// How an object's name ends that's made of a student's file, as those of earlier sections are in a handout.
+constexpr std::string_view yours = "_yours.o";
+
+/// In a handout for many: what this student has written for earlier sections.
+void bring_up_earlier(const Tree &tree, const Toolbox &tools) {
+    for (const fs::path object : tools.earlier) {
+        const std::string name = object.filename().string();
+        if (!name.ends_with(yours)) continue;
+        const fs::path file = tree.written_exercise({name.substr(0, name.size() - yours.size())});
+        std::error_code not_there;
+        if (const auto made = fs::last_write_time(object, not_there); !not_there && made > fs::last_write_time(file))
+            continue;
+        const Lock lock{tree};
+        build_target(tree, object.lexically_relative(tree.work()).string());
+    }
+}
+
+} // namespace
+
 Toolbox toolbox(const Tree &tree, const Section &section) {
     const fs::path file = tree.build / "course.json";
     if (!fs::exists(file)) throw Complaint{"the course isn't built yet: type ./course, which builds all of it."};
@@ -45,6 +66,9 @@ Toolbox toolbox(const Tree &tree, const Section &section) {
                 w.missing = each.at("missing").get<std::string>();
                 w.ours = each.value("ours", "");
                 w.earlier = each.at("earlier");
+                for (std::string &object : w.earlier)
+                    if (tree.is_shared() && object.ends_with(yours))
+                        object = tree.work() / fs::path{object}.lexically_relative(tree.build);
                 w.plays_yours = each.value("plays_yours", false);
             }
         return w;
@@ -112,14 +136,18 @@ Places places_of(const Toolbox &tools, const fs::path &work) {
 }
 
 void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &tools) {
+    const auto is_cut = [](const fs::path &file) { return fs::exists(file) && fs::is_empty(file); };
+    const auto is_whole = [&](const fs::path &file) { return fs::exists(file) && !is_cut(file); };
+    if (tree.is_shared()) bring_up_earlier(tree, tools);
+    auto files = made_for(tools);
+    files.insert(files.end(), {tree.test_program(section), tree.catalogue(section)});
+    const bool all_there = std::ranges::all_of(files, is_whole);
+    if (tree.is_shared() && !all_there)
+        throw MachineTrouble{"this course isn't built as a whole: whoever it belongs to has to type ./course once"};
     const fs::path stamp = tree.build / "loop" / (section.name + ".checked");
     std::error_code never;
     const auto checked = fs::last_write_time(stamp, never);
-    auto files = made_for(tools);
-    files.insert(files.end(), {tree.test_program(section), tree.catalogue(section)});
-    const auto is_cut = [](const fs::path &file) { return fs::exists(file) && fs::is_empty(file); };
-    const auto is_whole = [&](const fs::path &file) { return fs::exists(file) && !is_cut(file); };
-    if (std::ranges::all_of(files, is_whole) && !never && checked >= newest(tree, section)) return;
+    if (all_there && (tree.is_shared() || (!never && checked >= newest(tree, section)))) return;
     const Lock lock{tree};
     for (const fs::path &file : files)
         if (is_cut(file)) fs::remove(file); // or it would be newer than what it is made from

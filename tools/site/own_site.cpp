@@ -29,7 +29,7 @@ std::string own_demo_file(const Section &section) { return own_demo_script(demo_
 bool has_demo(const Tree &tree, const Section &section) { return fs::exists(tree.root / demo_file(section)); }
 
 void write_own_demo(const Tree &tree, const Section &section, const std::string &script) {
-    write_file(own_site_folder(tree) / own_demo_file(section), script);
+    if (!tree.is_shared()) write_file(own_site_folder(tree) / own_demo_file(section), script);
 }
 
 /// Where the sentence about a section is kept, for its chapter.
@@ -166,7 +166,7 @@ std::string build_own_demo(const Tree &tree, const Section &section) {
     tree.written_exercise(section);
     const Finished built = build_target(tree, section.name + "_play_mine");
     std::string script, trouble;
-    if (built.code == 0) script = read_file(tree.build / "play" / (section.name + "_mine.js"));
+    if (built.code == 0) script = read_file(tree.work() / "play" / (section.name + "_mine.js"));
     else trouble = student_error(tree, section, tree.exercise(section), built.out + '\n' + built.err);
     script += "self.playable = self.playable || {};\nself.playable['" + section.name
               + "/trouble'] = " + nlohmann::json(trouble).dump() + ";\n";

@@ -61,6 +61,7 @@ std::string progress_script(const Tree &tree) {
 }
 
 void tell_pages(const Tree &tree) {
+    if (tree.is_shared()) return; // they're for many
     try {
         for (const fs::path &folder : {site_folder(tree), own_site_folder(tree)})
             if (fs::exists(folder)) write_file(folder / "progress.js", progress_script(tree));

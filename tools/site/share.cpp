@@ -60,7 +60,7 @@ std::string page_of(const Tree &tree, const Demo &demo, const std::string &figur
 } // namespace
 
 std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark, bool with_progress) {
-    const std::string mine = script(read_file(tree.build / "play" / (demo.section.name + "_mine.js")));
+    const std::string mine = script(read_file(tree.work() / "play" / (demo.section.name + "_mine.js")));
     return page_of(tree, demo, figure(demo, mark, demo.about), signature,
                    with_progress ? mine + script(progress_script(tree)) : mine);
 }
@@ -71,7 +71,7 @@ std::string page_with_bug(const Tree &tree, const Demo &demo, const DemoMark &ma
     const std::string named = std::string{begin} + " data-yours=\"" + file + '"'
                               + figure(demo, mark, words_of(parse_markdown(mark.task).get())).substr(begin.size());
     return page_of(tree, demo, named, fmt::format(compare, file, demo.section.short_number()),
-                   script(read_file(tree.build / "play" / (demo.section.name + "_bug.js"))));
+                   script(read_file(tree.work() / "play" / (demo.section.name + "_bug.js"))));
 }
 
 } // namespace course

@@ -1,0 +1,169 @@
+#include "ground/lab.hpp"
+
+#include "ground/complaint.hpp"
+#include "ground/files.hpp"
+#include "ground/lines.hpp"
+#include "ground/text.hpp"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+/// So that paths in messages and chapters lead somewhere from the student's folder, too, and `./course` is there.
+void link_to_course(const Tree &tree) {
+    for (const auto &each : fs::directory_iterator{tree.root}) {
+        const fs::path name = each.path().filename(), here = tree.home / name;
+        if (!name.string().starts_with('.') && name != "exercises" && name != "build" && !fs::exists(here))
+            fs::create_symlink(each.path(), here);
+    }
+}
+
+constexpr const char *notes = "CMakeFiles/d/"; ///< where CMake notes what was included
+
+/// A command of the build, and what it makes.
+struct Step {
+    std::string command, output;
+};
+
+std::string asked(const Tree &tree, std::vector<std::string> words) {
+    words.insert(words.begin(), {"ninja", "-C", tree.build.string(), "-t"});
+    const Finished done = run(words);
+    if (done.code != 0)
+        throw MachineTrouble{"this course's build folder can't be read; whoever it belongs to has to type ./course"};
+    return done.out;
+}
+
+/// All that leads to a target, in an order that it can be done in.
+std::vector<Step> steps_to(const Tree &tree, const std::string &target) {
+    std::map<std::string, std::string> outputs;
+    for (const auto &each : nlohmann::json::parse(asked(tree, {"compdb"})))
+        outputs[each.at("command")] = each.at("output");
+    std::vector<Step> steps;
+    const std::string commands = asked(tree, {"commands", target});
+    for (const Line &line : lines_of(commands))
+        if (const auto its = outputs.find(std::string{line.text}); its != outputs.end())
+            steps.push_back({its->first, its->second});
+    return steps;
+}
+
+/// Paths of the build in a command, and what stands in their places for this student.
+using Swaps = std::vector<std::pair<std::string, std::string>>;
+
+/// Commands name what's in the build folder by its whole path, or from there.
+/// @param place  empty: it stays
+void add(Swaps &swaps, const Tree &tree, const fs::path &output, const fs::path &place = {}) {
+    for (const std::string &name : {(tree.build / output).string(), ' ' + output.string()})
+        swaps.emplace_back(name, place.empty() ? name : name.starts_with(' ') ? ' ' + place.string() : place.string());
+}
+
+/// Of two that begin alike, the longer one is meant.
+std::string with(const Swaps &swaps, const std::string &command) {
+    std::string result;
+    for (std::size_t at = 0; at < command.size();) {
+        const std::pair<std::string, std::string> *best = nullptr;
+        for (const auto &each : swaps)
+            if (command.compare(at, each.first.size(), each.first) == 0
+                && (!best || best->first.size() < each.first.size()))
+                best = &each;
+        if (best) result += best->second, at += best->first.size();
+        else result += command[at++];
+    }
+    return result;
+}
+
+/// When what a step reads of the student's has last changed, or the course.
+fs::file_time_type newest_input(const Tree &tree, const Step &step, const std::vector<fs::path> &made_before) {
+    auto date = fs::last_write_time(tree.build / ".ninja_log");
+    const auto look = [&](const fs::path &name, const fs::path &file) {
+        if (contains(step.command, name.string())) date = std::max(date, fs::last_write_time(file));
+    };
+    for (const fs::path &file : files_in(tree.home / "exercises")) look(fs::path{"exercises"} / file.filename(), file);
+    for (const fs::path &output : made_before) look(output, tree.work() / output);
+    return date;
+}
+
+bool is_newer(const fs::path &file, fs::file_time_type date) {
+    std::error_code not_there;
+    const auto its = fs::last_write_time(file, not_there);
+    return !not_there && its > date;
+}
+
+/// Notes of what was included, and what scripts were packed from.
+void remove_what_nobody_reads(const Tree &tree) {
+    fs::remove_all(tree.work() / notes);
+    for (const char *kind : {".d", ".wasm"})
+        for (const fs::path &file : files_in(tree.work() / "play", kind)) fs::remove(file);
+}
+
+/// There's room for what's made of one section at a time: another's is made anew when it's asked for.
+void make_room(const Tree &tree, const std::string &target) {
+    const std::string number = target.substr(0, target.find('_'));
+    for (const char *folder : {"play", "mine", "CMakeFiles"}) {
+        std::error_code not_there;
+        for (const auto &each : fs::directory_iterator{tree.work() / folder, not_there}) {
+            const std::string name = each.path().filename().string();
+            if (is_digit(name[0]) && !name.starts_with(number)) fs::remove_all(each.path());
+        }
+    }
+}
+
+} // namespace
+
+bool settle_in(const Tree &tree) {
+    fs::create_directories(tree.work() / "loop");
+    if (fs::exists(tree.home / "exercises")) return false;
+    link_to_course(tree);
+    for (const Section &section : tree.sections()) write_file(tree.exercise(section), read_file(tree.stub(section)));
+    return true;
+}
+
+Finished build_apart(const Tree &tree, const std::string &target) {
+    make_room(tree, target);
+    // In a shell that splits no words, so that the student's folder may have blanks in its name.
+    const fs::path home{"$COURSE_HOME"}, work = home / tree.work().lexically_relative(tree.home);
+    const std::string shell = "set -f; IFS=; export COURSE_HOME=\"$1\"; ";
+    Swaps swaps{{(tree.root / "exercises" / "").string(), (home / "exercises" / "").string()}};
+    std::vector<fs::path> made_before;
+    std::string missing;
+    Finished done;
+    for (const Step &step : steps_to(tree, target)) {
+        const std::string apart = with(swaps, step.command);
+        if (apart == step.command) {
+            add(swaps, tree, step.output); // its name may be a student's, and longer
+            if (!fs::exists(tree.build / step.output)) missing = step.output;
+            continue;
+        }
+        if (!missing.empty())
+            throw MachineTrouble{"this course isn't built as a whole: " + missing
+                                 + " isn't there. Let whoever it belongs to type cmake --build " + tree.build.string()
+                                 + " --target lab"};
+        const fs::path output{step.output},
+            made = output.extension() == ".js" ? fs::path{output}.replace_extension() : output;
+        add(swaps, tree, made, work / made); // of a script, also what it's made from
+        for (const fs::path &folder : {made.parent_path(), fs::path{notes}})
+            fs::create_directories(tree.work() / folder);
+        Swaps all = swaps;
+        add(all, tree, notes, work / notes);
+        const bool is_fresh = is_newer(tree.work() / output, newest_input(tree, step, made_before));
+        made_before.push_back(output);
+        if (is_fresh) continue;
+        done = run({"sh", "-c", shell + with(all, step.command), "sh", tree.home.string()}, {.folder = tree.build});
+        if (done.code != 0) break;
+    }
+    remove_what_nobody_reads(tree);
+    return done;
+}
+
+void require_own_course(const Tree &tree) {
+    if (tree.is_shared())
+        throw Complaint{"this course is for many, and what this command makes takes too much room for that: it needs a "
+                        "course of your own. `check`, `hint`, `run`, `plot`, `play` and `bug` work here, too"};
+}
+
+} // namespace course
