@@ -129,12 +129,14 @@ void print_next(const Exercise &exercise, const std::string &standing) {
               << next.substr(0, next.find(' ')) << '\n';
 }
 
-void print_next(const std::vector<Outcome> &outcomes, const Section &section) {
+void print_next(const Tree &tree, const std::vector<Outcome> &outcomes, const Section &section) {
     const auto open = std::ranges::find_if(outcomes, &Outcome::first_failure);
     if (open != outcomes.end()) print_next(open->exercise, open->standing());
     else
         std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.")
-                  << " See your figures in the book: ./course open " << section.short_number() << " --mine\n";
+                  << (tree.is_shared() ? " See your figures: ./course plot "
+                                       : " See your figures in the book: ./course open ")
+                  << section.short_number() << " --mine\n";
 }
 
 /// Before anything is judged: an earlier report goes, so that it is not taken for this one, and a place that cannot be
@@ -272,7 +274,7 @@ class Check {
             for (const auto &outcome : outcomes) print(outcome, options.verbose, mistakes);
         }
         if (only && outcomes.front().first_failure() == nullptr) print_after(section);
-        else print_next(outcomes, section);
+        else print_next(tree, outcomes, section);
     }
 
     /// The table of known mistakes; a section may have none.
