@@ -12,6 +12,15 @@ using namespace trajectories::subject; // launch_velocity, time_of_flight, ... f
 
 constexpr double degree = std::numbers::pi / 180;
 
+// An answer is right to twelve digits: 4.1's of `speed`, and any other of the largest term in its sum, which for a
+// shell fired downwards is what it'd be if it were fired upwards just as fast. Nine digits will do for 4.5, 4.7, 4.8
+// and 4.9, of the largest number in the answer. Fewer will do where 4.7's target is nearly as high as the apex, where
+// 4.8's is nearer than a thousandth of speed² / g or nearly out of reach, and with numbers closer to 0 than 1e-9,
+// other than 0 itself.
+// On a border, up to rounding, either side's answer is right: in 4.7 a number or nothing, in 4.8 none, one or two
+// angles. In 4.5 a point within 1e-9 s, or a 1e-9th of the flight, of the landing may be there or left out: then the
+// landing stands twice, or once.
+
 namespace {
 
 const State from_the_ground{{0, 0}, {15, 20}}; // with g = 10 m/s² it lands after 4 s, 60 m away

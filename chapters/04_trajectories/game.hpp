@@ -20,14 +20,14 @@ inline State fired(double height, double angle_deg) { return {{0, height}, launc
 inline void next_frame(State &shell, double dt) { shell = motion::accelerated_motion(shell, {0, -g}, dt); }
 
 //> A shell that knows when it lands
-/// A shell that knows how long it will be in the air.
+/// A shell that knows how long it'll be in the air.
 struct Flight {
     State shell;
     double left = time_of_flight(shell, g); ///< until it lands [s]
 };
 
 //> The frame loop: a shell that lands
-/// One frame of the game: the shell flies on, and if it lands within this frame, it does so where the ground is.
+/// One frame of the game: the shell flies on, and when it lands in this frame, it stops at the ground.
 inline void next_frame(Flight &flight, double dt) {
     dt = std::min(dt, flight.left);
     next_frame(flight.shell, dt);
@@ -35,7 +35,7 @@ inline void next_frame(Flight &flight, double dt) {
 }
 
 //> The frame loop: wind
-/// One frame of the game with a steady wind: the shell is accelerated sideways, too.
+/// One frame of the game in a steady wind, which pushes the shell sideways.
 inline void next_frame(Flight &flight, double wind, double dt) {
     dt = std::min(dt, flight.left);
     flight.shell = motion::accelerated_motion(flight.shell, {wind, -g}, dt);

@@ -8,78 +8,68 @@
 #include <vector>
 
 /// Section 4: how a shell flies, and where it lands. The ground is level, at y = 0, unless a function says otherwise.
-/// Each number that goes in must be within ±1e5, both ends included; an answer may be larger.
-/// An answer is right to twelve digits of the largest term in its sum, unless its function says otherwise; with numbers
-/// closer to 0 than 1e-9, other than 0 itself, it may be right to fewer.
+/// Numbers beyond ±1e5 are refused, and an answer may be larger. How many digits must be right stands with the tests.
 namespace trajectories {
 
 using course::Vec2;
 using motion::State;
 
 //> Launch velocity
-/// The velocity with which a shell leaves the muzzle [m/s], right to twelve digits of `speed`.
+/// A shell's velocity as it leaves the muzzle [m/s].
 /// @param speed      [m/s], not negative
 /// @param angle_deg  what the cannon's dial shows [°]: 0 is to the right, 90 straight up, negative downwards
 /// @throws std::invalid_argument if `speed` is negative, or a number is not within ±1e5.
 Vec2 launch_velocity(double speed, double angle_deg);
 
 //> Time of flight
-/// How long a shell is in the air until it lands [s]; 0 if the muzzle is on the ground and does not fire upwards.
-/// Right to twelve digits; if fired downwards, of the longer time that it would take if fired upwards just as fast.
-/// @param muzzle  where the shell leaves it, and its velocity there; not below the ground
+/// How long a shell is in the air until it lands [s]; 0 when the muzzle is on the ground and doesn't fire upwards.
+/// @param muzzle  where the shell starts, and its velocity there; not below the ground
 /// @param g       how much faster it falls each second [m/s²], more than 0
 /// @throws std::invalid_argument if the muzzle is below the ground, `g` is not positive, or a number is not within ±1e5.
 double time_of_flight(const State &muzzle, double g);
 
 //> Range
 /// How far from the muzzle a shell lands, measured along the ground [m]: positive to the right.
-/// As exact as `time_of_flight`; `muzzle` and `g` are the same, and so is what is refused.
+/// `muzzle`, `g` and what's refused: as in `time_of_flight`.
 double range(const State &muzzle, double g);
 
 //> Apex
-/// The highest point of a shell's flight [m]. If it is not fired upwards, that is the muzzle.
-/// @param muzzle  where the shell leaves it, and its velocity there; it may be below the ground
+/// The highest point of a shell's flight [m]: the muzzle itself, when it doesn't fire upwards.
+/// @param muzzle  where the shell starts, and its velocity there; may be below the ground
 /// @throws std::invalid_argument if `g` is not positive, or a number is not within ±1e5.
 Vec2 apex(const State &muzzle, double g);
 
 //> Dotted arc
-/// Where a shell is after 0, dt, 2 dt, ... seconds, as long as it is in the air, and then where it lands [m].
-/// If the muzzle is on the ground and does not fire upwards, the muzzle is the only point.
-/// Each point is right to nine digits of the largest number in the arc. One within 1e-9 s, or a 1e-9th of the flight, of
-/// the landing may be there or left out: then the landing stands twice, or once. A shell that leaves ±1e5 on its way may
-/// be refused, as section 1 refuses it.
-/// @param dt  [s], more than 0, and not less than a 10 000th of the time of flight
-/// @throws std::invalid_argument if `dt` is not as above, or for what `time_of_flight` refuses.
+/// Where a shell is after 0, dt, 2 dt, ... seconds, as long as it's in the air, and then where it lands [m].
+/// When the muzzle is on the ground and doesn't fire upwards, it's the only point.
+/// @param dt  [s], more than 0, and no less than a 10 000th of the time of flight
+/// @throws std::invalid_argument if `dt` is not as above, or for what `time_of_flight` refuses. A shell that leaves
+///         ±1e5 on its way may be refused, too.
 std::vector<Vec2> dotted_arc(const State &muzzle, double g, double dt);
 
 //> Range in wind
-/// How far from the muzzle a shell lands, measured along the ground [m], if a steady wind pushes it all the time.
-/// As exact as `time_of_flight`, which says what else is refused.
-/// @param wind  the shell's acceleration by the wind [m/s²]: positive to the right, whichever way the shell flies
+/// How far from the muzzle a shell lands, measured along the ground [m], when a steady wind pushes it all the time.
+/// @param wind  how the wind accelerates the shell [m/s²]: positive to the right, whichever way the shell flies
+/// @throws std::invalid_argument if `wind` is not within ±1e5, or for what `time_of_flight` refuses.
 double range_in_wind(const State &muzzle, double g, double wind);
 
 //> Range at a height
-/// How far from the muzzle, measured horizontally, a shell is when it comes down to this height [m].
-/// Nothing if it does not reach that height after it was fired; if its apex is there up to rounding, either is right.
-/// It is 0 if the muzzle is at that height and does not fire upwards.
-/// Right to nine digits; if fired downwards, of what it would be if fired upwards just as fast. Right to fewer where the
-/// target is nearly as high as the apex.
-/// @param height  of the target above the ground, like that of the muzzle [m]; either may be higher, or below the ground
+/// How far from the muzzle, measured along the ground, a shell is when it comes down to this height [m].
+/// Nothing when it's never that high after it was fired; 0 when the muzzle is that high and doesn't fire upwards.
+/// @param height  of the target above the ground, like the muzzle's [m]; either may be higher, or below the ground
 /// @throws std::invalid_argument if `g` is not positive, or a number is not within ±1e5.
 std::optional<double> range_at_height(const State &muzzle, double g, double height);
 
 //> Launch angles
 /// What to set the cannon's dial to so that a shell goes through the target [°]: two angles between -90 and 90, the
-/// smaller one first; or one, if both are the same; or none, if the target is out of reach.
-/// Right to nine digits, but to fewer if the target is nearer than a thousandth of speed² / g, or nearly out of reach;
-/// if it is there up to rounding, then 0, 1 and 2 angles are right.
+/// smaller one first; one, when both are the same; none, when the target is out of reach.
 /// @param target  from the muzzle [m], to the right of it: target.x() is more than 0
 /// @throws std::invalid_argument if `speed` is negative, `target.x()` or `g` is not positive, or a number is not within
 ///         ±1e5.
 std::vector<double> launch_angles(double speed, const Vec2 &target, double g);
 
 //> Three ranges
-/// How far from the muzzle a shell lands in a game that moves it frame by frame [m], for each of section 1's integrators.
+/// How far from the muzzle a shell lands in a game that moves it frame by frame [m], with each integrator of section 1.
 struct LoopRanges {
     double explicit_euler{}; ///< it moves at its old velocity
     double semi_implicit{};  ///< it moves at its new velocity
@@ -88,12 +78,12 @@ struct LoopRanges {
 };
 
 //> Frame loop ranges
-/// All three ranges, right to nine digits of the largest number in them.
-/// A shell moves until a frame ends at or below the ground. It lands where the straight line from where it was one frame
-/// earlier to where it is then crosses the ground. One that leaves ±1e5 on its way may be refused, as in section 1.
-/// @param dt  of a frame [s], more than 0, and not less than a 10 000th of the time of flight; and so short that the
+/// All three ranges. A shell moves until a frame ends at or below the ground. It lands where a straight line crosses
+/// the ground: from where it was one frame earlier to where it is then.
+/// @param dt  of a frame [s], more than 0, and no less than a 10 000th of the time of flight; and so short that the
 ///            shell, which is fired upwards, still rises at the end of its first frame
-/// @throws std::invalid_argument if `dt` is not as above, or for what `time_of_flight` refuses.
+/// @throws std::invalid_argument if `dt` is not as above, or for what `time_of_flight` refuses. A shell that leaves
+///         ±1e5 on its way may be refused, too.
 LoopRanges frame_loop_ranges(const State &muzzle, double g, double dt);
 
 //> The exercises
