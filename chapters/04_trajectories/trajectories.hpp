@@ -86,7 +86,7 @@ struct LoopRanges {
 ///         ±1e5 on its way may be refused, too.
 LoopRanges frame_loop_ranges(const State &muzzle, double g, double dt);
 
-//> The exercises
+//>
 namespace subject {
 COURSE_EXERCISE("4.1", core, trajectories, launch_velocity, "speed [m/s], angle_deg [°]", "m/s")
 COURSE_EXERCISE("4.2", core, trajectories, time_of_flight, "muzzle, g [m/s²]", "s")
