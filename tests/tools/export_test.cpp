@@ -1,6 +1,7 @@
 // `course export handout`: what's in it, what isn't, and that a line of ours that is left in it is found.
 
 #include "class/handout.hpp"
+#include "loop/which_tests.hpp"
 #include "small_course.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -60,8 +61,10 @@ TEST_CASE("a handout has chapters, exercises and stubs, and none of our answers"
     for (const char *file : {"chapters/07_wall_meeting/README.md", "exercises/07_wall_meeting.cpp", "HANDOUT.md",
                              "tests/stubs/07_wall_meeting.cpp", "tests/07_wall_meeting.cpp"})
         CHECK(course.has("out/frame-by-frame/" + std::string{file}));
-    CHECK(course.read("out/frame-by-frame/exercises/07_wall_meeting.cpp")
-          == read_file(course.tree.stub(course.seven())));
+    const std::string stamp = stamp_of(which_tests(hash_of_tests(course.tree, course.seven()), "1.2.3"));
+    for (const char *file : {"exercises/07_wall_meeting.cpp", "tests/stubs/07_wall_meeting.cpp"})
+        CHECK(course.read("out/frame-by-frame/" + std::string{file})
+              == read_file(course.tree.stub(course.seven())) + stamp);
     for (const char *file : {"solutions", "tests/wrong", "docs/instructors.md"})
         CHECK(!course.has("out/frame-by-frame/" + std::string{file}));
     CHECK(course.read("out/frame-by-frame/chapters/07_wall_meeting/README.md") == "# 7 Walls\n\nText.\n\nThe end.\n");
@@ -69,6 +72,40 @@ TEST_CASE("a handout has chapters, exercises and stubs, and none of our answers"
     const std::string packed =
         run({"cmake", "-E", "tar", "tf", (course.out / "frame-by-frame-1.2.3-handout.zip").string()}).out;
     CHECK_THAT(packed, ContainsSubstring("frame-by-frame/HANDOUT.md\n") && !ContainsSubstring("solution"));
+}
+
+TEST_CASE("a file in a handout says which tests it came with, and nothing else is taken for that") {
+    const WhichTests tests{"5f3a2b1c9d0e", "0.9.0"};
+    const std::string stamp = "// Handed out with tests 5f3a2b1c9d0e (0.9.0).\n";
+    CHECK(stamp_of(tests) == stamp);
+    const auto said = [](const std::string &text) {
+        const auto its = stamp_in(text);
+        return its ? its->digits + ' ' + its->version : "nothing";
+    };
+    CHECK(said("int x;\n" + stamp) == "5f3a2b1c9d0e 0.9.0");
+    CHECK(said("int x;\r\n// Handed out with tests 5f3a2b1c9d0e (0.9.0).\r\nint y;") == "5f3a2b1c9d0e 0.9.0");
+    CHECK(said(stamp + "// Handed out with tests 000000000000 (1.0).") == "000000000000 1.0");
+    CHECK(said("int x;\n") == "nothing");
+    for (const char *other : {"", " ", "5f3a2b1c9d0e", "5f3a2b1c9d0e (0.9.0", "5f3a2b1c9d0e ().", "5f3a2b1c9d0e (<b>).",
+                              "5F3A2B1C9D0E (1).", "5f3a2b1c9d0 (0.9.0).", "5f3a2b1c9d0e (0.9.0). ",
+                              "5f3a2b1c9d0e (111111111111111111111).", ").", " ()."})
+        CHECK(said("// Handed out with tests " + std::string{other} + '\n') == "nothing");
+    CHECK(without_stamp("int x;\n" + stamp) == "int x;\n");
+    CHECK(without_stamp(stamp + "int x;\n") == stamp + "int x;\n");
+}
+
+TEST_CASE("the name of the tests changes with them, and not with how lines end") {
+    const SmallCourse course;
+    const auto hash_of = [&](const std::string &tests, const std::string &helpers) {
+        course.write("tests/07_wall_meeting.cpp", tests);
+        course.write("tests/matchers.hpp", helpers);
+        return hash_of_tests(course.tree, course.seven());
+    };
+    const std::string one = hash_of("a\nb\n", "c\n");
+    CHECK(one.size() == 64);
+    CHECK(hash_of("a\r\nb\r\n", "c\n") == one);
+    CHECK(hash_of("a\nb\n", "d\n") != one);
+    CHECK(hash_of("a\n", "c\n") != one);
 }
 
 TEST_CASE("a second handout is a commit that students can pull, and keeps out of other folders") {

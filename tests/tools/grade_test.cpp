@@ -9,6 +9,7 @@
 #include "ground/lines.hpp"
 #include "ground/text.hpp"
 #include "loop/functions.hpp"
+#include "loop/junit.hpp"
 #include "loop/toolbox.hpp"
 #include "small_course.hpp"
 
@@ -394,6 +395,40 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         CHECK_THAT(again.out,
                    ContainsSubstring("2 judged") && ContainsSubstring("1004: 0 -> 10 (another file was handed in)\n"));
     }
+}
+
+TEST_CASE("who began with the file of other tests is listed, and told; nobody else is") {
+    const SmallClass grade;
+    const WhichTests today = which_tests(hash_of_tests(built_course(), section_five()), course_version());
+    const std::string other = "// Handed out with tests 5f3a2b1c9d0e (0.0.9).\n";
+    grade.hand_in("1", answer_of_ours());
+    grade.hand_in("2", answer_of_ours() + stamp_of({today.digits, "0.0.9"})); // the same tests
+    grade.hand_in("3", answer_of_ours() + other);
+    grade.hand_in("4", answer_of_ours() + "// Handed out with tests <b>5f3a2b1c9d (0.0.9).\n");
+    const Finished done = grade({"5", grade.in(), "--out", grade.out()});
+    INFO(done.out << done.err);
+    REQUIRE(done.code == 0);
+    CHECK_THAT(done.out, ContainsSubstring("Began with the file of other tests than these, " + today.digits
+                                           + ", and may have updated since (1): 3 (5f3a2b1c9d0e, version 0.0.9)\n"));
+    const std::string report = grade.read("report.html");
+    CHECK_THAT(report, ContainsSubstring("Began with the file of other tests")
+                           && ContainsSubstring("version 0.0.9 of the course, tests 5f3a2b1c9d0e</li>"));
+    const Archive texts{fs::path{grade.out()} / "feedback.zip"};
+    for (const Archive::Entry &entry : texts.entries()) {
+        const std::string text = texts.read(entry, 10000);
+        const std::string told =
+            "\nYour file was handed out with version 0.0.9 of the course, tests 5f3a2b1c9d0e: if your "
+            "`check` says something else than this, `./course update` brings yours up to date.\n";
+        CHECK(contains(text, told) == (entry.name == "3/feedback.txt"));
+        CHECK(contains(text, "handed out") == (entry.name == "3/feedback.txt"));
+        CHECK_THAT(text, ContainsSubstring("by " + words_for(today) + '\n'));
+    }
+    const auto check = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"check", "5", "--file", grade.in() + "/1/05_inclined_planes.cpp"});
+        return run(course_command(built_course(), more, {"NO_COLOR=1"})).out;
+    };
+    CHECK(check({"-v"}).ends_with("\nJudged by " + words_for(today) + '\n'));
+    CHECK_THAT(check({}), !ContainsSubstring("Judged by"));
 }
 
 TEST_CASE("a folder with other things in it, or a file, is left alone") {

@@ -85,6 +85,28 @@ TEST_CASE("an exercise that nobody has begun becomes the new stub") {
     CHECK_FALSE(course.student.has(beside));
 }
 
+TEST_CASE("a stub that only says that it came with other tests is no changed stub") {
+    const TwoVersions course;
+    const std::string before = "// Handed out with tests 000000000000 (0.1.0).\n",
+                      now = "// Handed out with tests 111111111111 (0.2.0).\n";
+    const auto hand_out = [](const SmallCourse &to, const std::string &stamp) {
+        for (const char *folder : {"exercises", "tests/stubs"})
+            to.write(std::string{folder} + "/07_wall_meeting.cpp", stub_before + stamp);
+    };
+    hand_out(course.student, before);
+    hand_out(course.newer, now);
+    const bool begun = GENERATE(false, true);
+    const std::string mine = "int first() { return 1; }\n" + before;
+    if (begun) course.student.write(file_of_student, mine);
+    const Finished done = course.update();
+    INFO(done.out << done.err);
+    REQUIRE(done.code == 0);
+    CHECK_THAT(done.out, !ContainsSubstring("is yours, and stays"));
+    CHECK(course.student.read(file_of_student) == (begun ? mine : stub_before + now));
+    CHECK(course.student.read("tests/stubs/07_wall_meeting.cpp") == stub_before + now);
+    CHECK_FALSE(course.student.has(beside));
+}
+
 TEST_CASE("what a student has committed stays in the history") {
     const TwoVersions course;
     course.in_git();

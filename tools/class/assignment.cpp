@@ -38,8 +38,8 @@ std::vector<std::string> hashes_of(const std::vector<fs::path> &files) {
     return all;
 }
 
-/// One hash of everything that a verdict on this section rests on.
-std::string hash_of_tests(const Tree &tree, const Section &section, const fs::path &list) {
+/// One hash of everything that a verdict on this section rests on, as it's built here.
+std::string hash_of_judges(const Tree &tree, const Section &section, const fs::path &list) {
     const Toolbox tools = toolbox(tree, section);
     bring_up_to_date(tree, section, tools);
     std::string text = course_version() + '\n';
@@ -146,7 +146,8 @@ Assignment::Assignment(const Tree &tree_, Agreed agreed_, const fs::path &out_)
     agreed.gradebook = copied(agreed.gradebook, out / "gradebook.csv");
     agreed.worth = copied(agreed.worth, out / "points.txt");
     remember_agreed(agreed, out);
-    tests_hash = hash_of_tests(tree, its_section, out / "judged_with.txt");
+    judged_with = hash_of_judges(tree, its_section, out / "judged_with.txt");
+    tests_hash = hash_of_tests(tree, its_section);
     std::vector<fs::path> files;
     std::vector<std::string> ids;
     for (const Submission &each : handed_in.all)
@@ -190,7 +191,7 @@ std::vector<std::string> Assignment::strangers() const {
 
 std::string Assignment::key_of(const std::string &id) const {
     const auto its = hashes.find(id);
-    return its == hashes.end() ? "" : its->second + ' ' + tests_hash + ' ' + std::to_string(agreed.seed);
+    return its == hashes.end() ? "" : its->second + ' ' + judged_with + ' ' + std::to_string(agreed.seed);
 }
 
 std::optional<Outcomes> Assignment::result(const std::string &id) const {
@@ -249,6 +250,7 @@ GradedClass Assignment::graded() const {
     const fs::path known = file_of_mistakes(tree, its_section);
     const std::string mistakes = fs::exists(known) ? '\n' + read_file(known) : "";
     const auto exercises = catalogue(tree, its_section);
+    const WhichTests today = which_tests(tests_hash, all.version);
     double sum = 0;
     for (const Exercise &exercise : exercises) sum += worth.of(exercise);
     const double unit = book && sum > 0 ? book->most() / sum : 1; // points of the gradebook for one of ours
@@ -267,6 +269,8 @@ GradedClass Assignment::graded() const {
             if (const auto its = result(each.id)) outcomes = *its;
             else outcomes.our_trouble = "it hasn't been judged as it is now, by these tests";
             student.file_hash = hashes.at(each.id);
+            if (const auto began = stamp_in(read_answer(each.file)); began && began->digits != today.digits)
+                student.began_with = began;
         }
         student.our_trouble = outcomes.our_trouble;
         student.unbuilt = outcomes.unbuilt;

@@ -77,7 +77,8 @@ class Assignment {
     Submissions handed_in;
     std::optional<Gradebook> book;
     std::map<std::string, std::string> hashes;                       ///< of files to judge, by id
-    std::string tests_hash;                                          ///< of all that judges them
+    std::string judged_with;                                         ///< a hash of all that judges them
+    std::string tests_hash;                                          ///< of the tests alone, on any machine
     Baselines baselines;                                             ///< as measured before anybody is judged
     std::map<std::string, std::pair<double, std::string>> overrides; ///< points and why, by id
 };

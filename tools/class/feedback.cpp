@@ -95,16 +95,21 @@ std::string feedback(const GradedClass &graded, const Graded &student, bool whol
     std::string text = title + ": " + of_points(student.earned(), student.possible()) + '\n';
     if (student.overridden) text += "These points were set by your instructor: " + student.why + '\n';
     if (!student.submission.trouble.empty()) return plain_output(text + student.submission.trouble + '\n');
-    text += "Judged: " + student.submission.taken + (student.submission.late ? " (late)" : "") + ", by version "
-            + graded.version + " of the course, tests " + graded.tests_hash.substr(0, 12) + "\n";
+    const WhichTests today = which_tests(graded.tests_hash, graded.version);
+    text += "Judged: " + student.submission.taken + (student.submission.late ? " (late)" : "") + ", by "
+            + words_for(today) + '\n';
+    if (const auto &began = student.began_with)
+        text += "Your file was handed out with " + words_for(*began)
+                + ": if your `check` says something else than "
+                  "this, `./course update` brings yours up to date.\n";
     for (const std::string &test : graded.void_tests) text += "This test doesn't count for anybody: " + test + '\n';
-    text += '\n';
+    std::string rest = "\n";
     if (student.unbuilt)
-        text += "It can't be judged (" + std::string{name_of(student.unbuilt->kind)} + "):\n"
+        rest += "It can't be judged (" + std::string{name_of(student.unbuilt->kind)} + "):\n"
                 + of_unbuilt(*student.unbuilt, "    ");
     else
-        for (const GradedExercise &exercise : student.exercises) text += of_exercise(graded, exercise, whole);
-    return without_commands(plain_output(text));
+        for (const GradedExercise &exercise : student.exercises) rest += of_exercise(graded, exercise, whole);
+    return plain_output(text) + without_commands(plain_output(rest));
 }
 
 std::string comment(const Graded &student) {

@@ -3,6 +3,7 @@
 
 #include "class/submissions.hpp"
 #include "loop/catalogue.hpp"
+#include "loop/which_tests.hpp"
 #include "verdict/shared/verdict.hpp"
 
 #include <optional>
@@ -30,10 +31,11 @@ struct Graded {
     Submission submission;
     std::vector<GradedExercise> exercises; ///< empty if nothing was judged
     std::optional<Verdict> unbuilt;        ///< why the file as a whole doesn't compile, or is none
-    std::string our_trouble;          ///< why there is no verdict that counts: the grader's fault, or the machine's
-    std::optional<double> overridden; ///< points that the instructor has set instead
-    std::string why;                  ///< the instructor's reason
-    std::string file_hash;            ///< SHA-256 of what was judged, 64 digits
+    std::string our_trouble;              ///< why there is no verdict that counts: the grader's fault, or the machine's
+    std::optional<double> overridden;     ///< points that the instructor has set instead
+    std::string why;                      ///< the instructor's reason
+    std::string file_hash;                ///< SHA-256 of what was judged, 64 digits
+    std::optional<WhichTests> began_with; ///< the tests that the file was handed out with, if they're other ones
 
     double earned() const;
     double possible() const;
@@ -43,7 +45,7 @@ struct Graded {
 struct GradedClass {
     Section section;
     Platform platform = Platform::folder;
-    std::string version, tests_hash;     ///< of the course; of what judged
+    std::string version, tests_hash;     ///< of the course; of the tests, 64 digits
     std::vector<std::string> void_tests; ///< by name
     std::vector<Graded> students;        ///< by id, as Submissions has them
     std::vector<KnownTest> tests;        ///< of the section, in the order of its file

@@ -7,6 +7,7 @@
 #include "ground/process.hpp"
 #include "ground/repository.hpp"
 #include "ground/text.hpp"
+#include "loop/which_tests.hpp"
 
 #include <algorithm>
 #include <array>
@@ -289,6 +290,11 @@ std::string page_in_handout(const std::string &file, std::string page) {
 void make_handout(const fs::path &folder) {
     for (const char *each : not_in_a_handout) fs::remove_all(folder / each);
     fs::remove_all(folder / "exercises"); // an instructor may have solved some
+    const Tree tree{.root = folder, .build = {}};
+    for (const Section &section : tree.sections()) {
+        const WhichTests tests = which_tests(hash_of_tests(tree, section), version_of(tree));
+        write_file(tree.stub(section), without_stamp(read_file(tree.stub(section))) + stamp_of(tests));
+    }
     fs::copy(folder / "tests" / "stubs", folder / "exercises");
     for (const fs::path &file : all_files(folder))
         if (file.extension() == ".md")

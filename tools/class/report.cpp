@@ -101,6 +101,17 @@ class Page {
                + all;
     }
 
+    std::string began_with_others() const {
+        std::string all;
+        for (const Graded &student : graded.students)
+            if (const auto &began = student.began_with)
+                all += "<li>" + people.link(student.submission.id) + ": " + shown(words_for(*began)) + "</li>\n";
+        if (all.empty()) return "";
+        return "<p>Their files were handed out with other tests than judged them here. They may have taken an update "
+               "since: <code>./course check -v</code> says which tests they have now.</p>\n<ul>\n"
+               + all + "</ul>\n";
+    }
+
     std::string not_taken() const {
         std::string all;
         for (const Graded &student : graded.students) {
@@ -190,6 +201,7 @@ std::string report_page(const GradedClass &graded, const std::map<std::string, s
         {"class", "The class", page.all_students()},
         {"missing", "Handed in nothing", page.list(missing)},
         {"tests", "Test by test", page.all_tests()},
+        {"began", "Began with the file of other tests", page.began_with_others()},
         {"alike", "Equal wrong answers", page.alike()},
         {"others", "Files that weren't taken", page.not_taken()},
     };

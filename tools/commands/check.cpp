@@ -12,6 +12,7 @@
 #include "loop/memory.hpp"
 #include "loop/mistakes.hpp"
 #include "loop/progress.hpp"
+#include "loop/which_tests.hpp"
 #include "site/progress_script.hpp"
 
 #include <algorithm>
@@ -179,6 +180,7 @@ class Check {
             const Judgement judgement =
                 course::judge(tree, section, file_of(section), {options.seed, only ? only->number : ""});
             report(section, judgement);
+            if (options.verbose) print_which_tests(section);
             code = std::max(code, judgement.our_fault()    ? +our_fault
                                   : judgement.all_passed() ? +all_well
                                                            : +something_to);
@@ -275,6 +277,12 @@ class Check {
         }
         if (only && outcomes.front().first_failure() == nullptr) print_after(section);
         else print_next(tree, outcomes, section);
+    }
+
+    /// For a student and an instructor to compare.
+    void print_which_tests(const Section &section) const {
+        const WhichTests tests = which_tests(hash_of_tests(tree, section), course_version());
+        std::cout << painted(Colour::dim, "Judged by " + words_for(tests)) << '\n';
     }
 
     /// The table of known mistakes; a section may have none.

@@ -18,7 +18,8 @@ constexpr const char *repository_name = "frame-by-frame";
 
 constexpr const char *about_export = R"(
 It writes DIR/frame-by-frame, a git repository that students can clone, and the same as DIR/frame-by-frame-VERSION-handout.zip,
-of what is committed. Export into the same folder again, and students pull what has changed.
+of what is committed. Export into the same folder again, and students type ./course update.
+The last line of each exercise says which tests it was handed out with; `check -v` and feedback name theirs.
 In a handout are no solutions, no wrong or right answers, and no bars of solutions in chapters. Nothing is written
 if a line of ours is still in it. After a build in the handout, --check looks through its site, too.
 

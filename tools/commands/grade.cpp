@@ -133,6 +133,16 @@ std::size_t print_our_troubles(const GradedClass &graded) {
     return troubles;
 }
 
+void print_other_tests(const GradedClass &graded) {
+    std::vector<std::string> all;
+    for (const Graded &student : graded.students)
+        if (const auto &began = student.began_with)
+            all.push_back(student.submission.id + " (" + began->digits + ", version " + began->version + ')');
+    if (!all.empty())
+        std::cout << "Began with the file of other tests than these, " << graded.tests_hash.substr(0, 12)
+                  << ", and may have updated since (" << all.size() << "): " << listed(all) << '\n';
+}
+
 void print_changes(const std::vector<Change> &changes) {
     if (!changes.empty()) std::cout << "Since last time " << counted(changes.size(), "student") << " changed:\n";
     for (const Change &change : changes)
@@ -218,6 +228,7 @@ void grade(const Tree &tree, const GradeOptions &options) {
     std::cout << judged << " judged now; what else has a result has kept it.\n";
     const std::size_t troubles = print_our_troubles(graded);
     print_sums(graded);
+    print_other_tests(graded);
     print_changes(changes);
     if (options.again && changes.empty()) std::cout << "Nobody's points have changed.\n";
     std::cout << "See ./course open " << options.out << "; then upload "

@@ -7,6 +7,7 @@
 #include "ground/process.hpp"
 #include "ground/repository.hpp"
 #include "ground/text.hpp"
+#include "loop/which_tests.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -97,12 +98,14 @@ void renew_exercise(const Tree &tree, const fs::path &newer, const std::string &
         write_file(theirs, fresh);
         return;
     }
-    const std::string before = fs::exists(old_stub) ? read_file(old_stub) : "", text = read_file(theirs);
-    if (fresh == before || text == fresh) return;
-    if (text == before) {
+    const std::string stub = without_stamp(fresh),
+                      before = without_stamp(fs::exists(old_stub) ? read_file(old_stub) : ""),
+                      text = without_stamp(read_file(theirs));
+    if (text == before || text == stub) {
         write_file(theirs, fresh);
         return;
     }
+    if (stub == before) return;
     const fs::path beside = fs::path{file}.replace_extension("new.txt");
     write_file(tree.root / beside, fresh);
     std::cout << file << " is yours, and stays. Its stub has changed (" << changed_functions(before, fresh)
