@@ -3,6 +3,7 @@
 #include "class/archive.hpp"
 #include "class/assignment.hpp"
 #include "class/feedback.hpp"
+#include "class/late.hpp"
 #include "class/points.hpp"
 #include "class/trivial.hpp"
 #include "ground/kernel.hpp"
@@ -153,6 +154,34 @@ TEST_CASE("a file of points that can't be understood is refused with its line") 
     CHECK(mixed.of({"5.6", "stretch", "f"}) == 1);
     for (const char *bad : {"core\n", "core two\n", "kern 2\n", "core -1\n", "core 2 3\n", "core inf\n"})
         CHECK_THROWS_WITH(worth(std::string{"# ours\n"} + bad), ContainsSubstring("points.txt:2: "));
+}
+
+TEST_CASE("a day late counts when it has started, in Moodle's words and in no others") {
+    for (const auto &[words, days] : std::vector<std::pair<const char *, int>>{{"now", 1},
+                                                                               {"1 sec", 1},
+                                                                               {"3 mins 20 secs", 1},
+                                                                               {"23 hours 59 mins", 1},
+                                                                               {"1 day", 1},
+                                                                               {"1 day 1 hour", 2},
+                                                                               {"12 days 23 hours", 13},
+                                                                               {"1 year 3 days", 368}}) {
+        INFO(words);
+        CHECK(started_days(words) == days);
+    }
+    for (const char *other :
+         {"", "day", "1", "1 day 2", "1 Tag", "1 day and", "-1 days", "99999999999 days", "1 day late"})
+        CHECK_FALSE(started_days(other));
+    Graded late;
+    late.submission.late_by = "einen Tag";
+    take_off_for_lateness(late, 0);
+    CHECK(late.our_trouble.empty());
+    take_off_for_lateness(late, 10);
+    CHECK_THAT(late.our_trouble, ContainsSubstring("`einen Tag late`"));
+    CHECK(per_cent_per_day("10%/day") == 10);
+    CHECK(per_cent_per_day("2.5%/day") == 2.5);
+    for (const char *other :
+         {"", "10", "10%", "10%/hour", "-10%/day", "0%/day", "101%/day", "nan%/day", "10%/day x", "x"})
+        CHECK_THROWS_WITH(per_cent_per_day(other), ContainsSubstring("as in 10%/day"));
 }
 
 TEST_CASE("what a student reads names no command that a platform doesn't have") {
@@ -395,6 +424,51 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         CHECK_THAT(again.out,
                    ContainsSubstring("2 judged") && ContainsSubstring("1004: 0 -> 10 (another file was handed in)\n"));
     }
+}
+
+TEST_CASE("late days cost points, as Moodle's worksheet counts them, and no more than were earned") {
+    const SmallClass grade;
+    const auto kept = [](const char *name) { return read_file(fs::path{COURSE_ROOT} / "tests" / "class" / name); };
+    write_file(grade.folder.path / "grades.csv", kept("moodle_late.csv"));
+    for (const char *id : {"1003", "1004", "1005", "1012", "1013", "1014"}) grade.hand_in(id, answer_of_ours());
+    write_file(fs::path{grade.out()} / "overrides.csv", "1012,7,was ill\n");
+    const Finished plan = grade(grade.words({"--dry-run"}));
+    CHECK_THAT(plan.out, ContainsSubstring("  1003: 05_inclined_planes.cpp, 1 day 2 hours late\n")
+                             && ContainsSubstring("  1013: 05_inclined_planes.cpp\n"));
+    const Finished done = grade(grade.words({"--late", "10%/day"}));
+    INFO(done.out << done.err);
+    CHECK(done.code == 3);
+    CHECK_THAT(done.out, ContainsSubstring("not graded 1005: Moodle's Status says `einen Tag late`"));
+    CHECK_THAT(done.out, ContainsSubstring("taken off for handing in late (3): 1003 (2 days, 2), 1004 (1 day, 1), 1014 "
+                                           "(41 days, 10)\n"));
+    CHECK(grade.read("grades.csv") == kept("moodle_late_filled.csv"));
+    CHECK_THAT(grade.read("report.html"), ContainsSubstring("2 of 10 points taken off, for being 2 days late")
+                                              && ContainsSubstring("1 day 2 hours late"));
+    const Archive texts{fs::path{grade.out()} / "feedback.zip"};
+    for (const Archive::Entry &entry : texts.entries())
+        if (entry.name == "1003/feedback.txt")
+            CHECK_THAT(
+                texts.read(entry, 10000),
+                ContainsSubstring(
+                    "Section 5: 8 of 10 points\nThat's 10, minus 2 for being 2 days late. A day counts once it has "
+                    "started.\nJudged: 05_inclined_planes.cpp (1 day 2 hours late), by "));
+
+    write_file(fs::path{grade.out()} / "overrides.csv", "1012,7,was ill\n1005,9,a day late\n");
+    const Finished again = grade({"--out", grade.out(), "--again"}); // it's kept what lateness costs
+    INFO(again.out << again.err);
+    CHECK(again.code == 0);
+    CHECK_THAT(again.out, ContainsSubstring("1 student changed:\n  1005: nothing -> 9 (set by hand: a day late)\n"));
+}
+
+TEST_CASE("where no platform says how late somebody is, nothing is taken off, and the remedy is named") {
+    const SmallClass grade;
+    grade.hand_in("1", answer_of_ours());
+    CHECK_THAT(grade({"5", grade.in(), "--out", grade.out(), "--late", "10%/day"}).err,
+               ContainsSubstring("name that with --gradebook, or leave out --late, and set points in overrides.csv"));
+    grade.write_gradebook({"1"});
+    CHECK_THAT(grade(grade.words({"--late", "10%/day"})).err,
+               ContainsSubstring("set it there, in the gradebook's Settings, Late Policies"));
+    CHECK(grade(grade.words()).code == 0);
 }
 
 TEST_CASE("who began with the file of other tests is listed, and told; nobody else is") {

@@ -3,6 +3,7 @@
 #include "class/archive.hpp"
 #include "class/csv.hpp"
 #include "class/feedback.hpp"
+#include "class/late.hpp"
 #include "class/points.hpp"
 #include "class/pool.hpp"
 #include "ground/files.hpp"
@@ -65,6 +66,7 @@ void remember_agreed(const Agreed &agreed, const fs::path &out) {
                                         {"worth", agreed.worth.string()},
                                         {"void_tests", agreed.void_tests},
                                         {"forgive", agreed.forgive},
+                                        {"late", agreed.late},
                                         {"seed", agreed.seed}}
                                            .dump(1)
                                        + '\n');
@@ -131,6 +133,7 @@ Assignment::Assignment(const Tree &tree_, Agreed agreed_, const fs::path &out_)
     if (book && handed_in.platform != Platform::folder && handed_in.platform != book->platform())
         throw Complaint{"the submissions are from " + std::string{name_of(handed_in.platform)}
                         + ", but the gradebook is from " + std::string{name_of(book->platform())}};
+    learn_lateness();
     overrides = overrides_in(out / "overrides.csv");
     for (const auto &[id, set] : overrides)
         if (std::ranges::count(handed_in.all, id, &Submission::id) == 0
@@ -156,6 +159,23 @@ Assignment::Assignment(const Tree &tree_, Agreed agreed_, const fs::path &out_)
     for (std::size_t i = 0; i < ids.size(); ++i) hashes[ids[i]] = of_files[i];
 }
 
+void Assignment::learn_lateness() {
+    if (agreed.late > 0 && (handed_in.platform == Platform::canvas || (book && book->platform() == Platform::canvas)))
+        throw Complaint{"Canvas takes points off for lateness itself, and knows by how much: leave out --late, and set "
+                        "it there, in the gradebook's Settings, Late Policies"};
+    if (agreed.late > 0 && !(book && book->tells_lateness()))
+        throw Complaint{
+            "--late goes by the column Status of Moodle's grading worksheet: name that with --gradebook, or "
+            "leave out --late, and set points in overrides.csv"};
+    if (!book) return;
+    for (Submission &each : handed_in.all) {
+        const auto row = std::ranges::find(book->rows(), each.id, &Person::id);
+        if (row == book->rows().end() || row->late.empty()) continue;
+        each.late = true;
+        each.late_by = row->late;
+    }
+}
+
 bool Assignment::is_begun(const fs::path &folder) { return fs::exists(folder / "grade.json"); }
 
 Agreed Assignment::kept(const fs::path &folder) try {
@@ -166,8 +186,8 @@ Agreed Assignment::kept(const fs::path &folder) try {
                         + folder.string()};
     const json its = json::parse(read_file(folder / "grade.json"));
     const auto path = [&](const char *key) { return fs::path{its.at(key).get<std::string>()}; };
-    return {its.at("section"), path("given"),        path("gradebook"), its.at("column"),
-            path("worth"),     its.at("void_tests"), its.at("forgive"), its.at("seed")};
+    return {its.at("section"),    path("given"),     path("gradebook"),      its.at("column"), path("worth"),
+            its.at("void_tests"), its.at("forgive"), its.value("late", 0.0), its.at("seed")};
 } catch (const json::exception &) {
     throw Complaint{(folder / "grade.json").string()
                     + " is broken: delete it, and name section, download and gradebook again"};
@@ -292,6 +312,7 @@ GradedClass Assignment::graded() const {
         }
         if (const auto set = overrides.find(each.id); set != overrides.end())
             std::tie(student.overridden, student.why) = set->second;
+        take_off_for_lateness(student, agreed.late);
         if (student.overridden > student.possible() + 1e-9)
             throw Complaint{(out / "overrides.csv").string() + ": " + each.id + " can't have "
                             + points_text(*student.overridden) + " of " + points_text(student.possible()) + " points"};

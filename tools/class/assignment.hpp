@@ -26,6 +26,7 @@ struct Agreed {
     std::filesystem::path worth;         ///< what exercises are worth; empty: tests/points.txt
     std::vector<std::string> void_tests; ///< by name
     bool forgive = false;                ///< a mere consequence of another function costs nothing
+    double late = 0;                     ///< per cent of all points that a day costs, as `late.hpp` has it
     unsigned seed = 2026;
 };
 
@@ -66,6 +67,7 @@ class Assignment {
     std::filesystem::path result_of(const std::string &id) const { return out / "results" / (id + ".json"); }
     std::string key_of(const std::string &id) const;
     std::optional<Outcomes> result(const std::string &id) const; ///< if there's one of this file, by these tests
+    void learn_lateness();
     bool is_judged(const std::string &id) const;
     std::string name_of_file() const { return its_section.name + ".cpp"; }
     std::vector<Change> changes(const GradedClass &graded) const;

@@ -16,6 +16,12 @@ std::string of_points(double earned, double possible) {
     return points_text(earned) + " of " + points_text(possible) + (points_text(possible) == "1" ? " point" : " points");
 }
 
+/// "That's 9.54, minus 2 for being 2 days late."
+std::string taken_off(const Graded &student) {
+    return "That's " + points_text(student.earned() + student.taken_off) + ", minus " + points_text(student.taken_off)
+           + " for being " + counted(student.days_late, "day") + " late.";
+}
+
 std::string where(const Verdict &verdict) {
     return verdict.file.empty() ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ";
 }
@@ -93,11 +99,13 @@ std::string feedback(const GradedClass &graded, const Graded &student, bool whol
     if (!student.our_trouble.empty())
         return title + " hasn't been judged yet: the grader, or its machine, was in the way. You'll hear again.\n";
     std::string text = title + ": " + of_points(student.earned(), student.possible()) + '\n';
+    if (student.taken_off > 0) text += taken_off(student) + " A day counts once it has started.\n";
     if (student.overridden) text += "These points were set by your instructor: " + student.why + '\n';
     if (!student.submission.trouble.empty()) return plain_output(text + student.submission.trouble + '\n');
     const WhichTests today = which_tests(graded.tests_hash, graded.version);
-    text += "Judged: " + student.submission.taken + (student.submission.late ? " (late)" : "") + ", by "
-            + words_for(today) + '\n';
+    const std::string late = lateness(student.submission);
+    text += "Judged: " + student.submission.taken + (late.empty() ? "" : " (" + late + ')') + ", by " + words_for(today)
+            + '\n';
     if (const auto &began = student.began_with)
         text += "Your file was handed out with " + words_for(*began)
                 + ": if your `check` says something else than "
@@ -114,6 +122,7 @@ std::string feedback(const GradedClass &graded, const Graded &student, bool whol
 
 std::string comment(const Graded &student) {
     std::string text = of_points(student.earned(), student.possible()) + '.';
+    if (student.taken_off > 0) text += ' ' + taken_off(student);
     if (student.overridden) text += " Set by your instructor: " + student.why;
     else if (!student.submission.trouble.empty()) text += ' ' + student.submission.trouble;
     else if (student.unbuilt) text += " It can't be judged (" + std::string{name_of(student.unbuilt->kind)} + ").";

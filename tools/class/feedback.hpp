@@ -6,7 +6,7 @@
 namespace course {
 
 /// What one student reads, as plain text: points, what isn't right and why. Nothing in it is about anybody else, or about
-/// the machine that judged. It sends nobody to a command that a platform doesn't have, but for `update`, to whoever has a
+/// the machine that judged. It sends nobody to a command that a platform doesn't have, but to `update`, who has a
 /// handout.
 /// @param whole  every failing test, instead of the first of each exercise
 std::string feedback(const GradedClass &graded, const Graded &student, bool whole);

@@ -99,6 +99,18 @@ CsvRow meant_by(const std::string &column, const CsvRow &header) {
     return !whole.empty() ? whole : !without_number.empty() ? without_number : parts;
 }
 
+/// "1 day 2 hours" of "Submitted for grading - 1 day 2 hours late - Graded". Moodle counts from what's due for this
+/// student, with extensions.
+std::string lateness_in(std::string_view status) {
+    constexpr std::string_view dash = " - ", late = " late";
+    while (!status.empty()) {
+        const std::string_view part = status.substr(0, status.find(dash));
+        if (part.ends_with(late)) return std::string{part.substr(0, part.size() - late.size())};
+        status.remove_prefix(std::min(part.size() + dash.size(), status.size()));
+    }
+    return "";
+}
+
 /// A comment as Moodle reads it, which is HTML, and that no spreadsheet takes for a formula.
 std::string harmless(const std::string &comment) {
     std::string line = escaped(plain_line(comment, 5000));
@@ -214,7 +226,7 @@ void Gradebook::read_canvas(const Section &section, const std::string &column) {
                                  shown_cell(row[id])));
         learn_decimal_sign(row[at]);
         const std::string was = lower(without_blanks(row[at].text));
-        people.push_back({number, row[name].text + (first_name ? ", " + row[*first_name].text : ""), row[at].text,
+        people.push_back({number, row[name].text + (first_name ? ", " + row[*first_name].text : ""), row[at].text, "",
                           was == "ex"    ? "is excused (EX)"
                           : was == "n/a" ? "isn't assigned this (N/A)"
                                          : ""});
@@ -232,7 +244,8 @@ void Gradebook::read_moodle(const std::string &column) {
     const std::size_t id = *column_named(header, "Identifier"), at = *column_named(header, title),
                       most = *column_named(header, "Maximum Grade");
     const auto name = column_named(header, "Full name"), comment = column_named(header, "Feedback comments"),
-               changeable = column_named(header, "Grade can be changed");
+               changeable = column_named(header, "Grade can be changed"), status = column_named(header, "Status");
+    has_status = status.has_value();
     for (const CsvRow &row : csv.rows) {
         if (&row == &header || (row.size() == 1 && row.front().text.empty())) continue;
         check_length(row);
@@ -251,8 +264,8 @@ void Gradebook::read_moodle(const std::string &column) {
                                  shown_cell(row[most]), above));
         for (const std::size_t cell : {most, at}) learn_decimal_sign(row[cell]);
         const bool locked = changeable && row[*changeable].text != "Yes";
-        people.push_back(
-            {number, row[name.value_or(id)].text, row[at].text, locked ? "can't be changed in Moodle" : ""});
+        people.push_back({number, row[name.value_or(id)].text, row[at].text,
+                          status ? lateness_in(row[*status].text) : "", locked ? "can't be changed in Moodle" : ""});
         places.push_back({row[at], comment ? row[*comment] : CsvCell{}});
     }
 }

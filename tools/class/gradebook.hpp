@@ -21,6 +21,7 @@ struct Person {
     std::string id;     ///< as in Submission::id
     std::string name;   ///< as the gradebook writes it; only for the gradebook and for reports to its owner
     std::string was;    ///< the grade that is there; may be empty
+    std::string late;   ///< by how much the submission was late, as Moodle says it: "1 day 2 hours"; empty: it wasn't
     std::string locked; ///< why it's left as it is: "is excused (EX)", "can't be changed in Moodle"; else empty
 };
 
@@ -35,6 +36,7 @@ class Gradebook {
     const std::string &column() const { return title; } ///< that is written to: "HW 5 (4711)", "Grade"
     double most() const { return its_most; }            ///< Points Possible, or Maximum Grade
     const std::vector<Person> &rows() const { return people; }
+    bool tells_lateness() const { return has_status; } ///< Moodle's does, if no column was left out
 
     /// What a share of the points is as a grade: "7.5", or "7,5" where the file writes that. At most two decimals:
     /// half a hundredth goes up, and so does what's within a millionth of a hundredth of it, since 0.285 is no double.
@@ -61,6 +63,7 @@ class Gradebook {
     std::string its_file, title, text;
     Csv csv;
     double its_most = 0;
+    bool has_status = false;
     char decimal_sign = 0; // until a number shows it
     std::vector<Person> people;
     std::vector<Place> places; // of these people

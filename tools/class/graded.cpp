@@ -10,11 +10,16 @@ std::string_view name_of(Platform platform) {
     }
 }
 
+std::string lateness(const Submission &submission) {
+    if (!submission.late) return "";
+    return submission.late_by.empty() ? "late" : submission.late_by + " late";
+}
+
 double Graded::earned() const {
     if (overridden) return *overridden;
     double sum = 0;
     for (const GradedExercise &exercise : exercises) sum += exercise.earned;
-    return sum;
+    return sum - taken_off;
 }
 
 double Graded::possible() const {

@@ -32,12 +32,14 @@ struct Graded {
     std::vector<GradedExercise> exercises; ///< empty if nothing was judged
     std::optional<Verdict> unbuilt;        ///< why the file as a whole doesn't compile, or is none
     std::string our_trouble;              ///< why there is no verdict that counts: the grader's fault, or the machine's
+    int days_late = 0;                    ///< started ones that cost points
+    double taken_off = 0;                 ///< for them
     std::optional<double> overridden;     ///< points that the instructor has set instead
     std::string why;                      ///< the instructor's reason
     std::string file_hash;                ///< SHA-256 of what was judged, 64 digits
     std::optional<WhichTests> began_with; ///< the tests that the file was handed out with, if they're other ones
 
-    double earned() const;
+    double earned() const; ///< all in all
     double possible() const;
 };
 

@@ -77,6 +77,9 @@ std::string below(const GradedClass &graded, const Graded &student) {
         html += "<p class=\"" + kind + "\">" + words + "</p>\n";
     };
     if (!student.our_trouble.empty()) say("bad", "Our trouble: " + shown(student.our_trouble));
+    if (student.taken_off > 0)
+        say("set", points_text(student.taken_off) + " of " + points_text(student.earned() + student.taken_off)
+                       + " points taken off, for being " + counted(student.days_late, "day") + " late");
     if (student.overridden) say("set", "You set these points: " + shown(student.why));
     if (!student.submission.trouble.empty())
         say("bad", "No file to judge: “" + shown(student.submission.trouble) + "”");
@@ -106,8 +109,8 @@ std::string rows(const GradedClass &graded, const Graded &student, const People 
     if (!people.names.empty()) html += "<td class=\"name\">" + people.name(id) + "</td>";
     html += "<td>" + (has_grade(student) ? points_text(student.earned()) : sign("–", "no grade")) + "</td>";
     html += cells(student, exercises) + "<td class=\"file\">" + shown(student.submission.taken) + ' '
-            + (student.submission.late ? tag("late") : "") + (student.overridden ? tag("set by you") : "")
-            + "</td></tr>\n";
+            + (student.submission.late ? tag(shown(lateness(student.submission))) : "")
+            + (student.overridden ? tag("set by you") : "") + "</td></tr>\n";
     if (const std::string more = below(graded, student); !more.empty())
         html += fmt::format("<tr class=\"more\"><td colspan=\"{}\"><div>\n{}</div></td></tr>\n",
                             exercises.size() + (people.names.empty() ? 3 : 4), more);

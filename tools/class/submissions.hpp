@@ -18,10 +18,14 @@ struct Submission {
     std::string feedback_name;       ///< the file in feedback.zip that the platform hands back to this student
     std::filesystem::path file;      ///< a copy of the exercise's file, to be judged; empty if there's none
     std::string taken;               ///< which file of the student's that is, as the student called it
-    bool late = false;               ///< as the platform says; only Canvas does
+    bool late = false;               ///< as the platform says: Canvas by the file's name, Moodle in its worksheet
+    std::string late_by;             ///< by how much, as Moodle says it: "1 day 2 hours"
     std::string trouble;             ///< why there's no file, to the student: "You handed in a zip archive, …"
     std::vector<std::string> others; ///< what wasn't taken, and why: "05_inclined_planes.cpp (older)", "notes.txt"
 };
+
+/// "late", "1 day 2 hours late", or nothing
+std::string lateness(const Submission &submission);
 
 struct Submissions {
     Platform platform = Platform::folder;

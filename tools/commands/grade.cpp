@@ -2,6 +2,7 @@
 
 #include "class/assignment.hpp"
 #include "class/feedback.hpp"
+#include "class/late.hpp"
 #include "class/points.hpp"
 #include "class/statistics.hpp"
 #include "commands/commands.hpp"
@@ -21,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct GradeOptions {
-    std::string section = {}, given = {}, gradebook = {}, column = {}, points = {}, out = {}, shard = {}, show = {};
+    std::string section = {}, given = {}, gradebook = {}, column = {}, points = {}, out = {}, late = {}, shard = {},
+                show = {};
     std::vector<std::string> only = {}, without = {}, merge = {};
     bool dry_run = false, again = false, forgive = false, verbose = false;
 };
@@ -66,6 +68,7 @@ Agreed agreed_on(const Tree &tree, const GradeOptions &options) {
     for (const std::string &test : options.without)
         if (std::ranges::find(agreed.void_tests, test) == agreed.void_tests.end()) agreed.void_tests.push_back(test);
     agreed.forgive = agreed.forgive || options.forgive;
+    if (!options.late.empty()) agreed.late = per_cent_per_day(options.late);
     return agreed;
 }
 
@@ -96,7 +99,7 @@ void print_class(const Assignment &assignment) {
 void print_plan(const Assignment &assignment) {
     for (const Submission &each : assignment.submissions().all)
         std::cout << "  " << each.id << ": " << (each.file.empty() ? "nothing to judge" : plain_line(each.taken, 200))
-                  << (each.late ? ", late" : "") << '\n';
+                  << (each.late ? ", " + plain_line(lateness(each), 100) : "") << '\n';
     if (const auto &book = assignment.gradebook())
         for (const Person &row : book->rows())
             if (row.locked.empty() && std::ranges::count(assignment.submissions().all, row.id, &Submission::id) == 1)
@@ -131,6 +134,16 @@ std::size_t print_our_troubles(const GradedClass &graded) {
                       << plain_line(student.our_trouble, 300) << '\n';
         }
     return troubles;
+}
+
+void print_late(const GradedClass &graded) {
+    std::vector<std::string> all;
+    for (const Graded &student : graded.students)
+        if (student.taken_off > 0)
+            all.push_back(student.submission.id + " (" + counted(student.days_late, "day") + ", "
+                          + points_text(student.taken_off) + ')');
+    if (!all.empty())
+        std::cout << "Points taken off for handing in late (" << all.size() << "): " << listed(all) << '\n';
 }
 
 void print_other_tests(const GradedClass &graded) {
@@ -228,6 +241,7 @@ void grade(const Tree &tree, const GradeOptions &options) {
     std::cout << judged << " judged now; what else has a result has kept it.\n";
     const std::size_t troubles = print_our_troubles(graded);
     print_sums(graded);
+    print_late(graded);
     print_other_tests(graded);
     print_changes(changes);
     if (options.again && changes.empty()) std::cout << "Nobody's points have changed.\n";
@@ -255,6 +269,8 @@ void add_grade(CLI::App &app, const Tree &tree) {
     command->add_option("--points", options->points, "what exercises are worth, in the form of tests/points.txt");
     command->add_option("--without", options->without, "a test that doesn't count for anybody, by its name");
     command->add_flag("--forgive", options->forgive, "a function costs nothing that fails only because of another");
+    command->add_option("--late", options->late,
+                        "by Moodle's worksheet, take points off for each started day: 10%/day");
     command->add_option("--only", options->only, "judge these ids anew, and print what they read");
     command->add_option("--show", options->show, "print all answers to one exercise, as 5.4");
     command->add_flag("--again", options->again, "after a test was mended, or overrides.csv: says who changed");
