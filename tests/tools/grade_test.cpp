@@ -124,6 +124,18 @@ TEST_CASE("a function's definition is found in code that needn't compile") {
     CHECK(calls_second("second(1)"));
     CHECK(calls_second("1 + second (1)"));
     CHECK_FALSE(calls_second("pair.second(1) + my_second(1) + second"));
+    const auto around = [](const std::string &text, const std::string &place) {
+        const auto its = function_around(text, text.find(place));
+        return its ? text.substr(its->begin, its->end - its->begin) : "none";
+    };
+    const std::string file = "#include <x> // (\nnamespace n {\nint a[] = {1};\nstruct S { int m() { return 2; } };\n"
+                             "template <class T> T f(T t) {\n  if (t) { return 3; }\n}\nint v = g(4);\n} // n\n";
+    CHECK(around(file, "1") == "none");
+    CHECK(around(file, "2") == "int m() { return 2; }");
+    CHECK(around(file, "3") == "template <class T> T f(T t) {\n  if (t) { return 3; }\n}");
+    CHECK(around(file, "template") == around(file, "3"));
+    CHECK(around(file, "4") == "none");
+    CHECK(around("int open() {\n return 1;\n", "1") == "none");
     CHECK(line_begins("a\nbc\nd", 2) == 2);
     CHECK(line_begins("a\nbc\nd", 9) == 6);
 }
@@ -257,6 +269,37 @@ TEST_CASE("a function that doesn't compile costs no other one anything") {
         CHECK(outcomes.without.size() == 1);
         CHECK(outcomes.without.contains("5.5"));
         CHECK(that_fail(outcomes) == "5.5 ");
+    }
+    SECTION("a helper is broken: whoever calls it fails, and nobody else") {
+        const std::string helper = "static double weight(double mass, double g) {\n    return mass * g\n}\n\n";
+        const Outcomes outcomes =
+            come_out(with(with(answer_of_ours(), "double normal_force(", helper + "double normal_force("),
+                          right_normal_force, "return weight(mass, g) * std::cos(angle);"));
+        REQUIRE(outcomes.taken_out.size() == 1);
+        CHECK_THAT(outcomes.taken_out[0].sentence, ContainsSubstring(";"));
+        CHECK(outcomes.without.empty());
+        CHECK(that_fail(outcomes) == "5.3 5.4 5.7 ");
+        CHECK(outcomes_from(to_text(outcomes))->taken_out.size() == 1);
+    }
+    SECTION("a helper's heading is broken: that costs the whole file") {
+        const Outcomes outcomes = come_out(
+            with(answer_of_ours(), "double normal_force(", "int x(y z) {\n    return 1;\n}\ndouble normal_force("));
+        CHECK(outcomes.unbuilt);
+        CHECK(outcomes.verdicts.empty());
+    }
+    SECTION("more helpers are broken than we take out") {
+        std::string helpers;
+        for (const char *name : {"a", "b", "c", "d"})
+            helpers += std::string{"int "} + name + "() {\n    return x;\n}\n";
+        CHECK(come_out(answer_of_ours() + helpers).unbuilt);
+    }
+    SECTION("there's a main, which costs nothing, even if it doesn't compile") {
+        const char *main = GENERATE("\nint main() { return 0; }\n", "\nint main() {\n    return x;\n}\n");
+        const Outcomes outcomes = come_out(answer_of_ours() + main);
+        REQUIRE_FALSE(outcomes.taken_out.empty());
+        CHECK_THAT(outcomes.taken_out.back().sentence, ContainsSubstring("`main` of its own"));
+        CHECK(that_fail(outcomes).empty());
+        CHECK(outcomes.verdicts.size() > 10);
     }
     SECTION("what's broken is in no function of an exercise") {
         const Outcomes outcomes =
@@ -523,6 +566,24 @@ TEST_CASE("a call that failed stands in nobody's way") {
     grade.hand_in("1", answer_of_ours());
     CHECK(grade({"5", grade.in(), "--out", grade.out(), "--without", "no such test"}).code == 2);
     CHECK(grade({"5", grade.in(), "--out", grade.out()}).code == 0);
+}
+
+TEST_CASE("Ctrl-C keeps what's judged, says so, and the same command goes on") {
+    const SmallClass grade;
+    grade.hand_in("1", answer_of_ours());
+    for (const char *id : {"2", "3"})
+        grade.hand_in(id, with(answer_of_ours(), "return std::atan(mu_s);", "for (;;) {}"));
+    auto command = course_command(built_course(), {"grade", "5", grade.in(), "--out", grade.out()});
+    const std::string script =
+        "\"$@\" & until [ -e '" + grade.out() + "/results/1.json' ]; do sleep 0.05; done; kill -INT $!; wait $!";
+    command.insert(command.begin(), {"sh", "-c", script, "sh"});
+    const Finished stopped = run(command, {.deadline = 300});
+    CHECK(stopped.code == 130);
+    CHECK(stopped.err == "\nStopped. What's judged is kept: the same command once more goes on from here.\n");
+    for (const char *id : {"2", "3"}) grade.hand_in(id, answer_of_ours());
+    const Finished rest = grade({"5", grade.in(), "--out", grade.out()});
+    CHECK(rest.code == 0);
+    CHECK_THAT(rest.out, ContainsSubstring("2 judged now"));
 }
 
 TEST_CASE("parts that were judged apart join to the same as a whole") {

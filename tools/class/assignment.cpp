@@ -294,6 +294,7 @@ GradedClass Assignment::graded() const {
         }
         student.our_trouble = outcomes.our_trouble;
         student.unbuilt = outcomes.unbuilt;
+        student.taken_out = outcomes.taken_out;
         for (const Exercise &exercise : exercises) {
             GradedExercise its;
             its.exercise = exercise;

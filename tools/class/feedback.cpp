@@ -112,6 +112,9 @@ std::string feedback(const GradedClass &graded, const Graded &student, bool whol
                   "this, `./course update` brings yours up to date.\n";
     for (const std::string &test : graded.void_tests) text += "This test doesn't count for anybody: " + test + '\n';
     std::string rest = "\n";
+    for (const Verdict &why : student.taken_out)
+        rest += "✗ A function of yours that belongs to no exercise (the rest was judged without it)\n"
+                + of_unbuilt(why, "    ");
     if (student.unbuilt)
         rest += "It can't be judged (" + std::string{name_of(student.unbuilt->kind)} + "):\n"
                 + of_unbuilt(*student.unbuilt, "    ");

@@ -30,6 +30,7 @@ struct GradedExercise {
 struct Graded {
     Submission submission;
     std::vector<GradedExercise> exercises; ///< empty if nothing was judged
+    std::vector<Verdict> taken_out;        ///< as in Outcomes
     std::optional<Verdict> unbuilt;        ///< why the file as a whole doesn't compile, or is none
     std::string our_trouble;              ///< why there is no verdict that counts: the grader's fault, or the machine's
     int days_late = 0;                    ///< started ones that cost points

@@ -10,6 +10,8 @@
 namespace course {
 namespace {
 
+constexpr std::size_t most_helpers = 3; ///< that don't compile: each costs a compilation
+
 /// A student's file, of which functions are taken out one after the other.
 struct Remains {
     std::string text;
@@ -39,9 +41,23 @@ struct Remains {
         return its;
     }
 
+    /// Takes out what broke it and is no exercise's: a `main`, or the body of the helper where the compiler stopped.
+    /// @return whether there's such a thing
+    bool take_out_helper(const Verdict &why) {
+        const std::string code = code_of(text), before = text;
+        if (const auto main = definition_of(code, "main", functions); main && why.kind == Kind::does_not_link)
+            replace(*main, "");
+        else if (why.kind == Kind::does_not_compile && why.line > 0)
+            if (const auto its = function_around(code, line_begins(text, why.line)))
+                replace(*its, text.substr(its->begin, its->body - its->begin)
+                                  + "{ throw \"a helper of yours that doesn't compile\"; }");
+        return text != before;
+    }
+
+    void replace(const Exercise &exercise, std::string with) { replace(*find(exercise), std::move(with)); }
+
     /// Puts something else where the function was, and leaves all lines where they are.
-    void replace(const Exercise &exercise, std::string with) {
-        const Definition old = *find(exercise);
+    void replace(const Definition &old, std::string with) {
         const auto lines = std::count(text.begin() + long(old.begin), text.begin() + long(old.end), '\n')
                            - std::ranges::count(with, '\n');
         with.append(static_cast<std::size_t>(std::max(lines, 0l)), '\n');
@@ -116,9 +132,13 @@ Outcomes outcomes_of(const Tree &tree, const Section &section, const std::string
     const std::optional<Verdict> first = judgement.unbuilt;
     while (judgement.unbuilt) {
         const Exercise *broken = remains.broken(*judgement.unbuilt);
-        if (broken == nullptr || outcomes.without.contains(broken->number)) return {.unbuilt = first};
-        outcomes.without[broken->number] = *judgement.unbuilt;
-        remains.replace(*broken, remains.empty(*broken));
+        if (broken != nullptr && !outcomes.without.contains(broken->number)) {
+            outcomes.without[broken->number] = *judgement.unbuilt;
+            remains.replace(*broken, remains.empty(*broken));
+        } else if (broken == nullptr && outcomes.taken_out.size() < most_helpers
+                   && remains.take_out_helper(*judgement.unbuilt))
+            outcomes.taken_out.push_back(*judgement.unbuilt);
+        else return {.unbuilt = first};
         judgement = judge(tree, section, name, remains.text, {.seed = seed});
     }
     outcomes.verdicts = std::move(judgement.verdicts);
@@ -132,8 +152,9 @@ Outcomes outcomes_of(const Tree &tree, const Section &section, const std::string
 std::string to_text(const Outcomes &outcomes) {
     nlohmann::json json{{"because_of", outcomes.because_of}, {"our_trouble", outcomes.our_trouble}};
     if (outcomes.unbuilt) json["unbuilt"] = to_line(*outcomes.unbuilt);
-    json["verdicts"] = json["without"] = nlohmann::json::array();
+    json["verdicts"] = json["without"] = json["taken_out"] = nlohmann::json::array();
     for (const Verdict &verdict : outcomes.verdicts) json["verdicts"].push_back(to_line(verdict));
+    for (const Verdict &verdict : outcomes.taken_out) json["taken_out"].push_back(to_line(verdict));
     for (const auto &[exercise, why] : outcomes.without) json["without"].push_back({exercise, to_line(why)});
     return json.dump(1) + '\n';
 }
@@ -145,6 +166,8 @@ std::optional<Outcomes> outcomes_from(const std::string &text) try {
         outcomes.unbuilt = from_line(its->get<std::string>()).value();
     for (const auto &line : json.at("verdicts"))
         outcomes.verdicts.push_back(from_line(line.get<std::string>()).value());
+    for (const auto &line : json.at("taken_out"))
+        outcomes.taken_out.push_back(from_line(line.get<std::string>()).value());
     for (const auto &pair : json.at("without"))
         outcomes.without[pair.at(0)] = from_line(pair.at(1).get<std::string>()).value();
     return outcomes;

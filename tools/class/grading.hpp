@@ -13,16 +13,18 @@ namespace course {
 
 /// What comes out for one file.
 struct Outcomes {
-    std::optional<Verdict> unbuilt = {};                ///< why nothing of the file can be judged
-    std::vector<Verdict> verdicts = {};                 ///< else one for each test, in the order of its file
-    std::map<std::string, Verdict> without = {};        ///< functions that don't compile, by exercise, each with why
+    std::optional<Verdict> unbuilt = {};         ///< why nothing of the file can be judged
+    std::vector<Verdict> verdicts = {};          ///< else one for each test, in the order of its file
+    std::vector<Verdict> taken_out = {};         ///< why functions that are no exercise's: `main`, a broken helper
+    std::map<std::string, Verdict> without = {}; ///< functions that don't compile, by exercise, each with why
     std::map<std::string, std::string> because_of = {}; ///< "5.6" -> "5.4": right with ours in the place of the other
     std::string our_trouble =
         {}; ///< why there's no verdict, or one that doesn't count: the grader's or the machine's fault
 };
 
 /// Judges a file as `check` does. If it doesn't compile because of a function of an exercise, it's judged without that
-/// one; and a function that fails is judged with ours instead of those that it calls, and that fail as well.
+/// one, and without its own `main`; a helper that doesn't compile throws instead. A function that fails is judged with
+/// ours instead of those that it calls, and that fail as well.
 /// @param name  by which the student knows the file
 Outcomes outcomes_of(const Tree &tree, const Section &section, const std::string &name, const std::string &text,
                      unsigned seed);

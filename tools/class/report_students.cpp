@@ -14,7 +14,7 @@ bool is_not_started(const GradedExercise &exercise) {
 
 bool is_to_look_at(const Graded &student) {
     return student.exercises.empty() || student.overridden || student.submission.late || !student.our_trouble.empty()
-           || !std::ranges::all_of(student.exercises, &GradedExercise::all_passed);
+           || !student.taken_out.empty() || !std::ranges::all_of(student.exercises, &GradedExercise::all_passed);
 }
 
 std::string share(const GradedExercise &exercise) {
@@ -86,6 +86,9 @@ std::string below(const GradedClass &graded, const Graded &student) {
     if (student.unbuilt)
         html += fold("The file: " + shown(std::string{name_of(student.unbuilt->kind)}),
                      preformatted(explain(*student.unbuilt, 0)));
+    for (const Verdict &why : student.taken_out)
+        html += fold("A function that belongs to no exercise: the rest was judged without it",
+                     preformatted(explain(why, 0)));
     return html + what_is_wrong(graded, student);
 }
 

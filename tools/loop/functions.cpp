@@ -86,6 +86,22 @@ std::optional<Definition> definition_of(std::string_view code, std::string_view 
     return found;
 }
 
+std::optional<Definition> function_around(std::string_view code, std::size_t place) {
+    std::size_t begin = 0;
+    for (std::size_t at = 0; at < code.size(); ++at) {
+        if (code[at] == '#') at = std::min(code.find('\n', at), code.size() - 1); // a line of the preprocessor
+        else if (code[at] == '{' && contains(code.substr(begin, at - begin), ")")) {
+            const std::size_t closes = where_it_closes(code, at);
+            if (closes == code.npos) return {};
+            const Definition found{code.find_first_not_of(" \t\n", begin), at, closes + 1};
+            if (found.end > place) return found.holds(place) ? std::optional{found} : std::nullopt;
+            at = closes;
+        } else if (!contains(";{}", code.substr(at, 1))) continue;
+        begin = at + 1;
+    }
+    return {};
+}
+
 bool calls(std::string_view code, const Definition &definition, std::string_view function) {
     return find_bracket_of(code.substr(0, definition.end), function, definition.body) != code.npos;
 }

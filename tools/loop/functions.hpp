@@ -30,6 +30,9 @@ std::size_t line_begins(std::string_view text, int line);
 std::optional<Definition> definition_of(std::string_view code, std::string_view function,
                                         const std::vector<std::string> &others);
 
+/// The definition of whatever function this place is in, as far as braces tell: those that follow brackets.
+std::optional<Definition> function_around(std::string_view code, std::size_t place);
+
 /// Whether code between these places calls a function.
 bool calls(std::string_view code, const Definition &definition, std::string_view function);
 
