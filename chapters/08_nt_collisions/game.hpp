@@ -28,7 +28,7 @@ inline Arrows arrows(const Vec2 &velocity, const Vec2 &a, const Vec2 &b) {
 inline bool touch(const Ball &a, const Ball &b) { return (b.position - a.position).norm() <= a.radius + b.radius; }
 
 //> The frame loop: two equal balls
-/// One frame of the game: two balls that touch get their new velocities, and both move on for `dt` seconds.
+/// One frame of the game: when two balls touch, they collide; then both roll for `dt` seconds.
 inline void next_frame(Ball &a, Ball &b, double dt) {
     if (touch(a, b)) {
         const Velocities after = exchange(a, b);
@@ -47,7 +47,7 @@ inline void collide(Ball &a, Ball &b, double restitution) {
 }
 
 //> Between the sides of a table
-/// All balls move on for `dt` seconds; the sides of the table turn back what has passed them, by section 6.
+/// All balls roll for `dt` seconds; the sides of the table turn back what's past them, by section 6.
 inline void roll(std::vector<Ball> &balls, const Box &table, double dt) {
     for (Ball &ball : balls) {
         ball.velocity = bounce_in_box({ball.position, ball.velocity, ball.radius}, table);
@@ -56,7 +56,7 @@ inline void roll(std::vector<Ball> &balls, const Box &table, double dt) {
 }
 
 //> The frame loop: many balls
-/// One frame of the game: every two balls that touch collide, and all of them move on.
+/// One frame of the game: any two balls that touch collide, and then all of them roll.
 inline void next_frame(std::vector<Ball> &balls, const Box &table, double restitution, double dt) {
     for (std::size_t i = 0; i < balls.size(); ++i)
         for (std::size_t k = i + 1; k < balls.size(); ++k)
@@ -65,7 +65,7 @@ inline void next_frame(std::vector<Ball> &balls, const Box &table, double restit
 }
 
 //> The frame loop: contact between frames
-/// One frame of the game for two balls, which may meet at any moment of it.
+/// One frame of the game for two balls, which may meet at any moment during the frame.
 inline void next_frame_with_contact(Ball &a, Ball &b, double restitution, double dt) {
     const std::optional<double> contact = time_of_impact(a, b);
     const double first = contact && *contact < dt ? *contact : dt; // until then nothing happens [s]
@@ -73,12 +73,12 @@ inline void next_frame_with_contact(Ball &a, Ball &b, double restitution, double
     b.position += first * b.velocity;
     if (first == dt) return;
     collide(a, b, restitution);
-    a.position += (dt - first) * a.velocity; // the rest of the frame
+    a.position += (dt - first) * a.velocity; // what's left of the frame
     b.position += (dt - first) * b.velocity;
 }
 
 //> The frame loop: a crowd
-/// One frame of the game: every two discs that overlap are pushed apart, once.
+/// One frame of the game: any two discs that overlap are pushed apart, once.
 inline void next_frame(std::vector<Disc> &discs) {
     for (std::size_t i = 0; i < discs.size(); ++i)
         for (std::size_t k = i + 1; k < discs.size(); ++k) {
@@ -96,7 +96,7 @@ inline std::vector<Vec2> centres_of(const std::vector<Ball> &balls) {
 }
 
 //> The frame loop: a thousand balls
-/// One frame of the game for balls of one size: only the close pairs are asked whether they touch.
+/// One frame of the game for balls of one size: only close pairs are checked.
 inline void next_frame_with_pairs(std::vector<Ball> &balls, const Box &table, double restitution, double dt) {
     if (balls.empty()) return;
     for (const Pair &pair : close_pairs(centres_of(balls), 2 * balls[0].radius)) {
