@@ -19,14 +19,14 @@ using namespace nt_collisions::subject; // decompose, exchange, ... close_pairs:
 
 namespace {
 
-// An answer is right to twelve digits of the largest number that goes in, or of 1 if that is larger. Two centres closer
-// together than 1e-60 m may count as the same point, and a relative speed, a radius, a mass or an inverse mass below
-// 1e-20 as 0. After a collision of two masses, one digit fewer may be right for each factor of ten by which one is larger
-// than the other; with masses below 1e-9 kg any answer may be right to fewer. At a time of impact the distance of the
-// centres is the sum of the radii, to nine digits of the largest coordinate, or of that sum if it's larger; or to six, if
-// the largest coordinate is more than a thousand times that sum. Balls that would graze each other as exactly as that may
-// touch or not. A pair whose distance differs from `distance` by less than 1e-12 of the largest number that goes in, or
-// of 1 if that is larger, may be among the close ones or not.
+// An answer is right to twelve digits of the largest number that goes in, or of 1 if that is larger. Two centres
+// closer together than 1e-60 m may count as the same point, and a relative speed, a radius, a mass or an inverse mass
+// below 1e-20 as 0. After a collision of two masses, one digit fewer may be right for each factor of ten by which one
+// is larger than the other; with masses below 1e-9 kg any answer may be right to fewer. At a time of impact the
+// distance of the centres is the sum of the radii, to nine digits of the largest coordinate, or of that sum if it's
+// larger; or to six, if the largest coordinate is more than a thousand times that sum. Balls that would graze each
+// other as exactly as that may touch or not. A pair whose distance differs from `distance` by less than 1e-12 of the
+// largest number that goes in, or of 1 if that is larger, may be among the close ones or not.
 
 constexpr double pi = std::numbers::pi;
 

@@ -86,8 +86,8 @@ struct Positions {
 };
 
 //> Push apart
-/// The centres of two discs that overlapped, now apart along their line of centres, so that they just touch. Their centre
-/// of mass stays where it is: with twice the mass, a disc moves half as far.
+/// The centres of two discs that overlapped, now apart along their line of centres, so that they just touch. Their
+/// centre of mass stays where it is: with twice the mass, a disc moves half as far.
 /// Discs that don't overlap stay where they are, and so do two that nothing can move.
 /// When both centres are the same point, a moves to the left, and b to the right.
 /// @throws std::invalid_argument if a radius is not positive, an inverse mass is negative, or a number is not within ±1e5.
