@@ -13,6 +13,12 @@ using segment_intersection::Ball, segment_intersection::Impact, segment_intersec
 using segment_intersection::Segment, segment_intersection::max_bounces;
 using namespace segment_intersection::subject; // the student's six functions
 
+// Answers are right to 1e-12, or to 1e-12 of their size where that's more than 1. Nearly parallel lines, a graze, many
+// bounces, and numbers that differ by many powers of ten lose more, and each test allows for it. A segment shorter than
+// 1e-60 m may count as a single point. 7.2's answer, and the number of points in 7.3's, are exact for whole-number
+// coordinates up to ±1000; with others, a touch or a gap within rounding may go either way. So may a graze in 7.5, and a
+// point that meets only an end of a wall.
+
 const Segment motion{.start = {4, 7}, .end = {16, 3}}; // the worked example
 const Segment wall{.start = {1, 1}, .end = {17, 10}};
 
