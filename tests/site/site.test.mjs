@@ -511,7 +511,7 @@ describe('search', () => {
     'infinite mass': 'chapter_02_momentum.html#how-heavy-is-a-wall',
     'resultant force': 'chapter_02_momentum.html#tug-of-war',
     "newton's cradle": 'chapter_02_momentum.html#newtons-cradle',
-    'time of impact': 'chapter_07_segment_intersection.html#your-turn-75',
+    'time of impact': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
     'circle vs line': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
     'tunneling': 'chapter_07_segment_intersection.html',
     'fast objects go through walls': 'chapter_07_segment_intersection.html',
