@@ -16,6 +16,10 @@ constexpr double degree = std::numbers::pi / 180;
 
 namespace {
 
+// An answer is right to twelve digits of the largest number that goes in, or of 1 if that is larger; in 6.6, when the image
+// is d metres away and d is less than 1, the error may be 1/d times as large. When an edge touches a side, up to rounding,
+// it may count as past it or not, and a wall or a normal shorter than 1e-60 may count as one of length 0.
+
 const Box screen{{0, 0}, {16, 9}};
 const Box square{{-5, -5}, {5, 5}};
 

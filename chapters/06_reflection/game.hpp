@@ -1,5 +1,5 @@
 #pragma once
-// The game of this chapter, as it grows: a ball on a screen, off a wall that one turns, and on a pool table.
+// The game of this chapter, as it grows: a ball on a screen, off a wall that you turn, and on a pool table.
 #include "reflection.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline void next_frame(Ball &ball, const Box &box, double dt) {
 }
 
 //> The frame loop: a ball and a slanted wall
-/// One frame of the game: a ball in front of a wall, which goes through `point` and has no ends.
+/// One frame of the game: a ball in front of a wall that goes through `point` and has no ends.
 /// The normal has length 1, and points to the side where the ball may be.
 inline void next_frame(Ball &ball, const Vec2 &point, const Vec2 &normal, double dt) {
     const double distance = (ball.position - point).dot(normal); // of its centre from the wall [m]
@@ -35,7 +35,7 @@ inline void next_frame(Ball &ball, const Vec2 &point, const Vec2 &normal, double
     ball.position += dt * ball.velocity;
 }
 
-//> The frame loop: a wall with two ends that one drags
+//> The frame loop: a wall with two ends
 /// A wall from one point to another; the ball is on its left.
 struct Wall {
     Vec2 start; ///< [m]
@@ -46,7 +46,7 @@ inline void next_frame(Ball &ball, const Wall &wall, double dt) {
 }
 
 //> The frame loop: a rough wall
-/// One frame of the game: only a ball that touches the wall is given to 6.4, which asks itself whether it approaches.
+/// One frame of the game: a ball that touches the wall goes to 6.4, which checks whether it's coming closer.
 inline void next_frame(Ball &ball, const Vec2 &point, const Vec2 &normal, const Surface &surface, double dt) {
     if ((ball.position - point).dot(normal) < ball.radius) ball.velocity = bounce(ball.velocity, normal, surface);
     ball.position += dt * ball.velocity;
@@ -60,15 +60,15 @@ inline void next_frame(Ball &ball, const Box &box, double angle, double dt) {
 }
 
 //> Folded
-/// Where on the table a ball is that has got to x in the unfolded tables; low and high are its mirrors.
+/// Where on the table a ball is when it's at x in the unfolded tables; low and high are its mirrors.
 inline double folded(double x, double low, double high) {
     const double twice = 2 * (high - low); // after two tables everything looks the same again
     const double way = x - low - twice * std::floor((x - low) / twice);
-    return low + std::min(way, twice - way); // on the second of the two the ball is on its way back
+    return low + std::min(way, twice - way); // on the second of the two the ball is coming back
 }
 
 //> The frame loop: a pool table
-/// The centre of a ball that was pushed in a direction of length 1, and has rolled so far [m].
+/// Where a ball's centre is after you pushed it in a direction of length 1 and it rolled `way` [m].
 inline Vec2 rolled(const Ball &ball, const Box &table, const Vec2 &direction, double way) {
     const Vec2 unfolded = ball.position + way * direction, edge{ball.radius, ball.radius};
     const Vec2 low = table.low + edge, high = table.high - edge;
