@@ -533,7 +533,7 @@ describe('search', () => {
     'reflect a vector': 'chapter_06_reflection.html#off-a-slanted-wall',
     'perpendicular vector': 'chapter_06_reflection.html#which-way-a-wall-faces',
     'rough wall': 'chapter_06_reflection.html#rubber-and-sandpaper',
-    'rotated rectangle': 'chapter_06_reflection.html#a-box-that-is-turned',
+    'rotated rectangle': 'chapter_06_reflection.html#tilt-your-head',
     'bank shot': 'chapter_06_reflection.html#bank-shots',
     'line of centres': 'chapter_08_nt_collisions.html#towards-and-past',
     'pool balls at right angles': 'chapter_08_nt_collisions.html#equal-balls',
