@@ -500,7 +500,7 @@ describe('search', () => {
   // What readers type, and the place that must come first: a part, by the beginning of its address.
   const questions = {
     'how to bounce off a wall': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
-    'the normal of a wall': 'chapter_07_segment_intersection.html#at-a-wall-that-leans',
+    'the normal of a wall': 'chapter_06_reflection.html#which-way-a-wall-faces',
     'ball in a box': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
     'collision response': 'chapter_07_segment_intersection.html#a-ball-in-a-room',
     'collision detection': 'chapter_07_segment_intersection.html#a-ball-with-a-size',
