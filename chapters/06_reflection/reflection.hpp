@@ -25,8 +25,8 @@ struct Box {
 };
 
 //> Bounce in a box
-/// A ball's velocity after it has met the sides of its box [m/s]. A side that the ball's edge is past reverses the
-/// component that leads out through this side, and leaves a ball alone that's already coming back. When the edge only just
+/// A ball's velocity after it has met the sides of its box [m/s]. Once the ball's edge is past a side, the component that
+/// leads out through that side is reversed; a ball that's already coming back is left alone. When the edge only just
 /// touches a side, either is right.
 /// @throws std::invalid_argument if the radius is negative, the box is not wider and higher than the ball, or a number is
 ///         not within ±1e5.
