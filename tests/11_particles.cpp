@@ -10,6 +10,12 @@ using particles::Emission, particles::Emitter, particles::Particle, particles::P
 using particles::max_bounces, particles::contact_tolerance;
 using namespace particles::subject; // spawn, shade_index, ...: the student's functions
 
+// An answer is right to 1e-12, or to 1e-12 of the largest number that goes into it if that's more than 1; after n
+// terms, bounces or added angles, to n times that. Where rounding decides which of two shades it is, whether a particle
+// is dead, or whether one more is whole, either is right; `shades` itself never is. move_and_collide leaves three cases
+// open: a wall that the particle reaches at the very end of dt, one that it meets within contact_tolerance of an end,
+// and one so nearly parallel to its path that intersect_lines returns nothing.
+
 constexpr double rounding_of_1e5 = 1e-7; // where numbers as large as that go into a result
 constexpr double pi = std::numbers::pi;
 constexpr int more_than_16_bits = 70'000; // particles or walls: an index must not wrap at 65536
@@ -186,6 +192,8 @@ TEST_CASE("a particle is dead, and has no shade, at the very moment when its age
 }
 
 //> Erratum E11.1
+// 1/30 is rounded, and added up ninety times it's a little less than 3: step keeps such a particle for a frame more.
+// Where that matters, count frames, and divide by 30.
 TEST_CASE("erratum E11.1: a life of 90 frames lasts 90 frames, not 90 for each of 16 shades", "[11.2]") {
     int alive = 0;
     for (int frame = 0; frame < 200; ++frame)                  // in the printed code it is alive in all of them

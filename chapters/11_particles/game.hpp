@@ -9,7 +9,7 @@
 namespace particles {
 
 //> The frame loop
-/// One frame of the show: every spark takes a step, the dead free their slots, and the newborn are spawned.
+/// One frame of the show: every spark takes a step, the dead free their slots, and the newborn get one.
 inline void next_frame(Pool &pool, const std::vector<Particle> &newborn, const World &world, double dt) {
     for (auto &slot : pool)
         if (slot) slot = step(*slot, world, dt); // "nothing" from `step` makes the slot free
@@ -27,7 +27,9 @@ inline std::vector<Particle> three_sparks(const Vec2 &place) {
 }
 
 //> Random numbers
-/// Random numbers, at least 0 and less than 1, the same on every machine: C++ specifies this generator bit by bit.
+/// Random numbers, at least 0 and less than 1, the same on every machine: C++ specifies this generator bit by bit. It
+/// leaves to each library how std::uniform_real_distribution makes fractions of them, so we do that ourselves, and
+/// round nothing.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : engine{seed} {}
@@ -63,7 +65,7 @@ inline std::vector<Vec2> box_burst(Random &random, int count, double speed) {
 }
 
 //> An engine
-/// The emitter at the tail of a rocket. Its sparks inherit only a tenth of the rocket's velocity, since the gas leaves
+/// The emitter at the tail of a rocket. Its sparks get only a tenth of the rocket's velocity, because the gas leaves
 /// backwards.
 inline Emitter engine_of(const Particle &rocket) {
     return {.position = rocket.position,
@@ -84,11 +86,11 @@ inline std::vector<Particle> trail(const Particle &rocket, Emission &emission, R
 }
 
 //> A step among walls
-/// A step in a world with walls, each of which gives back half of the speed.
+/// A step in a world with walls, which give back half of the speed.
 inline std::optional<Particle> step(Particle particle, const World &world, const std::vector<Wall> &walls, double dt) {
     particle.velocity += dt * Vec2{world.wind, -world.gravity}; // as before
     const Particle moved = move_and_collide(particle, walls, 0.5, dt);
-    return step(moved, world, 0); // with dt = 0 it does not move, but if it is dead, this says so
+    return step(moved, world, 0); // with dt = 0 it doesn't move, but if it's dead, this is nothing
 }
 
 //> The frame loop without gaps
@@ -98,7 +100,7 @@ inline void next_frame(std::vector<Particle> &pool, const std::vector<Particle> 
     for (Particle &spark : pool) {
         const auto next = step(spark, world, dt);
         if (next) spark = *next;
-        else spark.age = spark.life; // dead: it is removed below
+        else spark.age = spark.life; // dead: removed below
     }
     pool = compact_pool(pool, newborn, capacity);
 }
