@@ -2,6 +2,7 @@
 
 #include "ground/build.hpp"
 #include "ground/lab.hpp"
+#include "loop/toolbox.hpp"
 #include "small_course.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -41,15 +42,20 @@ struct BuiltLab : Lab {
                                    + ".o\" && echo >> \"" + tree.home.string() + "/runs\" && : > \"" + note + '"');
         step("play/07_mine.js", ": && cat page.o play/07_mine.o > \"" + play + ".wasm\" && cat \"" + play
                                     + ".wasm\" > \"" + play + ".js\"");
+        step("loop/06_reflection_yours.o", in_build + "cp \"" + tree.root.string() + "/exercises/06_reflection.cpp\" \""
+                                               + tree.build.string() + "/loop/06_reflection_yours.o\"");
         write("compdb", database.dump());
         write("commands", commands);
     }
-    /// Brings the student's up to date.
-    Finished build() const {
+    template <class Do> auto with_ninja(Do what) const {
         const OnlyPath path{instead_of("ninja", "case \"$4\" in compdb|commands) cat '" + tree.root.string()
                                                     + "'/\"$4\" ;; *) exit 1 ;; esac")
                                 .substr(5)};
-        return build_target(tree, "07_wall_meeting_play_mine");
+        return what();
+    }
+    /// Brings the student's up to date.
+    Finished build() const {
+        return with_ninja([&] { return build_target(tree, "07_wall_meeting_play_mine"); });
     }
     int runs() const {
         const std::string lines = fs::exists(tree.home / "runs") ? read_own("runs") : "";
@@ -121,6 +127,35 @@ TEST_CASE("what's built of a student's file is built again only when the file ha
     fs::last_write_time(lab.tree.build / ".ninja_log", fs::file_time_type::clock::now());
     REQUIRE(lab.build().code == 0);
     CHECK(lab.runs() == 3);
+}
+
+TEST_CASE("in a handout for many, a later section is judged on what this student wrote for an earlier one") {
+    const BuiltLab lab;
+    const std::string build = lab.tree.build.string() + '/';
+    for (const char *file : {"server.o", "missing.o", "tests/07_wall_meeting"})
+        lab.write(lab.tree.build / file, "built");
+    const nlohmann::json compiler{{"compiler", "c++"}, {"flags", nlohmann::json::array()}, {"precompiled", {"x"}}};
+    nlohmann::json course = compiler;
+    course.update({{"nm", "nm"}, {"node", "node"}, {"link", {"-x"}}, {"includes", {"/usr/include"}}});
+    course["sections"] = {{{"name", "07_wall_meeting"},
+                           {"server", build + "server.o"},
+                           {"missing", build + "missing.o"},
+                           {"ours", ""},
+                           {"earlier", {build + "loop/06_reflection_yours.o"}}}};
+    lab.write(lab.tree.build / "course.json", course.dump());
+    const Toolbox tools = toolbox(lab.tree, lab.seven());
+    const fs::path object = lab.tree.work() / "loop/06_reflection_yours.o";
+    REQUIRE(tools.earlier == std::vector{object.string()});
+    for (const char *text : {"// what I wrote\n", "// what I wrote then\n"}) {
+        write_file(lab.tree.home / "exercises/06_reflection.cpp", text);
+        lab.with_ninja([&] {
+            bring_up_to_date(lab.tree, lab.seven(), tools);
+            return 0;
+        });
+        CHECK(read_file(object) == text);
+    }
+    fs::remove(lab.tree.build / "server.o");
+    CHECK_THROWS_AS(bring_up_to_date(lab.tree, lab.seven(), tools), MachineTrouble);
 }
 
 TEST_CASE("there's room for what's built of one section, and its traces and figures stay") {
