@@ -218,7 +218,7 @@ TEST_CASE("a fold says whether it holds a hint or our solution") {
                ContainsSubstring("<details><summary>How"));
 }
 
-TEST_CASE("the box of an exercise and the remark on the printed book are no quotations; others are") {
+TEST_CASE("the box of an exercise is no quotation; others are") {
     const SmallBook book;
     CHECK_THAT(book.page("> ### Your turn: 7.1 `f` (5 minutes)\n>\n> Write $x$.\n"),
                ContainsSubstring("<article class=\"turn\" id=\"exercise-7.1\" data-exercise=\"7.1\">\n<h3 "
@@ -227,9 +227,6 @@ TEST_CASE("the box of an exercise and the remark on the printed book are no quot
                ContainsSubstring("id=\"exercise-7.1-2\" data-exercise=\"7.1\""));
     CHECK_THAT(book.page("> ### Your turn\n>\n> Write $x$.\n"),
                ContainsSubstring("<p>Write " + formula_x(5) + ".</p>\n</article>"));
-    CHECK_THAT(book.page("> **In print, and in truth.** $x$\n"),
-               ContainsSubstring("<aside class=\"remark\" role=\"note\">\n<p><strong>In print, and in truth.</strong> "
-                                 + formula_x(3) + "</p>\n</aside>"));
     CHECK_THAT(book.page("> ### My turn\n"), ContainsSubstring("<blockquote>\n<h3"));
     CHECK_THAT(book.page("> In print.\n"), ContainsSubstring("<blockquote>\n<p>In print.</p>"));
 }

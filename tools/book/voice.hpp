@@ -1,6 +1,5 @@
 #pragma once
-// How a chapter sounds, in numbers, if a line `<!-- voice -->` of it says that it's written in the course's voice. What
-// is meant is in CONTRIBUTING.md; a number only catches habits.
+// How a chapter sounds, in numbers. What is meant is in CONTRIBUTING.md; a number only catches habits.
 
 #include "book/finding.hpp"
 

@@ -133,18 +133,16 @@ class PageWriter {
         replace(node, block);
     }
 
-    /// A quotation, or what a chapter writes as one: the box of an exercise, and a remark on the printed book.
+    /// A quotation, or what a chapter writes as one: the box of an exercise.
     void quote(cmark_node *node) {
         cmark_node *first = cmark_node_first_child(node);
-        const bool heading = first && cmark_node_get_type(first) == CMARK_NODE_HEADING;
-        const bool turn = heading && words_of(first).starts_with("Your turn");
+        const bool turn = first && cmark_node_get_type(first) == CMARK_NODE_HEADING
+                          && words_of(first).starts_with("Your turn");
         const std::string exercise = turn ? exercise_of_box(words_of(first)) : "";
         if (!exercise.empty()) last_box = exercise;
-        const bool remark = first && !heading && words_of(first).starts_with("In print, and in truth.");
         blocks(node);
-        if (!turn && !remark) return;
-        cmark_node *box = turn ? raw_block(box_of(exercise), "</article>")
-                               : raw_block("<aside class=\"remark\" role=\"note\">", "</aside>");
+        if (!turn) return;
+        cmark_node *box = raw_block(box_of(exercise), "</article>");
         move_children(node, box);
         replace(node, box);
     }
