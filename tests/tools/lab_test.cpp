@@ -31,6 +31,7 @@ struct BuiltLab : Lab {
         settle_in(tree);
         write("build/default/.ninja_log", "");
         write("build/default/page.o", "page ");
+        write("build/default/server.o", "built");
         write("build/default/play/07_mine.o.broken", "ours ");
         const std::string in_build = "cd '" + tree.build.string() + "' && ",
                           play = tree.build.string() + "/play/07_mine",
@@ -44,6 +45,7 @@ struct BuiltLab : Lab {
                                     + ".wasm\" > \"" + play + ".js\"");
         step("loop/06_reflection_yours.o", in_build + "cp \"" + tree.root.string() + "/exercises/06_reflection.cpp\" \""
                                                + tree.build.string() + "/loop/06_reflection_yours.o\"");
+        step("tests/07_wall_meeting", ": && cat loop/06_reflection_yours.o server.o > tests/07_wall_meeting && :");
         write("compdb", database.dump());
         write("commands", commands);
     }
@@ -132,7 +134,7 @@ TEST_CASE("what's built of a student's file is built again only when the file ha
 TEST_CASE("in a handout for many, a later section is judged on what this student wrote for an earlier one") {
     const BuiltLab lab;
     const std::string build = lab.tree.build.string() + '/';
-    for (const char *file : {"server.o", "missing.o", "tests/07_wall_meeting"})
+    for (const char *file : {"missing.o", "tests/07_wall_meeting"})
         lab.write(lab.tree.build / file, "built");
     const nlohmann::json compiler{{"compiler", "c++"}, {"flags", nlohmann::json::array()}, {"precompiled", {"x"}}};
     nlohmann::json course = compiler;
@@ -153,6 +155,7 @@ TEST_CASE("in a handout for many, a later section is judged on what this student
             return 0;
         });
         CHECK(read_file(object) == text);
+        CHECK(read_file(lab.tree.test_program(lab.seven())) == text + std::string{"built"});
     }
     fs::remove(lab.tree.build / "server.o");
     CHECK_THROWS_AS(bring_up_to_date(lab.tree, lab.seven(), tools), MachineTrouble);
@@ -160,7 +163,8 @@ TEST_CASE("in a handout for many, a later section is judged on what this student
 
 TEST_CASE("there's room for what's built of one section, and its traces and figures stay") {
     const BuiltLab lab;
-    const std::vector<std::string> others{"play/06_mine.js", "mine/06_reflection", "CMakeFiles/06_mine.dir/a.o"},
+    const std::vector<std::string> others{"play/06_mine.js", "mine/06_reflection", "tests/06_reflection",
+                                          "CMakeFiles/06_mine.dir/a.o"},
         kept{"mine/traces/06_reflection/a.tsv", "plots/mine/06_a.svg", "loop/06_reflection_yours.o"};
     for (const auto &files : {others, kept})
         for (const std::string &file : files) write_file(lab.tree.work() / file, "");

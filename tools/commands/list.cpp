@@ -13,11 +13,12 @@
 namespace course {
 namespace {
 
-/// The chapter's first line without its mark, "7 Segment intersection".
+/// The chapter's first line without its mark, "7 Nothing gets through:", or "9 Where's the hand?".
 std::string title(const Tree &tree, const Section &section) {
     const std::string chapter = read_file(tree.chapter(section)),
                       line = chapter.substr(0, chapter.find_first_of("\r\n"));
-    return line.starts_with("# ") ? line.substr(2) : section.name;
+    const std::string words = line.starts_with("# ") ? line.substr(2) : section.name;
+    return words.ends_with('?') ? words : words + ':';
 }
 
 Colour colour(const std::string &state) {
@@ -26,7 +27,7 @@ Colour colour(const std::string &state) {
 }
 
 void print(const Tree &tree, const Section &section, const Progress &progress) {
-    std::cout << painted(Colour::bold, title(tree, section)) << ": " << progress.passed() << " of "
+    std::cout << painted(Colour::bold, title(tree, section)) << ' ' << progress.passed() << " of "
               << progress.standings.size() << " passed\n";
     std::size_t longest = 0;
     for (const Standing &s : progress.standings) longest = std::max(longest, s.exercise.function.size());
@@ -66,7 +67,7 @@ void list(const Tree &tree) {
     std::string next;
     for (const Section &section : tree.sections()) {
         if (!is_built(tree, section)) {
-            std::cout << painted(Colour::bold, title(tree, section)) << ": not built yet\n\n";
+            std::cout << painted(Colour::bold, title(tree, section)) << " not built yet\n\n";
             if (next.empty()) next = "./course, which builds it";
             continue;
         }

@@ -103,12 +103,12 @@ void remove_what_nobody_reads(const Tree &tree) {
 
 /// There's room for what's made of one section at a time: another's is made anew when it's asked for.
 void make_room(const Tree &tree, const std::string &target) {
-    const std::string number = target.substr(0, target.find('_'));
-    for (const char *folder : {"play", "mine", "CMakeFiles"}) {
+    const std::string name = fs::path{target}.filename().string(), number = name.substr(0, name.find('_'));
+    for (const char *folder : {"play", "mine", "tests", "CMakeFiles"}) {
         std::error_code not_there;
         for (const auto &each : fs::directory_iterator{tree.work() / folder, not_there}) {
-            const std::string name = each.path().filename().string();
-            if (is_digit(name[0]) && !name.starts_with(number)) fs::remove_all(each.path());
+            const std::string its = each.path().filename().string();
+            if (is_digit(its[0]) && !its.starts_with(number)) fs::remove_all(each.path());
         }
     }
 }

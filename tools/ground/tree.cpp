@@ -110,6 +110,10 @@ std::string Tree::shown(const fs::path &file) const {
     return plain_line(shortest.generic_string(), 4096); // PATH_MAX: it's never cut
 }
 
+fs::path Tree::test_program(const Section &s) const {
+    return is_shared() && fs::exists(own_test_program(s)) ? own_test_program(s) : build / "tests" / s.name;
+}
+
 bool Tree::has_solution(const Section &s) const { return fs::exists(solution(s)) || !fs::exists(root / handout_mark); }
 
 void Tree::require_solution(const Section &s, const std::string &instead) const {

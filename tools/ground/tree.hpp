@@ -74,7 +74,9 @@ struct Tree {
     /// Whether this edition of the course has our answers to a section, right and wrong.
     bool has_answers(const Section &s) const;
     std::filesystem::path tests(const Section &s) const { return root / "tests" / (s.name + ".cpp"); }
-    std::filesystem::path test_program(const Section &s) const { return build / "tests" / s.name; } ///< the built one
+    std::filesystem::path test_program(const Section &s) const; ///< the built one
+    /// In a handout for many, the one that's linked with a student's earlier files.
+    std::filesystem::path own_test_program(const Section &s) const { return work() / "tests" / s.name; }
     std::filesystem::path catalogue(const Section &s) const { return build / "catalogue" / (s.name + ".json"); }
     /// What was called otherwise in earlier versions of the section; it need not exist.
     std::filesystem::path renamed(const Section &s) const { return root / "chapters" / s.name / "renamed.txt"; }

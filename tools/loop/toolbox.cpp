@@ -26,18 +26,21 @@ namespace {
 /// How an object's name ends that's made of a student's file, as those of earlier sections are in a handout.
 constexpr std::string_view yours = "_yours.o";
 
-/// In a handout for many: what this student has written for earlier sections.
-void bring_up_earlier(const Tree &tree, const Toolbox &tools) {
+/// In a handout for many: what this student has written for earlier sections, also in the tests, which may call it.
+void bring_up_earlier(const Tree &tree, const Section &section, const Toolbox &tools) {
+    const fs::path program = tree.own_test_program(section);
+    std::error_code not_there;
+    const auto made = fs::last_write_time(program, not_there);
+    bool is_old = false;
     for (const fs::path object : tools.earlier) {
         const std::string name = object.filename().string();
         if (!name.ends_with(yours)) continue;
         const fs::path file = tree.written_exercise({name.substr(0, name.size() - yours.size())});
-        std::error_code not_there;
-        if (const auto made = fs::last_write_time(object, not_there); !not_there && made > fs::last_write_time(file))
-            continue;
-        const Lock lock{tree};
-        build_target(tree, object.lexically_relative(tree.work()).string());
+        is_old = is_old || not_there || made < fs::last_write_time(file);
     }
+    if (!is_old) return;
+    const Lock lock{tree};
+    build_target(tree, program.lexically_relative(tree.work()).string());
 }
 
 } // namespace
@@ -138,7 +141,7 @@ Places places_of(const Toolbox &tools, const fs::path &work) {
 void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &tools) {
     const auto is_cut = [](const fs::path &file) { return fs::exists(file) && fs::is_empty(file); };
     const auto is_whole = [&](const fs::path &file) { return fs::exists(file) && !is_cut(file); };
-    if (tree.is_shared()) bring_up_earlier(tree, tools);
+    if (tree.is_shared()) bring_up_earlier(tree, section, tools);
     auto files = made_for(tools);
     files.insert(files.end(), {tree.test_program(section), tree.catalogue(section)});
     const bool all_there = std::ranges::all_of(files, is_whole);
