@@ -134,8 +134,7 @@ TEST_CASE("what's built of a student's file is built again only when the file ha
 TEST_CASE("in a handout for many, a later section is judged on what this student wrote for an earlier one") {
     const BuiltLab lab;
     const std::string build = lab.tree.build.string() + '/';
-    for (const char *file : {"missing.o", "tests/07_wall_meeting"})
-        lab.write(lab.tree.build / file, "built");
+    for (const char *file : {"missing.o", "tests/07_wall_meeting"}) lab.write(lab.tree.build / file, "built");
     const nlohmann::json compiler{{"compiler", "c++"}, {"flags", nlohmann::json::array()}, {"precompiled", {"x"}}};
     nlohmann::json course = compiler;
     course.update({{"nm", "nm"}, {"node", "node"}, {"link", {"-x"}}, {"includes", {"/usr/include"}}});

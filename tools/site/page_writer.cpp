@@ -136,8 +136,8 @@ class PageWriter {
     /// A quotation, or what a chapter writes as one: the box of an exercise.
     void quote(cmark_node *node) {
         cmark_node *first = cmark_node_first_child(node);
-        const bool turn = first && cmark_node_get_type(first) == CMARK_NODE_HEADING
-                          && words_of(first).starts_with("Your turn");
+        const bool turn =
+            first && cmark_node_get_type(first) == CMARK_NODE_HEADING && words_of(first).starts_with("Your turn");
         const std::string exercise = turn ? exercise_of_box(words_of(first)) : "";
         if (!exercise.empty()) last_box = exercise;
         blocks(node);
