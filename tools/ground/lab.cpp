@@ -77,23 +77,6 @@ std::string with(const Swaps &swaps, const std::string &command) {
     return result;
 }
 
-/// When what a step reads of the student's has last changed, or the course.
-fs::file_time_type newest_input(const Tree &tree, const Step &step, const std::vector<fs::path> &made_before) {
-    auto date = fs::last_write_time(tree.build / ".ninja_log");
-    const auto look = [&](const fs::path &name, const fs::path &file) {
-        if (contains(step.command, name.string())) date = std::max(date, fs::last_write_time(file));
-    };
-    for (const fs::path &file : files_in(tree.home / "exercises")) look(fs::path{"exercises"} / file.filename(), file);
-    for (const fs::path &output : made_before) look(output, tree.work() / output);
-    return date;
-}
-
-bool is_newer(const fs::path &file, fs::file_time_type date) {
-    std::error_code not_there;
-    const auto its = fs::last_write_time(file, not_there);
-    return !not_there && its > date;
-}
-
 /// Notes of what was included, and what scripts were packed from.
 void remove_what_nobody_reads(const Tree &tree) {
     fs::remove_all(tree.work() / notes);
@@ -113,6 +96,69 @@ void make_room(const Tree &tree, const std::string &target) {
     }
 }
 
+/// Goes through the steps to a target, and takes for the student those that read the student's files, or what has been
+/// made of them.
+class Apart {
+  public:
+    explicit Apart(const Tree &tree_) : tree{tree_} {}
+
+    /// @return how it ended; well, if there was nothing to do
+    Finished take(const Step &step) {
+        if (with(swaps, step.command) == step.command) return pass(step);
+        if (!missing.empty())
+            throw MachineTrouble{"this course isn't built as a whole: " + missing
+                                 + " isn't there. Let whoever it belongs to type cmake --build " + tree.build.string()
+                                 + " --target lab"};
+        const fs::path output{step.output}; // of a script, also what it's packed from
+        const fs::path made = output.extension() == ".js" ? fs::path{output}.replace_extension() : output;
+        add(swaps, tree, made, work / made);
+        const bool is_old = older(tree.work() / output, newest_input(step));
+        made_before.push_back(output);
+        return is_old ? run_apart(step.command, made.parent_path()) : Finished{};
+    }
+
+  private:
+    Finished pass(const Step &step) {
+        add(swaps, tree, step.output); // its name may begin with that of a student's
+        if (!fs::exists(tree.build / step.output)) missing = step.output;
+        return {};
+    }
+
+    /// In a shell that splits no words, so that the student's folder may have blanks in its name.
+    Finished run_apart(const std::string &command, const fs::path &folder) const {
+        for (const fs::path &each : {folder, fs::path{notes}}) fs::create_directories(tree.work() / each);
+        Swaps all = swaps;
+        add(all, tree, notes, work / notes);
+        return run(
+            {"sh", "-c", "set -f; IFS=; export COURSE_HOME=\"$1\"; " + with(all, command), "sh", tree.home.string()},
+            {.folder = tree.build});
+    }
+
+    /// When what a step reads of the student's has last changed, or the course.
+    fs::file_time_type newest_input(const Step &step) const {
+        auto date = fs::last_write_time(tree.build / ".ninja_log");
+        const auto look = [&](const fs::path &name, const fs::path &file) {
+            if (contains(step.command, name.string())) date = std::max(date, fs::last_write_time(file));
+        };
+        for (const fs::path &file : files_in(tree.home / "exercises"))
+            look(fs::path{"exercises"} / file.filename(), file);
+        for (const fs::path &output : made_before) look(output, tree.work() / output);
+        return date;
+    }
+
+    static bool older(const fs::path &file, fs::file_time_type date) {
+        std::error_code not_there;
+        const auto its = fs::last_write_time(file, not_there);
+        return not_there || its <= date;
+    }
+
+    const Tree &tree;
+    const fs::path home{"$COURSE_HOME"}, work = home / tree.work().lexically_relative(tree.home);
+    Swaps swaps{{(tree.root / "exercises" / "").string(), (home / "exercises" / "").string()}};
+    std::vector<fs::path> made_before;
+    std::string missing; ///< what the course should have made
+};
+
 } // namespace
 
 bool settle_in(const Tree &tree) {
@@ -125,37 +171,10 @@ bool settle_in(const Tree &tree) {
 
 Finished build_apart(const Tree &tree, const std::string &target) {
     make_room(tree, target);
-    // In a shell that splits no words, so that the student's folder may have blanks in its name.
-    const fs::path home{"$COURSE_HOME"}, work = home / tree.work().lexically_relative(tree.home);
-    const std::string shell = "set -f; IFS=; export COURSE_HOME=\"$1\"; ";
-    Swaps swaps{{(tree.root / "exercises" / "").string(), (home / "exercises" / "").string()}};
-    std::vector<fs::path> made_before;
-    std::string missing;
+    Apart apart{tree};
     Finished done;
-    for (const Step &step : steps_to(tree, target)) {
-        const std::string apart = with(swaps, step.command);
-        if (apart == step.command) {
-            add(swaps, tree, step.output); // its name may be a student's, and longer
-            if (!fs::exists(tree.build / step.output)) missing = step.output;
-            continue;
-        }
-        if (!missing.empty())
-            throw MachineTrouble{"this course isn't built as a whole: " + missing
-                                 + " isn't there. Let whoever it belongs to type cmake --build " + tree.build.string()
-                                 + " --target lab"};
-        const fs::path output{step.output},
-            made = output.extension() == ".js" ? fs::path{output}.replace_extension() : output;
-        add(swaps, tree, made, work / made); // of a script, also what it's made from
-        for (const fs::path &folder : {made.parent_path(), fs::path{notes}})
-            fs::create_directories(tree.work() / folder);
-        Swaps all = swaps;
-        add(all, tree, notes, work / notes);
-        const bool is_fresh = is_newer(tree.work() / output, newest_input(tree, step, made_before));
-        made_before.push_back(output);
-        if (is_fresh) continue;
-        done = run({"sh", "-c", shell + with(all, step.command), "sh", tree.home.string()}, {.folder = tree.build});
-        if (done.code != 0) break;
-    }
+    for (const Step &step : steps_to(tree, target))
+        if (done = apart.take(step); done.code != 0) break;
     remove_what_nobody_reads(tree);
     return done;
 }
