@@ -121,6 +121,7 @@ TEST_CASE("what's built of a student's file is built again only when the file ha
     const BuiltLab lab;
     REQUIRE(lab.build().code == 0);
     REQUIRE(lab.build().code == 0);
+    REQUIRE(lab.with_ninja([&] { return build_target(lab.tree, "site"); }).code == 0); // which `play` brings up first
     CHECK(lab.runs() == 1);
     write_file(lab.tree.home / "exercises/07_wall_meeting.cpp", "mine now ");
     REQUIRE(lab.build().code == 0);

@@ -87,6 +87,7 @@ void remove_what_nobody_reads(const Tree &tree) {
 /// There's room for what's made of one section at a time: another's is made anew when it's asked for.
 void make_room(const Tree &tree, const std::string &target) {
     const std::string name = fs::path{target}.filename().string(), number = name.substr(0, name.find('_'));
+    if (!is_all_digits(number)) return; // of the whole course, as the site is
     for (const char *folder : {"play", "mine", "tests", "CMakeFiles"}) {
         std::error_code not_there;
         for (const auto &each : fs::directory_iterator{tree.work() / folder, not_there}) {
