@@ -73,7 +73,7 @@ Vec2 bounce(const Vec2 &velocity, const Vec2 &normal, const Surface &surface);
 Vec2 bounce_in_rotated_box(const Ball &ball, const Box &box, double angle);
 
 //> A bank shot
-/// What direction to push a ball in, so that its centre gets to `target` over the cushions, without friction: a vector of
+/// What direction to push a ball in, so that its centre gets to `target` off the cushions, without friction: a vector of
 /// length 1 that points from the ball to a mirror image of the target. The ball's velocity doesn't matter.
 /// @param target  where the ball's centre should get to [m]
 /// @param across  how many tables the image is to the right (negative: to the left), from -100 to 100
