@@ -152,8 +152,9 @@ void print_other_tests(const GradedClass &graded) {
         if (const auto &began = student.began_with)
             all.push_back(student.submission.id + " (" + began->digits + ", version " + began->version + ')');
     if (!all.empty())
-        std::cout << "Began with the file of other tests than these, " << graded.tests_hash.substr(0, 12)
-                  << ", and may have updated since (" << all.size() << "): " << listed(all) << '\n';
+        std::cout << "Began with the file of other tests than these, "
+                  << which_tests(graded.tests_hash, graded.version).digits << ", and may have updated since ("
+                  << all.size() << "): " << listed(all) << '\n';
 }
 
 void print_changes(const std::vector<Change> &changes) {

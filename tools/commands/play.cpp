@@ -142,9 +142,8 @@ std::vector<fs::file_time_type> dates(const std::vector<fs::path> &files) {
     return all;
 }
 
-/// Compiles again at each save, until Ctrl-C.
-/// @param renew  what else is to be done then
-void watch(const Tree &tree, const Section &section, const std::function<void()> &renew) {
+/// Builds again at each save, until Ctrl-C.
+void watch(const Tree &tree, const Section &section, const std::function<bool()> &build) {
     std::cout << "Save your file, and " << (tree.is_shared() ? "reload the page" : "the page takes it up")
               << ". Ctrl-C ends this.\n"
               << std::flush;
@@ -154,7 +153,7 @@ void watch(const Tree &tree, const Section &section, const std::function<void()>
         const auto now = dates(files);
         if (now == seen || now.size() < files.size()) continue; // an editor may be between two versions of a file
         seen = now;
-        if (build_own(tree, section)) renew();
+        build();
     }
 }
 
@@ -249,22 +248,19 @@ void play(const Tree &tree, const PlayOptions &options) {
                         + " is not started, so there is nothing of yours to share yet"};
     if (options.mine) need_compiler(tree, options.yes);
     bring_up_site(tree);
-    bool fine = true;
-    if (options.mine) {
-        if (!tree.is_shared()) copy_own_site(tree);
-        fine = build_own(tree, *section);
-    }
-    if (fine && !options.share.empty()) return share(tree, *demo, place.mark, options.share);
-    fs::path opened = (options.mine ? own_site_folder(tree) : site_folder(tree)) / page;
-    std::function<void()> renew = [] {};
     const bool apart = options.mine && tree.is_shared(); // where there's no room for a copy of the site
-    if (apart) {
-        opened = tree.work() / "play" / (section->name + "_mine.html");
-        renew = [&] { write_page(tree, *demo, place.mark, opened); };
-    }
-    if (fine) renew();
+    const fs::path opened = apart ? tree.work() / "play" / (section->name + "_mine.html")
+                                  : (options.mine ? own_site_folder(tree) : site_folder(tree)) / page;
+    const auto build = [&] {
+        const bool compiled = build_own(tree, *section);
+        if (compiled && apart) write_page(tree, *demo, place.mark, opened);
+        return compiled;
+    };
+    if (options.mine && !apart) copy_own_site(tree);
+    const bool fine = !options.mine || build();
+    if (fine && !options.share.empty()) return share(tree, *demo, place.mark, options.share);
     if (fine || !apart) open_page(opened);
-    if (options.watch) watch(tree, *section, renew);
+    if (options.watch) watch(tree, *section, build);
     if (!fine) throw Leave{something_to};
 }
 

@@ -37,7 +37,7 @@ std::vector<std::string> program_command(const std::filesystem::path &program, c
                                          const std::filesystem::path &traces);
 
 /// Builds the program where its sources are newer and runs it, or one part of it; the student's is shut in, with limits,
-/// and for at most `deadline` [s]: it may write its traces, and nothing else.
+/// and for at most `deadline` [s] of computing: it may write its traces, and nothing else.
 /// What a student's file does (not compile, hang, crash, stop early) is told in `trouble`. The caller holds the Lock.
 /// @throws Complaint if there is no such part, if the exercise is not there, if a folder cannot be written, or if cmake
 /// is missing.

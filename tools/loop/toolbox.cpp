@@ -28,19 +28,16 @@ constexpr std::string_view yours = "_yours.o";
 
 /// In a handout for many: what this student has written for earlier sections, also in the tests, which may call it.
 void bring_up_earlier(const Tree &tree, const Section &section, const Toolbox &tools) {
-    const fs::path program = tree.own_test_program(section);
-    std::error_code not_there;
-    const auto made = fs::last_write_time(program, not_there);
-    bool is_old = false;
+    bool any = false;
     for (const fs::path object : tools.earlier) {
         const std::string name = object.filename().string();
         if (!name.ends_with(yours)) continue;
-        const fs::path file = tree.written_exercise({name.substr(0, name.size() - yours.size())});
-        is_old = is_old || not_there || made < fs::last_write_time(file);
+        tree.written_exercise({name.substr(0, name.size() - yours.size())}); // is there
+        any = true;
     }
-    if (!is_old) return;
+    if (!any) return;
     const Lock lock{tree};
-    build_target(tree, program.lexically_relative(tree.work()).string());
+    build_target(tree, tree.own_test_program(section).lexically_relative(tree.work()).string());
 }
 
 } // namespace
@@ -145,12 +142,14 @@ void bring_up_to_date(const Tree &tree, const Section &section, const Toolbox &t
     auto files = made_for(tools);
     files.insert(files.end(), {tree.test_program(section), tree.catalogue(section)});
     const bool all_there = std::ranges::all_of(files, is_whole);
-    if (tree.is_shared() && !all_there)
+    if (tree.is_shared()) {
+        if (all_there) return;
         throw MachineTrouble{"this course isn't built as a whole: whoever it belongs to has to type ./course once"};
+    }
     const fs::path stamp = tree.build / "loop" / (section.name + ".checked");
     std::error_code never;
     const auto checked = fs::last_write_time(stamp, never);
-    if (all_there && (tree.is_shared() || (!never && checked >= newest(tree, section)))) return;
+    if (all_there && !never && checked >= newest(tree, section)) return;
     const Lock lock{tree};
     for (const fs::path &file : files)
         if (is_cut(file)) fs::remove(file); // or it would be newer than what it is made from
