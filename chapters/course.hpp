@@ -2,6 +2,24 @@
 // What every section shares, and every student's file compiles: keep it small.
 
 #include <Eigen/Core>
+
+// A formula of vectors, as in `const auto there = start + t * fall();`, is worked out where it's used. Eigen keeps references
+// in it to what it's made of, and the vector of fall() is gone by then. So these make it keep copies, of matrices, too.
+namespace Eigen::internal { // before Geometry, which has formulas of its own
+
+template <class T, int Rows, int Columns>
+requires(Rows > 0 && Columns > 0) struct ref_selector<const Matrix<T, Rows, Columns>> {
+    using type = const Matrix<T, Rows, Columns>;
+    using non_const_type = type;
+};
+template <class T, int Rows, int Columns>
+requires(Rows > 0 && Columns > 0) struct ref_selector<Matrix<T, Rows, Columns>> {
+    using type = const Matrix<T, Rows, Columns>;
+    using non_const_type = Matrix<T, Rows, Columns> &; // `matrix.col(0) = v` writes into the original
+};
+
+} // namespace Eigen::internal
+
 #include <Eigen/Geometry>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 # Peers: solutions compared with code that others wrote for the same job, in preset `peers`; nothing else needs them.
 #
-# tests/peers/NN_slug.cpp begins with what it needs, a line for each, `// needs CGAL CGAL::CGAL libcgal-dev`: a package
-# for find_package, its target, and Debian's package. tests/peers/NN_slug.txt keeps the largest differences: see tests/peers/peer.hpp.
+# tests/NN_slug/peer.cpp begins with what it needs, a line for each, `// needs CGAL CGAL::CGAL libcgal-dev`: a package
+# for find_package, its target, and Debian's package. peer.txt beside it keeps the largest differences: see tests/peers/peer.hpp.
 option(COURSE_PEERS "Compare solutions with code that others wrote: see tests/peers" OFF)
 if(NOT COURSE_PEERS)
   return()
@@ -10,12 +10,13 @@ endif()
 add_custom_target(peers)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE) # our flags are cmake/Flags.cmake's
 set(packages)
-file(GLOB peers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} tests/peers/*.cpp)
+file(GLOB peers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} tests/*/peer.cpp)
 foreach(peer ${peers})
-  cmake_path(GET peer STEM section)
+  cmake_path(GET peer PARENT_PATH section)
+  cmake_path(GET section FILENAME section)
   file(STRINGS ${peer} needs REGEX "^// needs [^ ]+ [^ ]+ [^ ]+$")
-  if(NOT section IN_LIST COURSE_SECTIONS OR NOT needs)
-    message(FATAL_ERROR "${peer} must be named as a section is, and begin with `// needs PACKAGE TARGET DEBIAN_PACKAGE`")
+  if(NOT needs)
+    message(FATAL_ERROR "${peer} must begin with `// needs PACKAGE TARGET DEBIAN_PACKAGE`")
   endif()
   set(targets)
   foreach(need ${needs})
@@ -47,7 +48,7 @@ foreach(peer ${peers})
   target_include_directories(${section}_peer PRIVATE ${PROJECT_SOURCE_DIR}/chapters/${section})
   set_target_properties(${section}_peer PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/peers)
   add_dependencies(peers ${section}_peer)
-  add_test(NAME ${section}.peer COMMAND ${section}_peer ${PROJECT_SOURCE_DIR}/tests/peers/${section}.txt)
+  add_test(NAME ${section}.peer COMMAND ${section}_peer ${PROJECT_SOURCE_DIR}/tests/${section}/peer.txt)
 endforeach()
 if(packages)
   list(REMOVE_DUPLICATES packages)

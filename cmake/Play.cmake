@@ -1,7 +1,7 @@
 # Demos: chapters/NN_slug/demo.cpp, where a section has one.
 #
 #   demo/NN_slug        the demo without a page: a program that its test plays by a script, in every build
-#   play/NN_slug.js     the demo for the site, as WebAssembly: target demos; `./course publish` keeps it in demos/
+#   play/NN_slug.js     the demo for the site, as WebAssembly: target demos; `./course dev publish` keeps it in demos/
 #   play/NN_slug_mine.js   the same with the student's file: target NN_slug_play_mine
 #   play/NN_slug_bug.js    the same with exercises/NN_bug.cpp: target NN_slug_play_bug
 #
@@ -55,7 +55,7 @@ endfunction()
 # earlier_headers(RESULT section): what is read before a file of this section, the headers that it builds on. Their functions
 # are linked with ours, or called through the page.
 function(earlier_headers result section)
-  set(flags -I${host})
+  set(flags -I${host} -I${PROJECT_SOURCE_DIR}/tools)
   if(section_PLAYS_YOURS)
     list(APPEND flags -include calls.hpp)
   endif()
@@ -115,22 +115,34 @@ endmacro()
 
 # The demo without a page, on our functions, and what plays it.
 macro(section_script)
-  add_executable(${section}_demo tools/play/host/script.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
+  add_executable(${section}_demo tools/play/host/script.cpp tools/play/host/checked.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
   stand_behind_student_header(${section}_demo course_flags)
-  target_compile_definitions(${section}_demo PRIVATE DEMO="${section}/demo.cpp")
+  target_compile_definitions(${section}_demo PRIVATE DEMO="${section}/demo.cpp" COURSE_SECTION="${slug}.hpp")
+  target_include_directories(${section}_demo PRIVATE tools)
   set_target_properties(${section}_demo PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/demo)
   add_dependencies(demo-tests ${section}_demo)
   add_dependencies(${section}_checks ${section}_demo)
   set(tests ${section}.demo)
   add_test(NAME ${section}.demo COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/play/script.mjs $<TARGET_FILE:${section}_demo>
     ${PROJECT_SOURCE_DIR}/demos/${section}.js)
-  file(GLOB tasks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section_number}_*.mjs) # what a place asks can be done
+  file(GLOB tasks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${section}/*.mjs) # what a place asks can be done
   foreach(task ${tasks})
     cmake_path(GET task STEM stem)
     add_test(NAME ${section}.demo.${stem} COMMAND ${NODE} ${task} $<TARGET_FILE:${section}_demo>)
     list(APPEND tests ${section}.demo.${stem})
   endforeach()
+  add_test(NAME ${section}.demo.wild COMMAND ${section}_demo --wild 600)
+  list(APPEND tests ${section}.demo.wild)
   set_tests_properties(${tests} PROPERTIES LABELS slow)
+  if(COURSE_THOROUGH) # ten minutes of each game under that hand, and 33 hours alone; or one, where balls are many
+    set(alone 1188000)
+    if(section STREQUAL 08_nt_collisions)
+      set(alone 36000)
+    endif()
+    add_test(NAME ${section}.demo.wild_for_long COMMAND ${section}_demo --wild 36000)
+    add_test(NAME ${section}.demo.alone COMMAND ${section}_demo --alone ${alone})
+    set_tests_properties(${section}.demo.wild_for_long ${section}.demo.alone PROPERTIES LABELS wild TIMEOUT 3600)
+  endif()
 endmacro()
 
 macro(section_wasm)
@@ -200,7 +212,7 @@ endmacro()
 # section_bugs(one to): ${bugs}, the object ${to}.o with those wrong answers of a section that its demo can play.
 function(section_bugs one to)
   set(bugs "" PARENT_SCOPE)
-  set(wrong ${PROJECT_SOURCE_DIR}/tests/wrong/${one}.diff)
+  set(wrong ${PROJECT_SOURCE_DIR}/tests/${one}/mutants.diff)
   if(NOT EXISTS ${wrong})
     return()
   endif()

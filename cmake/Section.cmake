@@ -2,7 +2,7 @@
 #
 #   chapters/NN_slug   the program, with the reference        debug/NN_slug     tests and exercise in one process
 #   mine/NN_slug       the same with the student's file       catalogue/NN_slug.json   the list of its exercises
-#   tests/NN_slug      the tests, which ask for a subject     subjects/NN_slug/…       solution, stub, wrong and right answers
+#   tests/NN_slug      the tests, which ask for a subject     subjects/NN_slug/…       solution, stub, mutants and variants
 #   traces/NN_slug/…   what the program has traced            plots/NN_slug_….svg      its figures
 #
 # section(08_nt_collisions BUILDS_ON 07_segment_intersection): its header may include that of section 07, and all code of
@@ -13,26 +13,26 @@
 # A handout, the edition without solutions, makes of a section what can be made without them: its tests, its stub and the
 # student's program. There the functions of earlier sections are the student's own.
 
-option(COURSE_THOROUGH "Judge tests/wrong, and solutions by all generated cases: neither depends on the compiler, so once is enough. OFF, for sanitizers, runs the tests with the solution in one process, too" ON)
+option(COURSE_THOROUGH "Judge mutants, and solutions by all generated cases: neither depends on the compiler, so once is enough. OFF, for sanitizers, runs the tests with the solution in one process, too" ON)
 set(COURSE_SECTIONS "" CACHE INTERNAL "")
 add_custom_target(programs)
 add_custom_target(section-tests)
 add_custom_target(checks)   # what `./course test` needs: all of the sections, and every kind of verdict
-add_custom_target(thorough) # what its tests with that label need: every wrong and right answer, every generated case
+add_custom_target(thorough) # what its tests with that label need: every mutant and variant, every generated case
 add_custom_target(figures)
-add_custom_target(lab)      # what a course for many needs beyond what `./course` makes: see tools/ground/lab.hpp
+add_custom_target(lab)      # what a course for many needs beyond what `./course` makes: see tools/base/lab.hpp
 set(COURSE_HANDOUT FALSE)
 if(EXISTS ${PROJECT_SOURCE_DIR}/HANDOUT.md)
   set(COURSE_HANDOUT TRUE)
 endif()
-add_executable(answers-in-one tests/answers/generate.cpp tools/loop/differences.cpp)
+add_executable(answers-in-one tests/answers/generate.cpp tools/check/differences.cpp tools/check/scanner.cpp)
 target_include_directories(answers-in-one PRIVATE tools)
 target_link_libraries(answers-in-one PRIVATE course_flags)
 
 function(need_file file)
   if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${file})
     message(FATAL_ERROR "section(${section}) needs ${file}, which is not there: write it, or correct its name. "
-                        "`./course new` makes all files of a new section.")
+                        "`./course dev new` makes all files of a new section.")
   endif()
 endfunction()
 
@@ -43,8 +43,8 @@ function(section section)
   string(SUBSTRING ${section} 0 2 section_number)
   string(SUBSTRING ${section} 3 -1 slug)
   set(chapter ${PROJECT_SOURCE_DIR}/chapters/${section})
-  foreach(file chapters/${section}/README.md chapters/${section}/${slug}.hpp chapters/${section}/main.cpp tests/${section}.cpp
-               tests/stubs/${section}.cpp)
+  foreach(file chapters/${section}/README.md chapters/${section}/${slug}.hpp chapters/${section}/main.cpp tests/${section}/tests.cpp
+               tests/${section}/stub.cpp)
     need_file(${file})
   endforeach()
   set(solution ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp)
@@ -94,7 +94,7 @@ macro(find_earlier_sections)
 endmacro()
 
 macro(section_programs)
-  add_library(${section}_stub OBJECT tests/stubs/${section}.cpp)
+  add_library(${section}_stub OBJECT tests/${section}/stub.cpp)
   stand_behind_student_header(${section}_stub course_student_flags)
   add_library(${section}_main OBJECT ${chapter}/main.cpp) # of the program, whoever's functions it calls
   stand_behind_student_header(${section}_main course_flags)
@@ -129,7 +129,7 @@ macro(section_reference)
   set_target_properties(${section} PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
   add_dependencies(programs ${section})
 
-  # What measures is built on demand, by `course bench`, and optimized as a game would be.
+  # What measures is built on demand, by `course dev bench`, and optimized as a game would be.
   if(EXISTS ${chapter}/bench.cpp)
     add_executable(${section}_bench EXCLUDE_FROM_ALL ${chapter}/bench.cpp ${solution} ${earlier_objects})
     target_link_libraries(${section}_bench PRIVATE Eigen3::Eigen)
@@ -147,11 +147,12 @@ macro(section_yours)
   set(not_started ${PROJECT_BINARY_DIR}/loop/${section}_not_started.o)
   set(COURSE_${section}_OBJECTS ${yours} ${not_started} CACHE INTERNAL "")
   set(COURSE_${section}_STAND_INS ${not_started} CACHE INTERNAL "")
-  set(earlier_header ${PROJECT_SOURCE_DIR}/tools/verdict/student/earlier.hpp)
-  add_library(${section}_not_started OBJECT tests/stubs/${section}.cpp)
+  set(earlier_header ${PROJECT_SOURCE_DIR}/tools/judge/server/earlier.hpp)
+  add_library(${section}_not_started OBJECT tests/${section}/stub.cpp)
   stand_behind_student_header(${section}_not_started course_student_flags)
-  target_compile_options(${section}_not_started PRIVATE "-DCOURSE_EARLIER=\"${slug}\"" "SHELL:-include verdict/student/earlier.hpp")
+  target_compile_options(${section}_not_started PRIVATE "-DCOURSE_EARLIER=\"${slug}\"" "SHELL:-include judge/server/earlier.hpp")
   target_include_directories(${section}_not_started PRIVATE tools)
+  expect_others_to_return(${section}_not_started)
   add_weak_object(${not_started} ${section}_not_started)
   file(GLOB written CONFIGURE_DEPENDS exercises/${section}.cpp)
   set(compile ${PROJECT_SOURCE_DIR}/cmake/compile_yours.sh)
@@ -165,29 +166,28 @@ macro(section_yours)
 endmacro()
 
 macro(section_tests)
-  add_library(${section}_cases OBJECT tests/${section}.cpp)
+  add_library(${section}_cases OBJECT tests/${section}/tests.cpp)
   target_include_directories(${section}_cases PRIVATE tests ${chapter})
   target_link_libraries(${section}_cases PRIVATE course_harness)
   set_target_properties(${section}_cases PROPERTIES COURSE_OPTIMIZE ${COURSE_OPTIMIZE_TESTS})
   target_precompile_headers(${section}_cases REUSE_FROM course_harness)
-  add_executable(${section}_tests $<TARGET_OBJECTS:${section}_cases> $<TARGET_OBJECTS:course_harness> ${earlier_objects})
-  target_link_libraries(${section}_tests PRIVATE course_harness)
-  set_target_properties(${section}_tests PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  add_tests(${section}_tests tests main)
   set(catalogue ${PROJECT_BINARY_DIR}/catalogue/${section}.json)
   add_custom_command(OUTPUT ${catalogue}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/catalogue
     COMMAND ${section}_tests --catalogue > ${catalogue} DEPENDS ${section}_tests VERBATIM COMMENT "")
 
-  add_library(${section}_server OBJECT tools/verdict/student/server.cpp)
+  add_library(${section}_server OBJECT tools/judge/server/server.cpp)
   stand_behind_student_header(${section}_server course_flags)
   target_include_directories(${section}_server PRIVATE tools)
   target_compile_definitions(${section}_server PRIVATE COURSE_SECTION="${slug}.hpp")
 
-  add_library(${section}_missing OBJECT tests/stubs/${section}.cpp)
+  add_library(${section}_missing OBJECT tests/${section}/stub.cpp)
   stand_behind_student_header(${section}_missing course_flags)
   target_include_directories(${section}_missing PRIVATE tools)
-  target_compile_options(${section}_missing PRIVATE -w -DCOURSE_STUB_BEHIND "SHELL:-include verdict/student/missing.hpp")
+  target_compile_options(${section}_missing PRIVATE -w -DCOURSE_STUB_BEHIND "SHELL:-include judge/server/missing.hpp")
   set(missing ${PROJECT_BINARY_DIR}/loop/${section}_missing.o)
+  expect_others_to_return(${section}_missing)
   add_weak_object(${missing} ${section}_missing)
   set(our_object) # our functions, where a student's file has none
   if(solved)
@@ -207,7 +207,7 @@ macro(section_tests)
   string(JSON json SET "${json}" plays_yours ${plays_yours})
   set_property(GLOBAL PROPERTY course_json_${section} "${json}")
 
-  add_subject(stub none $<TARGET_OBJECTS:${section}_stub>)
+  add_subject(stub --stub $<TARGET_OBJECTS:${section}_stub>)
   add_dependencies(checks ${section}_loop ${section}_subject_stub)
   add_custom_target(${section}_checks DEPENDS ${section}_loop ${section}_subject_stub)
   add_dependencies(thorough ${section}_checks)
@@ -217,21 +217,30 @@ macro(section_tests)
 
   # The student's file and the tests in one process, compiled for a debugger.
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
-    add_executable(${section}_debug EXCLUDE_FROM_ALL exercises/${section}.cpp tests/${section}.cpp)
+    add_executable(${section}_debug EXCLUDE_FROM_ALL exercises/${section}.cpp tests/${section}/tests.cpp)
     target_compile_options(${section}_debug PRIVATE -g)
     set_target_properties(${section}_debug PROPERTIES COURSE_OPTIMIZE -O0)
     in_one_process(debug)
   endif()
 endmacro()
 
-# Whether our answers are judged as they should be: the solution, and those of tests/wrong and tests/right.
+# A program of the section's tests, in a folder; what it does with them is in judge/runner/MAIN.cpp.
+macro(add_tests program folder main)
+  add_executable(${program} ${ARGN} $<TARGET_OBJECTS:${section}_cases> $<TARGET_OBJECTS:course_${main}> $<TARGET_OBJECTS:course_harness> ${earlier_objects})
+  target_link_libraries(${program} PRIVATE course_harness)
+  set_target_properties(${program} PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
+endmacro()
+
+# Whether our answers are judged as they should be: the solution, its mutants and variants.
 macro(section_answers)
-  add_subject(solution all $<TARGET_OBJECTS:${section}_reference>)
+  add_subject(solution "" $<TARGET_OBJECTS:${section}_reference>)
   add_dependencies(checks ${section}_subject_solution)
-  section_wrong_and_right()
-  add_dependencies(${section}_checks ${section}_subject_solution ${section}_answers)
+  add_tests(${section}_author author author EXCLUDE_FROM_ALL)
+  section_mutants_and_variants()
+  add_dependencies(${section}_author ${section}_answers) # which it's run on
+  add_dependencies(${section}_checks ${section}_subject_solution ${section}_author)
   if(COURSE_THOROUGH)
-    add_test(NAME ${section}.all_cases COMMAND ${section}_tests $<TARGET_FILE:${section}_subject_solution> --expect all --all-cases)
+    add_test(NAME ${section}.all_cases COMMAND ${section}_author $<TARGET_FILE:${section}_subject_solution> --all-cases)
     set_tests_properties(${section}.all_cases ${section}.answers PROPERTIES LABELS thorough)
   else() # everything in one process, for sanitizers
     add_executable(${section}_direct $<TARGET_OBJECTS:${section}_reference> $<TARGET_OBJECTS:${section}_cases>)
@@ -242,22 +251,22 @@ macro(section_answers)
 endmacro()
 
 macro(in_one_process whose)
-  target_sources(${section}_${whose} PRIVATE tools/verdict/tests/direct.cpp ${earlier_objects})
+  target_sources(${section}_${whose} PRIVATE tools/judge/runner/direct.cpp ${earlier_objects})
   target_link_libraries(${section}_${whose} PRIVATE course_student_flags Catch2::Catch2WithMain course::GMP)
   target_include_directories(${section}_${whose} PRIVATE tests tools ${chapter})
   target_compile_definitions(${section}_${whose} PRIVATE COURSE_SECTION="${slug}.hpp")
   set_target_properties(${section}_${whose} PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${whose})
 endmacro()
 
-# All of tests/wrong and tests/right in one program, which is told by name which answer it is to be.
-macro(section_wrong_and_right)
-  set(kinds right)
+# All mutants and variants in one program, which is told by name which answer it is to be.
+macro(section_mutants_and_variants)
+  set(kinds variants)
   if(COURSE_THOROUGH)
-    list(APPEND kinds wrong)
+    list(APPEND kinds mutants)
   endif()
   set(answers)
   foreach(kind ${kinds})
-    file(GLOB found CONFIGURE_DEPENDS tests/${kind}/${section}.diff tests/${kind}/${section}/*.cpp)
+    file(GLOB found CONFIGURE_DEPENDS tests/${section}/${kind}.diff tests/${section}/${kind}/*.cpp)
     list(APPEND answers ${found})
   endforeach()
   set(unit ${PROJECT_BINARY_DIR}/answers/${section})
@@ -270,14 +279,14 @@ macro(section_wrong_and_right)
   target_compile_definitions(${section}_answers PRIVATE COURSE_SECTION="${slug}.hpp")
   target_compile_options(${section}_answers PRIVATE -w) # they are as their authors left them
   set_target_properties(${section}_answers PROPERTIES OUTPUT_NAME answers RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
-  add_test(NAME ${section}.answers COMMAND ${section}_tests $<TARGET_FILE:${section}_answers> --answers ${unit}.txt)
+  add_test(NAME ${section}.answers COMMAND ${section}_author $<TARGET_FILE:${section}_answers> --answers ${unit}.txt)
   set_tests_properties(${section}.answers PROPERTIES PROCESSORS 2)
   section_own_tests()
   if(COURSE_THOROUGH) # what `check` knows mistakes by is what comes out of them
-    add_test(NAME ${section}.mistakes COMMAND ${section}_tests $<TARGET_FILE:${section}_answers>
-      --mistakes ${unit}_claims.txt --kept ${PROJECT_SOURCE_DIR}/tests/mistakes/${section}.tsv)
+    add_test(NAME ${section}.mistakes COMMAND ${section}_author $<TARGET_FILE:${section}_answers>
+      --mistakes ${unit}_claims.txt ${PROJECT_SOURCE_DIR}/tests/${section}/mistakes.tsv)
     add_test(NAME ${section}.bugs COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/bugs.mjs ${PROJECT_SOURCE_DIR}
-      $<TARGET_FILE:${section}_tests> $<TARGET_FILE:${section}_answers> ${unit}.txt ${catalogue})
+      $<TARGET_FILE:${section}_author> $<TARGET_FILE:${section}_answers> ${unit}.txt ${catalogue})
     set_tests_properties(${section}.mistakes ${section}.bugs PROPERTIES PROCESSORS 2 LABELS thorough)
   endif()
 endmacro()
@@ -288,7 +297,7 @@ macro(section_own_tests)
   if(NOT EXISTS ${own}.cpp)
     file(WRITE ${own}.cpp "")
   endif()
-  add_executable(${section}_own_tests EXCLUDE_FROM_ALL ${own}.cpp $<TARGET_OBJECTS:course_harness> ${earlier_objects})
+  add_executable(${section}_own_tests EXCLUDE_FROM_ALL ${own}.cpp $<TARGET_OBJECTS:course_own> $<TARGET_OBJECTS:course_harness> ${earlier_objects})
   target_include_directories(${section}_own_tests PRIVATE tests ${chapter})
   target_link_libraries(${section}_own_tests PRIVATE course_harness)
   target_precompile_headers(${section}_own_tests REUSE_FROM course_harness)
@@ -299,12 +308,12 @@ macro(section_own_tests)
 endmacro()
 
 # A program that serves the functions of one file, and the test that its verdicts are as expected.
-macro(add_subject name expect)
+macro(add_subject name option)
   add_executable(${section}_subject_${name} $<TARGET_OBJECTS:${section}_server> ${earlier_stand_ins} ${ARGN})
   set_target_properties(${section}_subject_${name} PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${name}
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/subjects/${section})
   target_link_options(${section}_subject_${name} PRIVATE ${COURSE_LOOP_LINK})
-  add_test(NAME ${section}.${name} COMMAND ${section}_tests $<TARGET_FILE:${section}_subject_${name}> --expect ${expect})
+  add_test(NAME ${section}.${name} COMMAND ${section}_tests $<TARGET_FILE:${section}_subject_${name}> ${option})
 endmacro()
 
 macro(section_figures)
@@ -313,8 +322,8 @@ macro(section_figures)
     message(FATAL_ERROR "section(${section}) has no figure: write plots/${section}_<figure>.gp")
   endif()
   # chapter, contract and program; game.hpp, renamed.txt and a peer, if there are any
-  file(GLOB beside CONFIGURE_DEPENDS ${chapter}/* tests/peers/${section}.*)
-  set_property(GLOBAL APPEND PROPERTY course_book ${beside} ${scripts} ${PROJECT_SOURCE_DIR}/tests/${section}.cpp)
+  file(GLOB beside CONFIGURE_DEPENDS ${chapter}/* tests/${section}/peer.*)
+  set_property(GLOBAL APPEND PROPERTY course_book ${beside} ${scripts} ${PROJECT_SOURCE_DIR}/tests/${section}/tests.cpp)
   if(solved)
     section_drawings()
   endif()
@@ -374,19 +383,19 @@ endfunction()
 
 # After the last section: what concerns all of them.
 function(finish_course)
-  foreach(folder solutions tests tests/stubs) # not exercises: it is the student's, who may keep an older answer there
-    file(GLOB files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${folder}/*.cpp)
-    foreach(file ${files})
-      cmake_path(GET file STEM stem)
-      if(NOT stem IN_LIST COURSE_SECTIONS)
-        message(FATAL_ERROR "${file} belongs to no section: correct its name, or add section(${stem}) to CMakeLists.txt")
-      endif()
-    endforeach()
+  # not exercises: it is the student's, who may keep an older answer there
+  file(GLOB files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} solutions/*.cpp tests/[0-9]*)
+  foreach(file ${files})
+    cmake_path(GET file STEM stem)
+    if(NOT stem IN_LIST COURSE_SECTIONS)
+      message(FATAL_ERROR "${file} belongs to no section: correct its name, or add section(${stem}) to CMakeLists.txt")
+    endif()
   endforeach()
 
   set(json "{\"sections\": []}")
   put_into_json(json compiler ${CMAKE_CXX_COMPILER})
   put_into_json(json nm ${CMAKE_NM})
+  put_into_json(json objcopy ${CMAKE_OBJCOPY})
   put_into_json(json node ${NODE})
   put_list_into_json(json flags ${COURSE_LOOP})
   put_list_into_json(json precompiled ${COURSE_LOOP_PCH})
@@ -414,9 +423,10 @@ function(finish_course)
   endif()
   get_property(book GLOBAL PROPERTY course_book)
   add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/book.stamp
-    COMMAND course-tool weave --check
+    COMMAND course-tool dev weave --check
     COMMAND ${CMAKE_COMMAND} -E touch ${PROJECT_BINARY_DIR}/book.stamp
-    DEPENDS course-tool programs figures ${book} ${PROJECT_SOURCE_DIR}/book.md ${PROJECT_SOURCE_DIR}/README.md VERBATIM
+    DEPENDS course-tool programs figures ${book} ${PROJECT_SOURCE_DIR}/book.md ${PROJECT_SOURCE_DIR}/errata.md ${PROJECT_SOURCE_DIR}/README.md
+      ${PROJECT_SOURCE_DIR}/docs/voice.cjs VERBATIM
     COMMENT "Checking that the book says what the code says")
   add_custom_target(book ALL DEPENDS ${PROJECT_BINARY_DIR}/book.stamp)
 endfunction()

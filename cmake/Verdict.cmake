@@ -1,22 +1,21 @@
-# What a verdict needs: see tools/verdict. `COURSE_LOOP` is how a student's file is compiled, by `course check` and here.
+# What a verdict needs: see tools/judge. `COURSE_LOOP` is how a student's file is compiled, by `course check` and here.
 include(CheckCXXSourceCompiles)
 
 add_library(course_verdict STATIC
-  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/session.cpp
-  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/shut_in.cpp
-  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/subject.cpp
-  ${PROJECT_SOURCE_DIR}/tools/verdict/shared/signature.cpp
-  ${PROJECT_SOURCE_DIR}/tools/verdict/shared/verdict.cpp)
+  ${PROJECT_SOURCE_DIR}/tools/judge/runner/job_queue.cpp
+  ${PROJECT_SOURCE_DIR}/tools/judge/runner/session.cpp
+  ${PROJECT_SOURCE_DIR}/tools/judge/runner/sandbox.cpp
+  ${PROJECT_SOURCE_DIR}/tools/judge/runner/student_process.cpp
+  ${PROJECT_SOURCE_DIR}/tools/judge/protocol/signature.cpp
+  ${PROJECT_SOURCE_DIR}/tools/judge/protocol/verdict.cpp)
 target_include_directories(course_verdict PUBLIC ${PROJECT_SOURCE_DIR}/tools)
 target_link_libraries(course_verdict PUBLIC course_flags nlohmann_json::nlohmann_json)
 set_target_properties(course_verdict PROPERTIES UNITY_BUILD ON)
 
-add_library(course_harness OBJECT # the main of all section tests, and what is made of a reader's own
-  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/harness.cpp
-  ${PROJECT_SOURCE_DIR}/tools/verdict/tests/own.cpp)
+add_library(course_harness OBJECT ${PROJECT_SOURCE_DIR}/tools/judge/runner/harness.cpp) # of all section tests
 target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2 course::GMP)
 target_include_directories(course_harness PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-target_compile_options(course_harness PUBLIC -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # verdicts say tests/NN_slug.cpp
+target_compile_options(course_harness PUBLIC -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # verdicts say tests/NN_slug/tests.cpp
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang) # 14 crashes in templates that it reads back
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
@@ -24,6 +23,11 @@ target_compile_options(course_harness PUBLIC "$<$<CXX_COMPILER_ID:GNU>:-Wno-arra
 set(COURSE_OPTIMIZE_TESTS -Og CACHE STRING "For tests: compiled in three quarters of the time of -O1, and a check is as quick; at -O0 it is not")
 set_target_properties(course_harness PROPERTIES COURSE_OPTIMIZE ${COURSE_OPTIMIZE_TESTS})
 target_precompile_headers(course_harness PRIVATE ${PROJECT_SOURCE_DIR}/tests/matchers.hpp) # and all section tests
+foreach(main main author own) # what runs them: a student's check, an author, or `mytests`
+  add_library(course_${main} OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tools/judge/runner/${main}.cpp)
+  target_link_libraries(course_${main} PRIVATE course_verdict Catch2::Catch2)
+  set_target_properties(course_${main} PROPERTIES COURSE_OPTIMIZE ${COURSE_OPTIMIZE_TESTS})
+endforeach()
 
 # gold links in a third of the default linker's time, and comes with it.
 set(CMAKE_REQUIRED_LINK_OPTIONS -fuse-ld=gold)
@@ -40,7 +44,7 @@ endif()
 # The precompiled header that is included before every student's file.
 separate_arguments(extra NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-set(COURSE_LOOP ${extra} -std=c++20 ${COURSE_OPTIMIZATION} ${COURSE_CODE_FLAGS} ${COURSE_WARNINGS} -Wno-unused-parameter)
+set(COURSE_LOOP ${extra} -std=c++20 ${COURSE_OPTIMIZATION} ${COURSE_CODE_FLAGS} ${COURSE_WARNINGS} ${COURSE_STUDENT_WARNINGS})
 list(TRANSFORM COURSE_DEFINITIONS PREPEND -D OUTPUT_VARIABLE definitions)
 list(APPEND COURSE_LOOP ${definitions} -I${PROJECT_SOURCE_DIR}/chapters -isystem ${eigen})
 set(COURSE_PCH ${PROJECT_BINARY_DIR}/loop/student.hpp)
@@ -55,7 +59,7 @@ else()
 endif()
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/loop)
 foreach(header student.hpp quick.hpp)
-  set(original ${PROJECT_SOURCE_DIR}/tools/verdict/student/${header})
+  set(original ${PROJECT_SOURCE_DIR}/tools/judge/server/${header})
   file(COPY_FILE ${original} ${PROJECT_BINARY_DIR}/loop/${header} ONLY_IF_DIFFERENT)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${original})
 endforeach()
@@ -75,9 +79,10 @@ set(COURSE_QUICK_LOOP)
 if(COURSE_QUICK AND COURSE_QUICK_COMPILER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_SYSTEM_NAME STREQUAL Linux
    AND NOT CMAKE_CXX_FLAGS) # which may be flags that only GCC knows
   set(COURSE_QUICK_LOOP ${COURSE_LOOP} -O0)
-  list(REMOVE_ITEM COURSE_QUICK_LOOP ${COURSE_OPTIMIZATION} -fmax-errors=20)
+  list(REMOVE_ITEM COURSE_QUICK_LOOP ${COURSE_OPTIMIZATION} -fmax-errors=20 -Werror=return-local-addr)
   list(APPEND COURSE_QUICK_LOOP -Wshadow-all -Wconditional-uninitialized -Wimplicit-fallthrough
-    -Wtautological-unsigned-zero-compare) # in all, what GCC warns of
+    -Wtautological-unsigned-zero-compare # in all, what GCC warns of;
+    -Werror=dangling-gsl) # and what it doesn't see: `judge` shows it in Clang's words
   set(quick ${PROJECT_BINARY_DIR}/loop/quick)
   set(make_quick ${COURSE_QUICK_COMPILER} ${COURSE_QUICK_LOOP} -x c++-header ${quick}.hpp
     -fpch-instantiate-templates -fpch-codegen)
@@ -117,6 +122,12 @@ function(stand_behind_student_header target flags)
   target_link_libraries(${target} PUBLIC ${flags})
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/chapters/${section})
   target_compile_options(${target} PRIVATE ${COURSE_LOOP_PCH} -Winvalid-pch) # or GCC reads it all again without a word
+endfunction()
+
+# A stub's functions only throw, and are to give way to others: the compiler must not see that they never return.
+function(expect_others_to_return library)
+  target_compile_options(${library} PRIVATE
+    "$<IF:$<CXX_COMPILER_ID:GNU>,SHELL:-fno-ipa-pure-const -fno-inline,SHELL:-Xclang -disable-llvm-passes>")
 endfunction()
 
 # The objects of a library with every symbol made weak: a definition elsewhere takes precedence.

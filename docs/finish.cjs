@@ -15,7 +15,7 @@ const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&${Object.keys(enti
 
 let bad = 0;
 const typeset = new Map(); // many formulas are there more than once
-function formula(tex, display, from) {
+function formula(tex, display = '', from) {
   const key = display + tex;
   if (!typeset.has(key)) {
     try {
@@ -106,12 +106,12 @@ const chips = (html) => html
   .replace(/<summary>(Hint \d+)(: [^]*?)<\/summary>/g, '<summary>$1<span>$2</span></summary>')
   .replace(/(?:<details class="hint">[^]*?<\/details>\s*)+/g, (row) => `<div class="hints">${row.trimEnd()}</div>\n`);
 
-const pieces = /<span class="math( display)?" data-from="([^"]*)" data-plain="[^"]*">([^<]*)<\/span>([,.;:!?)]*)|<pre class="code( numbered)?" data-language="(\w+)"><code>([^<]*)<\/code><\/pre>|<code(?: class="long")?>([^<]*)<\/code>|<(\/?)(a|h1|h2|h3|summary|pre)\b[^>]*>|<[^>]*>|[^<]+/g;
+const pieces = /<span class="math( display)?" data-from="([^"]*)">([^<]*)<\/span>([,.;:!?)]*)|<pre class="code( numbered)?" data-language="(\w+)"><code>([^<]*)<\/code><\/pre>|<code(?: class="long")?>([^<]*)<\/code>|<(\/?)(a|h1|h2|h3|summary|pre)\b[^>]*>|<[^>]*>|[^<]+/g;
 function finished({ html, space }) {
   const seen = new Set(); // names that are links already, in this part of the page
   let within = 0; // elements in which names are no links
   return chips(tables(html)).replace(pieces, (all, display, from, tex, mark, numbered, language, code, name, end, tag) => {
-    if (tex !== undefined) return display ? formula(tex, display, from) + mark : mark ? withMark(formula(tex, '', from), mark) : formula(tex, '', from);
+    if (tex !== undefined) return display ? formula(tex, display, from) + mark : mark ? withMark(formula(tex, display, from), mark) : formula(tex, display, from);
     if (code !== undefined) return listing(code, language, numbered ?? '', space);
     if (name !== undefined) {
       const found = within === 0 && !seen.has(name) && own(name, space);
@@ -126,8 +126,18 @@ function finished({ html, space }) {
 
 // Search. A script, since a page that was opened as a file may not fetch anything else.
 
+// A formula as KaTeX writes it, in plain characters: "x²", "v_x", "a/b", "√2".
+const plainFormula = (html) => html.match(/<math[^]*?(?=<annotation)/)[0]
+  .replace(/<mn>(\d)<\/mn>(?=<\/msup>)/g, (_, digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit])
+  .replace(/<msub>(<m[ino]\b[^>]*>[^<]*<\/m[ino]>)/g, '$&_')
+  .replace(/<msup>(<m[ino]\b[^>]*>[^<]*<\/m[ino]>)(?![⁰¹²³⁴-⁹])/g, '$&^')
+  .replace(/<mfrac>(<(m\w+)\b[^>]*>(?:(?!<\2\b)[^])*?<\/\2>)/g, '$1/')
+  .replace(/<msqrt>/g, '√')
+  .replace(/(?<!<mrow>|[(,] ?<\/mo>)<mo\b[^>]*>([=+−≤≥≈→·×±⋅]|&lt;|&gt;)<\/mo>/g, ' $1 ')
+  .replace(/<mspace\b|<\/mtd>|\u2061/g, ' $&').replace(/,<\/mo>/g, '$& ').replace(/⋅/g, '·')
+  .replace(/<[^>]*>|[\u2061-\u2064\u200B]/g, '');
 const plain = (html) =>
-  unescaped(html.replace(/<span class="math[^>]*data-plain="([^"]*)">[^<]*/g, '$1').replace(/<\/(p|li|td|th|div|pre|summary|figcaption)>/g, ' ').replace(/<[^>]*>/g, ''))
+  unescaped(html.replace(/<span class="math( display)?" data-from="([^"]*)">([^<]*)/g, (_, display, from, tex) => plainFormula(formula(tex, display, from))).replace(/<\/(p|li|td|th|div|pre|summary|figcaption)>/g, ' ').replace(/<[^>]*>/g, ''))
     .replace(/\s+/g, ' ').trimStart();
 
 // One document for each part of a page, from heading to heading.

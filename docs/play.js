@@ -49,7 +49,7 @@
       return new TextDecoder().decode(bytes.slice(from, bytes.indexOf(0, from)));
     };
     const stop = (said) => { throw new Stopped(said); };
-    const lost = 'A position is infinite, or not a number (NaN): which function returned it?';
+    const lost = 'A position is infinite, or not a number (NaN): which function returned it, or which Vec2 did you never set?';
     function thrown(type, what) {
       const kind = text(type), words = text(what), [, known] = /^St\d+(\w+)$/.exec(kind) ?? [];
       if (kind === 'N6course6NotYetE') throw new NotStarted(words);
@@ -206,6 +206,8 @@
       if (keys.childElementCount === 0) nameKeys();
       run(running);
     }
+    const jumps = ({ meaning }) => meaning === 'Jump'; // where somebody does, the space bar is for that, and doesn't pause
+    let pauses;
     const shortName = (key) => ({ ArrowUp: '↑', ArrowDown: '↓', ArrowLeft: '←', ArrowRight: '→' })[key] ?? key;
     function nameKeys() {
       const named = (key, meaning) => {
@@ -213,9 +215,9 @@
         keys.append(words, ' ');
         return words;
       };
-      named('space', 'pause'), named('.', 'step'), named('r', 'reset');
+      pauses = named('space', 'pause'), named('.', 'step'), named('r', 'reset');
       if (handles().length > 0) named('h', 'next handle'), named('arrow keys', 'move it');
-      about.keys.forEach(({ key, meaning }, i) => ownKeys[i].push(named(shortName(key), meaning.toLowerCase())));
+      about.keys.forEach((each, i) => ownKeys[i].push(named(jumps(each) ? 'space' : shortName(each.key), each.meaning.toLowerCase())));
       about.controls.forEach((control, i) => isHeld(control) && shownOf[i].push(named(shortName(control.unit), control.name)));
       showWhatCounts();
     }
@@ -241,6 +243,7 @@
     function showWhatCounts() {
       about.controls.forEach((control, i) => shownOf[i].forEach((shown) => (shown.hidden = !counts(control))));
       about.keys.forEach((key, i) => ownKeys[i].forEach((shown) => (shown.hidden = !counts(key))));
+      if (pauses) pauses.hidden = about.keys.some((key) => jumps(key) && counts(key));
     }
     function begins(title, chosen) {
       const control = about.controls.find((each) => each.name === title), { options = [] } = control ?? {};
@@ -498,7 +501,7 @@
     canvas.addEventListener('keydown', (event) => {
       if (!about || event.ctrlKey || event.metaKey || event.altKey) return;
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-      const own = about.keys.findIndex((each) => each.key === event.key && counts(each));
+      const own = about.keys.findIndex((each) => (each.key === event.key || (event.key === ' ' && jumps(each))) && counts(each));
       if (heldBy(event) >= 0) hold(heldBy(event), true);
       else if (own >= 0) press(own);
       else if (event.key === ' ') failed || run(!running);

@@ -1,5 +1,5 @@
 // Section 2, Momentum. Replace a whole `throw ...;` with your own code, save, and look:  ./course check 2
-// The lines above each `throw` refuse numbers that make no sense; leave them as they are.
+// Lines above a `throw` refuse numbers that make no sense; leave them as they are.
 
 #include "momentum.hpp"
 
@@ -10,15 +10,11 @@ namespace momentum {
 
 // 2.1 core
 Vec2 acceleration_due_to(const std::vector<Vec2> &forces, double mass) {
-    course::require_range(forces, mass);
     course::require(mass > 0, "mass [kg] must be positive", mass);
     throw course::NotYet{"add up all forces in a loop; what does the sum do to 1 kg, and to 2 kg?"};
 }
 
-static void require_cart(const Cart &cart) {
-    course::require_range(cart.mass, cart.velocity);
-    course::require(cart.mass > 0, "mass [kg] must be positive", cart.mass);
-}
+static void require_cart(const Cart &cart) { course::require(cart.mass > 0, "mass [kg] must be positive", cart.mass); }
 
 // 2.2 core
 Velocities elastic_collision(const Cart &a, const Cart &b) {
@@ -45,10 +41,8 @@ CentreOfMassFrame centre_of_mass_frame(const Cart &a, const Cart &b) {
 
 // 2.5 stretch
 double impulse(const Body &a, const Body &b, double restitution) {
-    for (const Body &body : {a, b}) {
-        course::require_range(body.inverse_mass, body.velocity);
+    for (const Body &body : {a, b})
         course::require(body.inverse_mass >= 0, "inverse mass [1/kg] must not be negative", body.inverse_mass);
-    }
     course::require(0 <= restitution && restitution <= 1, "restitution must be from 0 to 1", restitution);
     throw course::NotYet{"by how much does an impulse of 1 N s change the velocity of a, of b, and their difference?"};
 }

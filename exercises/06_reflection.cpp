@@ -1,5 +1,5 @@
 // Section 6, Reflection. Replace a whole `throw ...;` with your own code, save, and look:  ./course check 6
-// The lines above each `throw` refuse numbers that make no sense; leave them as they are.
+// Lines above a `throw` refuse numbers that make no sense; leave them as they are.
 
 #include "reflection.hpp"
 
@@ -9,7 +9,6 @@
 namespace reflection {
 
 static void require_ball_in_box(const Ball &ball, const Box &box) {
-    course::require_range(ball.position, ball.velocity, ball.radius, box.low, box.high);
     course::require(ball.radius >= 0, "radius [m] must not be negative", ball.radius);
     const double room = (box.high - box.low).minCoeff() - 2 * ball.radius;
     course::require(room > 0, "the box must be wider and higher than the ball: its room [m] must be positive", room);
@@ -22,20 +21,17 @@ Vec2 bounce_in_box(const Ball &ball, const Box &box) {
 }
 
 static void require_normal(const Vec2 &normal) {
-    course::require_range(normal);
     course::require(normal.norm() > 0, "the length of the normal must be positive", normal.norm());
 }
 
 // 6.2 core
 Vec2 reflect(const Vec2 &velocity, const Vec2 &normal) {
-    course::require_range(velocity);
     require_normal(normal);
     throw course::NotYet{"what is the normal part of the velocity?"};
 }
 
 // 6.3 core
 Vec2 unit_normal(const Vec2 &start, const Vec2 &end) {
-    course::require_range(start, end);
     const double length = (end - start).norm(); // of the wall [m]
     course::require(length > 0, "the length of the wall [m] must be positive", length);
     throw course::NotYet{"how far does the wall go to the right, and how far up?"};
@@ -43,7 +39,6 @@ Vec2 unit_normal(const Vec2 &start, const Vec2 &end) {
 
 // 6.4 stretch
 Vec2 bounce(const Vec2 &velocity, const Vec2 &normal, const Surface &surface) {
-    course::require_range(velocity, surface.restitution, surface.mu_k);
     require_normal(normal);
     course::require(surface.restitution >= 0 && surface.restitution <= 1, "restitution must be from 0 to 1",
                     surface.restitution);
@@ -54,14 +49,12 @@ Vec2 bounce(const Vec2 &velocity, const Vec2 &normal, const Surface &surface) {
 // 6.5 stretch
 Vec2 bounce_in_rotated_box(const Ball &ball, const Box &box, double angle) {
     require_ball_in_box(ball, box);
-    course::require_range(angle);
     throw course::NotYet{"where is the ball, as seen from the box?"};
 }
 
 static void require_inside(const Ball &ball, const Vec2 &centre, const Box &table) {
-    course::require_range(centre);
     const double room = std::min((centre - table.low).minCoeff(), (table.high - centre).minCoeff()) - ball.radius;
-    course::require(room >= 0, "a centre must not be closer to a side than the radius: its distance [m]", room);
+    course::require(room >= -1e-9, "a centre must not be closer to a side than the radius: its distance [m]", room);
 }
 
 // 6.6 challenge

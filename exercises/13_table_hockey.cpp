@@ -6,11 +6,8 @@
 namespace table_hockey {
 
 static void require_world(const World &now) {
-    for (const Player *player : {&now.left, &now.right}) {
-        course::require_range(player->pose.first, player->pose.second, player->mallet, player->velocity);
+    for (const Player *player : {&now.left, &now.right})
         course::require(player->goals >= 0, "goals must not be negative", player->goals);
-    }
-    course::require_range(now.disc.place, now.disc.velocity, now.wait);
     for (const Particle &spark : now.sparks) particles::require_particle(spark);
     course::require(now.spare >= 0 && now.spare <= step_time, "spare time [s] must be from 0 to a step", now.spare);
     course::require(now.left.side == -1, "the left player's side must be -1", now.left.side);
@@ -18,15 +15,11 @@ static void require_world(const World &now) {
     course::require(now.serve_to == -1 || now.serve_to == 1, "serve_to must be -1 or 1", now.serve_to);
     course::require(now.sparks.size() <= most_sparks, "there must be 64 sparks at most", double(now.sparks.size()));
 }
-static void require_inputs(const Inputs &inputs, double dt) {
-    course::require_range(inputs.left, inputs.right);
-    course::require(dt >= 0 && dt <= 0.25, "dt [s] must be from 0 to 0.25", dt);
-}
 
 // 13.1 challenge
 World step(World now, const Inputs &inputs, double dt) {
     require_world(now);
-    require_inputs(inputs, dt);
+    course::require(dt >= 0 && dt <= 0.25, "dt [s] must be from 0 to 0.25", dt);
     throw course::NotYet{"how many steps are due? And in one of them, what moves first?"};
 }
 

@@ -6,38 +6,34 @@ namespace trajectories {
 
 //> Solution 4.1: launch velocity
 Vec2 launch_velocity(double speed, double angle_deg) {
-    course::require_range(speed, angle_deg);
     course::require(speed >= 0, "speed [m/s] must not be negative", speed);
     const double angle = angle_deg * std::numbers::pi / 180; // [rad]
     return speed * Vec2{std::cos(angle), std::sin(angle)};
 }
 
 //> Solution: a good shot
-static void require_shot(const State &muzzle, double g) {
-    course::require_range(muzzle.position, muzzle.velocity, g);
-    course::require(g > 0, "g [m/s²] must be positive", g);
-}
+static void require_g(double g) { course::require(g > 0, "g [m/s²] must be positive", g); }
 static void require_above_ground(const State &muzzle) {
     course::require(muzzle.position.y() >= 0, "the muzzle's height [m] must not be negative", muzzle.position.y());
 }
 
 //> Solution 4.2: time of flight
 double time_of_flight(const State &muzzle, double g) {
-    require_shot(muzzle, g);
+    require_g(g);
     require_above_ground(muzzle);
     return gravity_wells::time_to_fall(muzzle.position.y(), muzzle.velocity.y(), g);
 }
 
 //> Solution 4.3: range
 double range(const State &muzzle, double g) {
-    require_shot(muzzle, g);
+    require_g(g);
     require_above_ground(muzzle);
     return muzzle.velocity.x() * time_of_flight(muzzle, g);
 }
 
 //> Solution 4.4: apex
 Vec2 apex(const State &muzzle, double g) {
-    require_shot(muzzle, g);
+    require_g(g);
     if (muzzle.velocity.y() <= 0) return muzzle.position;
     const double t = muzzle.velocity.y() / g; // until it rises no more [s]
     return muzzle.position + t * Vec2{muzzle.velocity.x(), muzzle.velocity.y() / 2};
@@ -45,15 +41,14 @@ Vec2 apex(const State &muzzle, double g) {
 
 //> Solution: good frames
 static void require_frames(const State &muzzle, double g, double dt) {
-    course::require_range(dt);
     course::require(dt > 0, "dt [s] must be positive", dt);
     const double t = gravity_wells::time_to_fall(muzzle.position.y(), muzzle.velocity.y(), g);
-    course::require(t / dt <= 10000, "the flight must not take more than 10 000 dt", t / dt);
+    course::require(t / dt <= 10000 + 1e-6, "the flight must not take more than 10 000 dt", t / dt);
 }
 
 //> Solution 4.5: dotted arc
 std::vector<Vec2> dotted_arc(const State &muzzle, double g, double dt) {
-    require_shot(muzzle, g);
+    require_g(g);
     require_above_ground(muzzle);
     require_frames(muzzle, g, dt);
     const double landing = time_of_flight(muzzle, g);
@@ -68,17 +63,15 @@ std::vector<Vec2> dotted_arc(const State &muzzle, double g, double dt) {
 
 //> Solution 4.6: range in wind
 double range_in_wind(const State &muzzle, double g, double wind) {
-    require_shot(muzzle, g);
+    require_g(g);
     require_above_ground(muzzle);
-    course::require_range(wind);
     const double t = time_of_flight(muzzle, g);
     return muzzle.velocity.x() * t + wind * t * t / 2;
 }
 
 //> Solution 4.7: range at a height
 std::optional<double> range_at_height(const State &muzzle, double g, double height) {
-    require_shot(muzzle, g);
-    course::require_range(height);
+    require_g(g);
     const double up = muzzle.velocity.y();
     const double square = up * up + 2 * g * (muzzle.position.y() - height); // of its vertical speed there [m²/s²]
     if (square < 0) return {};
@@ -89,7 +82,6 @@ std::optional<double> range_at_height(const State &muzzle, double g, double heig
 
 //> Solution 4.8: launch angles
 std::vector<double> launch_angles(double speed, const Vec2 &target, double g) {
-    course::require_range(speed, target, g);
     course::require(speed >= 0, "speed [m/s] must not be negative", speed);
     course::require(target.x() > 0, "target.x() [m] must be positive", target.x());
     course::require(g > 0, "g [m/s²] must be positive", g);
@@ -112,7 +104,7 @@ static double crossing(const Vec2 &before, const Vec2 &after) {
 
 //> Solution 4.9: frame loop ranges
 LoopRanges frame_loop_ranges(const State &muzzle, double g, double dt) {
-    require_shot(muzzle, g);
+    require_g(g);
     require_above_ground(muzzle);
     require_frames(muzzle, g, dt);
     course::require(muzzle.velocity.y() > g * dt, "the shell must still rise after its first frame",

@@ -1,44 +1,38 @@
 #include "nt_collisions.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
-#include <utility>
 
 namespace nt_collisions {
 
-//> Solution: two centres
-static void require_centres(const Vec2 &a, const Vec2 &b) {
-    course::require_range(a, b);
-    const double distance = (b - a).norm();
+//> Solution: the normal
+/// The line of centres from a to b, of length 1.
+static Vec2 normal_from(const Vec2 &a, const Vec2 &b) {
+    const Vec2 gap = b - a;
+    const double distance = gap.norm();
     course::require(distance > 0, "the distance of the centres [m] must be positive", distance);
+    return gap / distance;
 }
 
 //> Solution 8.1: decompose
 Components decompose(const Vec2 &velocity, const Vec2 &a, const Vec2 &b) {
-    course::require_range(velocity);
-    require_centres(a, b);
-    const Vec2 n = (b - a) / (b - a).norm(); // the line of centres, of length 1
-    const Vec2 t{-n.y(), n.x()};             // a quarter turn to the left of it
+    const Vec2 n = normal_from(a, b);
+    const Vec2 t{-n.y(), n.x()}; // a quarter turn to the left of it
     return {velocity.dot(n), velocity.dot(t)};
 }
 
 //> Solution: a good ball
 static void require_ball(const Ball &ball) {
-    course::require_range(ball.position, ball.velocity, ball.radius, ball.mass);
     course::require(ball.radius > 0, "radius [m] must be positive", ball.radius);
     course::require(ball.mass > 0, "mass [kg] must be positive", ball.mass);
 }
 
-static void require_two_balls(const Ball &a, const Ball &b) {
-    require_ball(a);
-    require_ball(b);
-    require_centres(a.position, b.position);
-}
-
 //> Solution 8.2: exchange
 Velocities exchange(const Ball &a, const Ball &b) {
-    require_two_balls(a, b);
-    const Vec2 n = (b.position - a.position) / (b.position - a.position).norm();
+    require_ball(a);
+    require_ball(b);
+    const Vec2 n = normal_from(a.position, b.position);
     const double approach = a.velocity.dot(n) - b.velocity.dot(n); // how much faster a moves along n than b [m/s]
     if (approach <= 0) return {a.velocity, b.velocity};
     return {a.velocity - approach * n, b.velocity + approach * n};
@@ -46,9 +40,10 @@ Velocities exchange(const Ball &a, const Ball &b) {
 
 //> Solution 8.3: resolve a collision
 Velocities resolve_collision(const Ball &a, const Ball &b, double restitution) {
-    require_two_balls(a, b);
+    require_ball(a);
+    require_ball(b);
     course::require(restitution >= 0 && restitution <= 1, "restitution must be from 0 to 1", restitution);
-    const Vec2 n = (b.position - a.position) / (b.position - a.position).norm();
+    const Vec2 n = normal_from(a.position, b.position);
     const double approach = a.velocity.dot(n) - b.velocity.dot(n);
     if (approach <= 0) return {a.velocity, b.velocity};
 
@@ -75,7 +70,6 @@ std::optional<double> time_of_impact(const Ball &a, const Ball &b) {
 
 //> Solution: a good disc
 static void require_disc(const Disc &disc) {
-    course::require_range(disc.position, disc.radius, disc.inverse_mass);
     course::require(disc.radius > 0, "radius [m] must be positive", disc.radius);
     course::require(disc.inverse_mass >= 0, "inverse mass [1/kg] must not be negative", disc.inverse_mass);
 }
@@ -94,22 +88,30 @@ Positions push_apart(const Disc &a, const Disc &b) {
 }
 
 //> Solution 8.6: close pairs
+/// The column and the row of a point's cell, and the point's index.
+using Place = std::array<int, 3>;
+
 static int cell(double x, double width) { return int(std::floor(x / width)); }
 
 std::vector<Pair> close_pairs(const std::vector<Vec2> &centres, double distance) {
-    course::require_range(centres, distance);
     course::require(distance >= 0.001, "distance [m] must be 0.001 or more", distance);
-    std::map<std::pair<int, int>, std::vector<int>> grid; // what is in each cell
+    std::vector<Place> places;
+    for (int i = 0; i < int(centres.size()); ++i)
+        places.push_back({cell(centres[i].x(), distance), cell(centres[i].y(), distance), i});
+    std::vector<Place> grid = places;
+    std::sort(grid.begin(), grid.end()); // column by column, and upwards in each
+
     std::vector<Pair> pairs;
-    for (int i = 0; i < int(centres.size()); ++i) {
-        const int column = cell(centres[i].x(), distance), row = cell(centres[i].y(), distance);
-        for (int x = column - 1; x <= column + 1; ++x)
-            for (int y = row - 1; y <= row + 1; ++y)
-                if (const auto near = grid.find({x, y}); near != grid.end())
-                    for (const int earlier : near->second)
-                        if ((centres[i] - centres[earlier]).norm() <= distance) pairs.push_back({earlier, i});
-        grid[{column, row}].push_back(i); // last of all: so a point meets those before it, and not itself
-    }
+    for (const auto &[column, row, i] : places)
+        for (int x = column - 1; x <= column + 1; ++x) {
+            // the three cells of a column that are near are one stretch of the list
+            auto near = std::lower_bound(grid.begin(), grid.end(), Place{x, row - 1, 0});
+            for (; near != grid.end() && *near < Place{x, row + 2, 0}; ++near) {
+                const int other = (*near)[2];
+                const double squared = (centres[i] - centres[other]).squaredNorm();
+                if (other < i && squared <= distance * distance) pairs.push_back({other, i});
+            }
+        }
     return pairs;
 }
 //>

@@ -12,14 +12,12 @@ namespace inverse_kinematics {
 
 //> Solution 10.1: point at
 double point_at(const Vec2 &joint, const Vec2 &target) {
-    course::require_range(joint, target);
     if (joint == target) return 0; // where a -0 is in it, atan2 would say half a turn
     return std::atan2(target.y() - joint.y(), target.x() - joint.x());
 }
 
 //> Solution: a good arm
 static void require_arm(const Arm &arm) {
-    course::require_range(arm.first, arm.second);
     for (const double length : {arm.first, arm.second})
         course::require(length > 0, "length [m] must be positive", length);
 }
@@ -61,7 +59,6 @@ static Pose turned_to(const Arm &arm, double second, const Vec2 &target) {
 
 std::vector<Pose> poses(const Arm &arm, const Vec2 &target) {
     require_arm(arm);
-    course::require_range(target);
     const double r = distance(target), a_hair = 1e-12 * far_border(arm);
     if (r > far_border(arm) + a_hair || r < near_border(arm) - a_hair) return {};
     if (r >= far_border(arm)) return {turned_to(arm, 0, target)};
@@ -73,16 +70,9 @@ std::vector<Pose> poses(const Arm &arm, const Vec2 &target) {
 //> Solution 10.3: nearest reachable
 Vec2 nearest_reachable(const Arm &arm, const Vec2 &target) {
     require_arm(arm);
-    course::require_range(target);
     const double r = distance(target), there = std::clamp(r, near_border(arm), far_border(arm));
     if (there == r) return target;
     return r == 0 ? Vec2{there, 0} : Vec2{target / r * there};
-}
-
-//> Solution: a good orchard
-static void require_orchard(const Orchard &now) {
-    course::require_range(now.pose.first, now.pose.second);
-    for (const Apple &apple : now.apples) course::require_range(apple.place, apple.speed);
 }
 
 //> Solution: on the way
@@ -94,8 +84,6 @@ static Vec2 towards(const Vec2 &start, const Vec2 &goal, double at_most) {
 
 //> Solution 10.4: one frame of the orchard
 Orchard next_frame(Orchard now, const Vec2 &pointer, double dt) {
-    require_orchard(now);
-    course::require_range(pointer);
     course::require(dt >= 0 && dt <= 1, "dt [s] must be from 0 to 1", dt);
     const Vec2 goal = nearest_reachable(picker, pointer);
     const Vec2 place = towards(hand_of(picker, now.pose), goal, dt * hand_speed);
@@ -120,7 +108,6 @@ static double change(const Pose &one, const Pose &other) {
 }
 
 Pose continued(const Arm &arm, const Pose &before, const Vec2 &target) {
-    course::require_range(before.first, before.second);
     const Vec2 place = nearest_reachable(arm, target);
     std::vector<Pose> all = poses(arm, place);
     if (place == Vec2{0, 0}) all = {{before.first, pi}}; // every first angle will do, so it stays
@@ -132,15 +119,11 @@ Pose continued(const Arm &arm, const Pose &before, const Vec2 &target) {
 
 //> Solution: good links
 static void require_links(const std::vector<Link> &links) {
-    for (const Link &link : links) {
-        course::require_range(link.length, link.angle);
-        course::require(link.length >= 0, "length [m] must not be negative", link.length);
-    }
+    for (const Link &link : links) course::require(link.length >= 0, "length [m] must not be negative", link.length);
 }
 
 //> Solution 10.6: a CCD sweep
 std::vector<Link> ccd_sweep(const Vec2 &base, std::vector<Link> links, const Vec2 &target) {
-    course::require_range(base, target);
     require_links(links);
     std::vector<Vec2> all = joints(base, links);
     Vec2 hand = all.back();
@@ -156,10 +139,8 @@ std::vector<Link> ccd_sweep(const Vec2 &base, std::vector<Link> links, const Vec
 //> Solution: good limits
 static void require_limits(const std::vector<Limits> &limits, std::size_t links) {
     course::require(limits.size() == links, "there must be one limit for each link, limits", double(limits.size()));
-    for (const auto &[low, high] : limits) {
-        course::require_range(low, high);
+    for (const auto &[low, high] : limits)
         course::require(low <= high, "a lower limit must not be above its upper one", low);
-    }
 }
 
 //> Solution: least squares, damped
@@ -185,7 +166,6 @@ static bool above_ground(const Vec2 &base, const std::vector<Link> &links) {
 //> Solution 10.7: a damped step
 std::vector<Link> damped_step(const Vec2 &base, const std::vector<Link> &links, const std::vector<Limits> &limits,
                               const Vec2 &target, double damping) {
-    course::require_range(base, target, damping);
     require_links(links);
     require_limits(limits, links.size());
     course::require(damping >= 1e-6, "damping [m] must be at least 1e-6", damping);
@@ -212,7 +192,6 @@ static double nearest_on(const Vec2 &from, const Vec2 &to) {
 static void require_path(const Arm &arm, const std::vector<Vec2> &path) {
     course::require(!path.empty(), "a path must have a corner, corners", 0);
     for (std::size_t i = 0; i < path.size(); ++i) {
-        course::require_range(path[i]);
         const double in = nearest_on(path[i == 0 ? 0 : i - 1], path[i]) - near_border(arm);
         const double out = far_border(arm) - path[i].norm();
         course::require(std::min(in, out) > 0.1 - 1e-9, "the path must keep 0.1 m from where the reach ends, [m]",
@@ -241,7 +220,6 @@ static void draw(const Arm &arm, std::vector<Pose> &all, const Vec2 &from, const
 
 std::vector<Pose> write(const Arm &arm, const Pose &start, const std::vector<Vec2> &path) {
     require_arm(arm);
-    course::require_range(start.first, start.second);
     require_path(arm, path);
     const double off = (hand_of(arm, start) - path.front()).norm();
     course::require(off <= 1e-6, "the hand must start at the first corner, but it's off by [m]", off);

@@ -6,21 +6,15 @@
 
 namespace particles {
 
-//> Solution 11.1: spawn
-std::optional<Pool> spawn(const Pool &pool, const Particle &particle) {
-    require_particle(particle);
-    for (std::size_t i = 0; i < pool.size(); ++i)
-        if (!pool[i]) {
-            Pool after = pool;
-            after[i] = particle;
-            return after;
-        }
+//> Solution 11.1: a free slot
+std::optional<int> free_slot(const Pool &pool) {
+    for (int i = 0; i < int(pool.size()); ++i)
+        if (!pool[i]) return i;
     return {};
 }
 
 //> Solution 11.2: life and colour
 std::optional<int> shade_index(double age, double life, int shades) {
-    course::require_range(age, life);
     course::require(age >= 0, "age [s] must not be negative", age);
     course::require(life > 0, "life [s] must be positive", life);
     course::require(shades >= 1, "shades must be at least 1", shades);
@@ -32,7 +26,6 @@ std::optional<int> shade_index(double age, double life, int shades) {
 //> Solution 11.3: a step
 std::optional<Particle> step(const Particle &particle, const World &world, double dt) {
     require_particle(particle);
-    course::require_range(world.gravity, world.wind, world.width, world.height, dt);
     course::require(world.width > 0, "width [m] must be positive", world.width);
     course::require(world.height > 0, "height [m] must be positive", world.height);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
@@ -54,7 +47,6 @@ static Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)};
 
 //> Solution 11.4: a ring
 std::vector<Vec2> ring_burst(int count, double speed, double first) {
-    course::require_range(speed, first);
     course::require(count >= 0, "count must not be negative", count);
     course::require(speed >= 0, "speed [m/s] must not be negative", speed);
 
@@ -69,7 +61,6 @@ std::vector<Vec2> ring_burst(int count, double speed, double first) {
 //> Solution 11.5: a disc
 std::vector<Vec2> disc_burst(const std::vector<double> &random_numbers, double max_speed) {
     require_random_numbers(random_numbers);
-    course::require_range(max_speed);
     course::require(random_numbers.size() % 2 == 0, "random numbers must come in pairs", double(random_numbers.size()));
     course::require(max_speed >= 0, "max_speed [m/s] must not be negative", max_speed);
 
@@ -87,7 +78,6 @@ static double either_way(double number) { return 2 * number - 1; }
 
 Particle emit(const Emitter &emitter, const std::vector<double> &random_numbers) {
     const auto &[position, velocity, offset, jitter, min_life, max_life] = emitter;
-    course::require_range(position, velocity, offset, jitter, min_life, max_life);
     require_random_numbers(random_numbers);
     course::require(random_numbers.size() == 5, "there must be 5 random numbers", double(random_numbers.size()));
     course::require(offset >= 0, "offset [m] must not be negative", offset);
@@ -104,7 +94,6 @@ Particle emit(const Emitter &emitter, const std::vector<double> &random_numbers)
 
 //> Solution 11.7: emission count
 Emission emission_count(double rate, double remainder, double dt) {
-    course::require_range(rate, remainder, dt);
     course::require(rate >= 0, "rate [1/s] must not be negative", rate);
     course::require(remainder >= 0 && remainder < 1, "remainder must be at least 0 and less than 1", remainder);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
@@ -125,12 +114,12 @@ struct Hit {
 } // namespace
 
 /// In how many seconds the particle reaches the wall's line, and where on the wall that is, from 0 to 1.
-/// Everything is measured from the particle and divided by 4, since section 7 accepts no number beyond ±1e5.
+/// Everything is measured from the particle: far from the origin, the way it goes in a second would lose digits.
 static std::optional<segment_intersection::LineIntersection> reach(const Particle &particle, const Wall &wall) {
     const Vec2 &here = particle.position;
-    return segment_intersection::intersect_lines(
-        {.start = {0, 0}, .end = particle.velocity / 4}, // one second of its path
-        {.start = (wall.start - here) / 4, .end = (wall.end - here) / 4});
+    const Wall way{{0, 0}, particle.velocity}; // of a second
+    const Wall ahead{wall.start - here, wall.end - here};
+    return segment_intersection::intersect_lines(way, ahead);
 }
 
 /// The first wall that reflects the particle within `time`.
@@ -156,7 +145,6 @@ static std::optional<Hit> next_wall(const Particle &particle, const std::vector<
 //> Solution 11.8: walls
 Particle move_and_collide(const Particle &particle, const std::vector<Wall> &walls, double restitution, double dt) {
     require_particle(particle);
-    course::require_range(restitution, dt);
     course::require(restitution >= 0 && restitution <= 1, "restitution must be from 0 to 1", restitution);
     course::require(dt >= 0, "dt [s] must not be negative", dt);
     for (const Wall &wall : walls) require_wall(wall);

@@ -1,6 +1,6 @@
 // bugs.mjs ROOT TESTS ANSWERS JUDGED CATALOGUE: whether each bug of a section in tests/bugs.txt is one of its wrong answers,
 // breaks the law that is said, keeps the three others, and begins its demo at a place that there is. TESTS and ANSWERS are
-// the section's tests and its answers, JUDGED the list of these, CATALOGUE that of exercises and tests.
+// the section's tests for authors and its answers, JUDGED the list of these, CATALOGUE that of exercises and tests.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -10,7 +10,7 @@ import { test } from 'node:test';
 
 const [root, tests, answers, judged, catalogue] = process.argv.slice(2);
 const section = path.basename(tests), number = parseInt(section, 10), read = (...file) => fs.readFileSync(path.join(...file), 'utf8');
-const differences = read(root, 'tests/wrong', `${section}.diff`);
+const differences = read(root, 'tests', section, 'mutants.diff');
 const { tests: known } = JSON.parse(read(catalogue));
 const bugs = [];
 for (const words of read(root, 'tests/bugs.txt').split('\n').map((line) => line.trim())) {
@@ -23,7 +23,7 @@ const here = bugs.filter(({ exercise }) => parseInt(exercise, 10) === number);
 
 // Of these answers alone, which tests stop them.
 const list = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'bugs ')), 'list');
-fs.writeFileSync(list, read(judged).split('\n').filter((line) => here.some(({ name }) => line.startsWith(`wrong_${name} `))).join('\n') + '\n');
+fs.writeFileSync(list, read(judged).split('\n').filter((line) => here.some(({ name }) => line.startsWith(`mutant_${name} `))).join('\n') + '\n');
 const stopped = new Map(execFileSync(tests, [answers, '--kills', list], { encoding: 'utf8' }).trim().split('\n').map((line) => {
   const [exercise, name, ...places] = line.split(' ');
   return [`${exercise} ${name}`, places.map((place) => known[place - 1].claim)];
@@ -36,7 +36,7 @@ test(`section ${number} has three bugs, and one of them is on the site`, { skip:
 });
 for (const { exercise, name, breaks, keeps, at, or } of here)
   test(`${exercise} ${name}`, () => {
-    const red = stopped.get(`${exercise} wrong_${name}`);
+    const red = stopped.get(`${exercise} mutant_${name}`);
     assert.ok(red, 'is a wrong answer of this exercise');
     for (const law of [breaks, ...keeps]) assert.ok(known.some((one) => one.exercise === exercise && one.claim === law), `no test is called: ${law}`);
     assert.equal(new Set(keeps).size, 3);

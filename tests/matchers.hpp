@@ -11,9 +11,9 @@
 
 #include "course.hpp"
 #include "dice.hpp"
-#include "verdict/tests/mismatch.hpp"
-#include "verdict/tests/refusals.hpp"
-#include "verdict/tests/remote.hpp"
+#include "judge/runner/mismatch.hpp"
+#include "judge/runner/refusals.hpp"
+#include "judge/runner/remote.hpp"
 
 #include <cmath>
 #include <limits>

@@ -13,6 +13,9 @@
 using Catch::Approx;
 using Catch::Matchers::WithinAbs, Catch::Matchers::WithinRel;
 
+inline constexpr double digits = 1e-9; ///< how far off an answer may be, as in our tests
+constexpr double degrees(double angle) { return angle * std::numbers::pi / 180; } // [rad]
+
 /// What has fields, or may be nothing, in a failed check: as in a verdict.
 template <class T>
 requires course::wire::Fields<T> || course::wire::is_optional<T>

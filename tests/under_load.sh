@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A verdict doesn't depend on what else the machine does. Judges our solutions all at once, then sixteen times section 5's,
 # then answers that loop or sleep, four at once, beside five busy loops a core, and compares each verdict with the one of a
-# quiet machine, byte for byte. At last all of tests/right, eight times at once.
+# quiet machine, byte for byte. At last all variants, eight times at once.
 #
 #     tests/under_load.sh [ROUNDS]      a round takes a minute or two on two cores, and the end five; needs ./course test --all
 set -u
@@ -62,7 +62,7 @@ for list in "$build"/answers/*.txt; do
     grep '^right_' "$list" >"$work/right"
     jobs=()
     for copy in {1..8}; do
-        "$build/tests/$section" "$build/subjects/$section/answers" --answers "$work/right" >"$work/right.$copy" & jobs+=($!)
+        "$build/author/$section" "$build/subjects/$section/answers" --answers "$work/right" >"$work/right.$copy" & jobs+=($!)
     done
     for copy in {1..8}; do wait "${jobs[copy - 1]}" || { cat "$work/right.$copy"; exit 1; }; done
     echo "$section: $(tail -n 1 "$work/right.1"), eight times at once"

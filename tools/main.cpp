@@ -1,13 +1,13 @@
-// The `course` program: finds its tree, lets each command add itself, and says every error in one sentence.
+// The `course` program: finds the course, lets each command add itself, and reports every error in one sentence.
 
+#include "base/files.hpp"
+#include "base/kernel.hpp"
+#include "base/lab.hpp"
+#include "base/nearest.hpp"
+#include "base/plain.hpp"
+#include "base/process.hpp"
 #include "book/contents.hpp"
 #include "commands/commands.hpp"
-#include "ground/files.hpp"
-#include "ground/kernel.hpp"
-#include "ground/lab.hpp"
-#include "ground/nearest.hpp"
-#include "ground/plain.hpp"
-#include "ground/process.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -18,25 +18,36 @@ namespace {
 
 /// What the `course` script does itself, before this program is there: listed here for help and for slips of the pen.
 auto by_the_script(const std::string &name, const std::string &what) {
-    return [=](CLI::App &app, const Tree &) {
+    return [=](CLI::App &app, const Workspace &) {
         app.add_subcommand(name, what)->footer("Example: ./course " + name)->callback([name] {
-            throw Complaint{"`" + name + "` is a command of the script: type ./course " + name};
+            throw UserError{"`" + name + "` is a command of the script: type ./course " + name};
         });
     };
 }
 
+/// What only authors of sections type.
+void add_dev(CLI::App &app, const Workspace &workspace) {
+    CLI::App *dev = app.add_subcommand("dev", "List what only authors of sections need, as ./course dev weave");
+    dev->require_subcommand(0, 1)->footer("Example: ./course dev weave 7");
+    for (const auto &add : {add_new, add_weave, add_publish, add_release, add_bench}) add(*dev, workspace);
+    dev->callback([&app, dev] {
+        if (dev->get_subcommands().empty()) std::cout << app.help(); // of the command that was typed
+    });
+}
+
 struct Group {
-    const char *title;
-    std::vector<std::function<void(CLI::App &, const Tree &)>> commands;
+    const char *title; ///< "" for commands that only the build types
+    std::vector<std::function<void(CLI::App &, const Workspace &)>> commands;
 };
 
 const std::vector<Group> groups{
     {"For students",
      {add_check, add_list, add_hint, add_solution, add_reset, add_run, add_plot, add_play, add_debug, add_bug,
-      add_mytests, add_site, add_open, add_make, by_the_script("setup", "Install what the course needs; asks first"),
-      add_update, add_doctor}},
+      add_mytests, add_site, add_open, by_the_script("setup", "Install what the course needs; asks first"), add_update,
+      add_doctor}},
     {"For instructors", {add_grade, add_export, by_the_script("test", "Run the whole test suite")}},
-    {"For contributors", {add_new, add_weave, add_draw, add_publish, add_bench}},
+    {"For authors", {add_dev}},
+    {"", {add_make, add_draw}},
 };
 
 constexpr const char *description = R"(Frame by Frame, a course in game physics.
@@ -55,14 +66,13 @@ Exit codes:
 
 Example: ./course check 7 --watch)";
 
-void add_commands(CLI::App &app, const Tree &tree) {
+void add_commands(CLI::App &app, const Workspace &workspace) {
     for (const Group &group : groups)
         for (const auto &add : group.commands) {
             const auto before = app.get_subcommands({}).size();
-            add(app, tree);
+            add(app, workspace);
             const auto all = app.get_subcommands({});
-            for (std::size_t i = before; i < all.size(); ++i)
-                if (!all[i]->get_group().empty()) all[i]->group(group.title); // else hidden
+            for (std::size_t i = before; i < all.size(); ++i) all[i]->group(group.title);
         }
 }
 
@@ -72,19 +82,25 @@ std::filesystem::path folder(const char *variable, const char *built_with) {
     return path.empty() ? path : std::filesystem::absolute(path).lexically_normal();
 }
 
-Tree find_tree() {
-    const Tree tree{.root = folder("COURSE_ROOT", COURSE_DEFAULT_ROOT),
-                    .build = folder("COURSE_BUILD", COURSE_DEFAULT_BUILD),
-                    .home = folder("COURSE_HOME", "")};
-    if (std::filesystem::exists(tree.root / "CMakeLists.txt")) return tree;
-    throw Complaint{"the course is not in " + tree.root.string()
+Workspace find_workspace() {
+    const Workspace workspace{.root = folder("COURSE_ROOT", COURSE_DEFAULT_ROOT),
+                              .build = folder("COURSE_BUILD", COURSE_DEFAULT_BUILD),
+                              .home = folder("COURSE_HOME", "")};
+    if (std::filesystem::exists(workspace.root / "CMakeLists.txt")) return workspace;
+    throw UserError{"the course is not in " + workspace.root.string()
                     + "; has it been moved? Run the script ./course in its new place"};
 }
 
-/// The command that was typed, or the whole program.
+/// The command that was typed, as `dev weave` is one, or the whole program.
 const CLI::App &typed(const CLI::App &app) {
     const auto chosen = app.get_subcommands();
-    return chosen.empty() ? app : *chosen.front();
+    return chosen.empty() ? app : typed(*chosen.front());
+}
+
+/// How it's typed.
+std::string full_name(const CLI::App &command) {
+    const CLI::App *parent = command.get_parent();
+    return parent ? full_name(*parent) + ' ' + command.get_name() : command.get_name();
 }
 
 std::vector<std::string> names(const CLI::App &app, bool options) {
@@ -97,15 +113,31 @@ std::vector<std::string> names(const CLI::App &app, bool options) {
     return result;
 }
 
-std::string unknown_command(const CLI::App &app, const std::string &word) {
-    return "there is no command `" + word + "`." + did_you_mean(word, names(app, false)) + " See ./course --help";
+bool is_command(const CLI::App &app, const std::string &word) {
+    return std::ranges::count(names(app, false), word) > 0;
+}
+
+/// Before a --help behind a wrong word is obeyed.
+/// @param words  reversed
+void require_known_commands(const CLI::App &app, std::vector<std::string> words) {
+    if (words.empty() || words.back().starts_with('-')) return;
+    const std::string word = words.back();
+    if (is_command(app, word)) {
+        words.pop_back();
+        if (word == "dev") require_known_commands(*app.get_subcommand(word), words);
+        return;
+    }
+    if (app.get_name() != "dev" && is_command(*app.get_subcommand("dev"), word))
+        throw UserError{"`" + word + "` is a command for authors: type ./course dev " + word};
+    throw UserError{"there is no command `" + word + "`." + did_you_mean(word, names(app, false)) + " See "
+                    + full_name(app) + " --help"};
 }
 
 /// One sentence about a command line that cannot be understood.
 std::string misunderstood(const CLI::App &app, const CLI::ParseError &error) {
     const CLI::App &command = typed(app);
     const bool whole = &command == &app;
-    const std::string help = whole ? "./course --help" : "./course " + command.get_name() + " --help";
+    const std::string help = full_name(command) + " --help";
     const std::vector<std::string> unknown = app.remaining(true);
     if (!dynamic_cast<const CLI::ExtrasError *>(&error) || unknown.empty())
         return std::string{error.what()} + "; see " + help;
@@ -127,35 +159,34 @@ std::vector<std::string> options_behind_the_command(std::vector<std::string> wor
     return words;
 }
 
-int obey(int argc, char **argv) {
-    const Tree tree = find_tree();
-    if (tree.is_shared() && settle_in(tree))
-        std::cerr << "Your exercises are in " << (tree.home / "exercises").string() << ". In " << tree.home.string()
-                  << " you can type ./course, as the book has it.\n";
+int run_cli(int argc, char **argv) {
+    const Workspace workspace = find_workspace();
+    if (workspace.is_shared() && create_student_folder(workspace))
+        std::cerr << "Your exercises are in " << (workspace.home / "exercises").string() << ". In "
+                  << workspace.home.string() << " you can type ./course, as the book has it.\n";
     CLI::App app{description, "./course"};
     app.require_subcommand(0, 1)->failure_message(nullptr);
     app.set_help_flag("-h,--help", "Print this help");
     app.set_version_flag("--version", "Frame by Frame " COURSE_VERSION, "Print which version of the course this is");
-    add_commands(app, tree);
+    add_commands(app, workspace);
     app.footer(footer); // last: a command would inherit it
     std::vector<std::string> words = options_behind_the_command({argv + 1, argv + argc}); // the command is last
     try {
-        if (!words.empty() && !words.back().starts_with('-') && !std::ranges::count(names(app, false), words.back()))
-            throw Complaint{unknown_command(app, words.back())}; // before a --help behind it is obeyed
+        require_known_commands(app, words);
         app.parse(words);
         if (app.get_subcommands().empty()) std::cout << app.help();
     } catch (const CLI::Success &help) {
         app.exit(help);
     } catch (const CLI::ParseError &error) {
-        throw Complaint{misunderstood(app, error)};
+        throw UserError{misunderstood(app, error)};
     }
-    if (!std::cout.flush()) throw MachineTrouble{"cannot write the output; is the disk full?"};
+    if (!std::cout.flush()) throw EnvironmentError{"cannot write the output; is the disk full?"};
     return all_well;
 }
 
 /// A section that is not there may be one that book.md has to come.
 std::string explained(const UnknownSection &unknown) {
-    const std::filesystem::path book = find_tree().root / "book.md";
+    const std::filesystem::path book = find_workspace().root / "book.md";
     const std::string title = std::filesystem::exists(book) ? title_to_come(read_file(book), unknown.number) : "";
     if (title.empty()) return unknown.what();
     return "section " + std::to_string(unknown.number) + ", " + title
@@ -164,7 +195,7 @@ std::string explained(const UnknownSection &unknown) {
 
 int complain(const std::string &sentence, int code) {
     std::cout.flush();
-    std::cerr << plain_output("course: " + sentence); // a file's name or a word that was typed may hold escape codes
+    std::cerr << sanitize("course: " + sentence); // a file's name or a word that was typed may hold escape codes
     return code;
 }
 
@@ -176,17 +207,17 @@ int main(int argc, char **argv) {
     hide_from_other_processes();
     catch_signals();
     try {
-        return obey(argc, argv);
-    } catch (const Leave &leave) {
+        return run_cli(argc, argv);
+    } catch (const ExitRequest &leave) {
         std::cout.flush();
         return leave.code;
     } catch (const Interrupted &stop) {
         return 128 + stop.signal;
     } catch (const UnknownSection &unknown) {
         return complain(explained(unknown), bad_input);
-    } catch (const MachineTrouble &trouble) {
+    } catch (const EnvironmentError &trouble) {
         return complain(trouble.what(), machine_trouble);
-    } catch (const Complaint &complaint) {
+    } catch (const UserError &complaint) {
         return complain(complaint.what(), bad_input);
     } catch (const std::filesystem::filesystem_error &error) {
         if (error.code() == std::errc::no_space_on_device)

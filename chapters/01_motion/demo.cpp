@@ -190,24 +190,40 @@ void add_cross(demo::Picture &seen, Colour colour, const Vec2 &at) {
         seen.shapes.push_back({Shape::line, colour, 1.5, 1, {at - arm, at + arm}});
 }
 
+/// With its sign [px²].
+double area_of(const std::vector<Vec2> &corners) {
+    double area = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 &p = corners[i], &q = corners[(i + 1) % corners.size()];
+        area += (p.x() * q.y() - p.y() * q.x()) / 2;
+    }
+    return area;
+}
+
+void add_balance(demo::Picture &seen, const Vec2 &balance) {
+    seen.shapes.push_back({Shape::discs, Colour::blue, 5, 1, {balance}});
+    seen.shapes.push_back({Shape::words, Colour::blue, 0, 1, {{20, 150}}, "disc: centroid"});
+    const Vec2 of_disc = (balance - plate_origin) / 50;
+    seen.readouts = {{"centroid, x", "m", of_disc.x(), 2}, {"centroid, y", "m", of_disc.y(), 2}};
+}
+
 /// The plate, the point on which it balances, and the mean of its corners, on which it does not.
 demo::Picture plate_and_points(std::vector<Vec2> corners) {
-    const Vec2 balance = centroid(corners);
+    const bool has_area = std::abs(area_of(corners)) > 1; // all corners may be on one line
+    const Vec2 balance = has_area ? centroid(corners) : Vec2{0, 0};
     Vec2 mean{0, 0};
     for (const Vec2 &corner : corners) mean += corner / double(corners.size());
     demo::Picture seen{{{Shape::area, Colour::line, 0, 0.4, corners}}};
     seen.shapes.push_back({Shape::handle, Colour::dim, 0, 1, corners});
     corners.push_back(corners[0]);
     seen.shapes.insert(seen.shapes.begin() + 1, {Shape::line, Colour::dim, 2, 1, corners});
-    seen.shapes.push_back({Shape::discs, Colour::blue, 5, 1, {balance}});
-    seen.shapes.push_back({Shape::words, Colour::blue, 0, 1, {{20, 150}}, "disc: centroid"});
+    if (has_area) add_balance(seen, balance);
+    else seen.shapes.push_back({Shape::words, Colour::blue, 0, 1, {{20, 150}}, "no area, no centroid"});
     seen.shapes.push_back({Shape::words, Colour::pink, 0, 1, {{20, 120}}, "cross: mean of the corners"});
     add_cross(seen, Colour::pink, mean);
-    const Vec2 of_disc = (balance - plate_origin) / 50, of_cross = (mean - plate_origin) / 50;
-    seen.readouts = {{"centroid, x", "m", of_disc.x(), 2},
-                     {"centroid, y", "m", of_disc.y(), 2},
-                     {"mean, x", "m", of_cross.x(), 2},
-                     {"mean, y", "m", of_cross.y(), 2}};
+    const Vec2 of_cross = (mean - plate_origin) / 50;
+    seen.readouts.push_back({"mean, x", "m", of_cross.x(), 2});
+    seen.readouts.push_back({"mean, y", "m", of_cross.y(), 2});
     return seen;
 }
 

@@ -120,6 +120,7 @@ void one_frame(State &now, const Input &in) {
         for (RailCart *cart : {&now.a, &now.b}) {
             next_frame(*cart, forces_on_cart(now), frame_time);
             cart->x -= about.high.x() * std::floor(cart->x / about.high.x()); // out on one side, in on the other
+            cart->cart.velocity = std::clamp(cart->cart.velocity, -1e4, 1e4); // if it's pulled for hours
         }
         return;
     case cradle:

@@ -140,6 +140,8 @@ void fly(State &now, const Input &in, double dt) {
     if (now.trail.size() > 400) now.trail.erase(now.trail.begin());
 }
 
+double turn_of_comet() { return 2 * std::numbers::pi * std::sqrt(semi_major * semi_major * semi_major / mu); } // [s]
+
 void one_step_of(State &now, const Input &in) {
     if (now.over && now.game == falling) return; // with the clock
     const double dt = step_length(now, in);
@@ -165,7 +167,7 @@ void one_step_of(State &now, const Input &in) {
         now.over = now.lander.height == 0;
         now.trail.push_back({now.lander.time, now.lander.height});
         break;
-    case comet: break;
+    case comet: now.time = std::fmod(now.time, 1000 * turn_of_comet()); break;
     default:
         if (now.game == ship_and_hole && now.time <= hold) now.ship.state.velocity += gain;
         else fly(now, in, dt);
@@ -277,8 +279,7 @@ demo::Picture above_the_moon(const State &now, const Input &in) {
 
 demo::Picture comet_and_sun(const State &now, const Input &in) {
     demo::Picture seen;
-    const double e = in["eccentricity"],
-                 turn = 2 * std::numbers::pi * std::sqrt(semi_major * semi_major * semi_major / mu);
+    const double e = in["eccentricity"], turn = turn_of_comet();
     const auto at = [&](double part) -> Vec2 { return kepler_position(semi_major, e, mu, part * turn) + Vec2{2, 0}; };
     std::vector<Vec2> orbit, marks;
     for (int k = 0; k <= 96; ++k) orbit.push_back(at(k / 96.0));

@@ -47,7 +47,8 @@ struct State {
     double spare{};
     std::vector<Vec2> trail{}, marks{}; ///< where it has been; where shells have landed
     Vec2 target{40, 15};
-    double chosen = -1; ///< the sum of all controls but the angle: if it changes, we begin again
+    Vec2 pointing{1, 0}; ///< where the cannon did, when the target was within reach
+    double chosen = -1;  ///< the sum of all controls but the angle: if it changes, we begin again
 };
 
 State begin() { return {}; }
@@ -136,9 +137,13 @@ void step(State &now, const Input &in, double dt) {
 
 State next(State now, const Input &in) {
     if (choice_of(in) != now.chosen) {
-        now = {.game = static_cast<Game>(in["The game"]), .target = now.target, .chosen = choice_of(in)};
+        now = {.game = static_cast<Game>(in["The game"]),
+               .target = now.target,
+               .pointing = now.pointing,
+               .chosen = choice_of(in)};
     }
     if (in.handle == 0) now.target = {std::clamp(in.pointer.x(), 4.0, 90.0), std::clamp(in.pointer.y(), 0.0, 55.0)};
+    if (const std::optional<Shot> shot = shot_of(now, in)) now.pointing = shot->muzzle.velocity / in["speed"];
     if (in.key == "f") fire(now, in);
     const double dt = now.game == loops ? 1 / in["frames per second"] : now.game == flies ? 0.1 : frame_time;
     for (int due = demo::steps_due(now.spare, in, dt); due > 0 && now.flying; --due)
@@ -237,13 +242,9 @@ void draw_prediction(demo::Picture &seen, const State &now, const Input &in, con
 
 void draw_cannon(demo::Picture &seen, const State &now, const Input &in) {
     const Vec2 at{0, in["muzzle above the ground"]};
-    const std::optional<Shot> shot = shot_of(now, in);
-    if (!shot) {
-        add_words(seen, now.target + Vec2{-8, 4}, "out of reach");
-    } else {
-        add(seen, Shape::line, Colour::ink, 7, {at - 5 / in["speed"] * shot->muzzle.velocity, at});
-        draw_prediction(seen, now, in, *shot);
-    }
+    add(seen, Shape::line, Colour::ink, 7, {at - 5 * now.pointing, at});
+    if (const std::optional<Shot> shot = shot_of(now, in)) draw_prediction(seen, now, in, *shot);
+    else add_words(seen, now.target + Vec2{-8, 4}, "out of reach");
     if (now.game == aims) {
         add_words(seen, now.target + Vec2{2, 1}, "target");
         say(seen, "target x", "m", now.target.x());

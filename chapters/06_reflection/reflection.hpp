@@ -3,8 +3,8 @@
 #include "../interface.hpp"
 
 /// Section 6: what a wall does to a velocity.
-/// Numbers that go in are within ±1e5, both ends included; an answer may be larger. How many digits must be right stands
-/// with the tests.
+/// Numbers that go in are within ±1e5, both ends included; an answer may be larger. Twelve digits must
+/// be right; where fewer will do, the tests say. A vector shorter than 1e-60 may count as 0.
 namespace reflection {
 
 using course::Vec2;
@@ -28,22 +28,22 @@ struct Box {
 /// A ball's velocity after it has met the sides of its box [m/s]. Once the ball's edge is past a side, the component that
 /// leads out through that side is reversed; a ball that's already coming back is left alone. When the edge only just
 /// touches a side, either is right.
-/// @throws std::invalid_argument if the radius is negative, the box is not wider and higher than the ball, or a number is
-///         not within ±1e5.
+/// @throws std::invalid_argument if the radius is negative, or the box is not wider and higher than the ball.
 Vec2 bounce_in_box(const Ball &ball, const Box &box);
 
 //> Reflect
 /// A ball's velocity after it has hit a smooth wall [m/s]: its normal part is reversed, and its tangential part stays.
 /// @param velocity  before [m/s]
 /// @param normal    at a right angle to the wall, on either side of it, and of any length but 0
-/// @throws std::invalid_argument if `normal` is zero, or a number is not within ±1e5.
+/// @throws std::invalid_argument if `normal` is zero.
 Vec2 reflect(const Vec2 &velocity, const Vec2 &normal);
 
 //> Unit normal
-/// The vector of length 1 at a right angle to a wall, pointing to your left when you walk from `start` to `end`.
+/// The vector of length 1 at a right angle to a wall, pointing to your left when you walk from `start` to `end`. Nearer to
+/// each other than 1e-60 m, these may count as the same point.
 /// @param start  where the wall starts [m]
 /// @param end    where it ends [m]
-/// @throws std::invalid_argument if `start` and `end` are the same point, or a number is not within ±1e5.
+/// @throws std::invalid_argument if `start` and `end` are the same point.
 Vec2 unit_normal(const Vec2 &start, const Vec2 &end);
 
 //> A surface
@@ -60,16 +60,15 @@ struct Surface {
 /// is. A ball that isn't moving towards the wall keeps its velocity.
 /// @param velocity  before [m/s]
 /// @param normal    at a right angle to the wall, on the ball's side of it, and of any length but 0
-/// @throws std::invalid_argument if `normal` is zero, `restitution` is not from 0 to 1, `mu_k` is negative, or a number
-///         is not within ±1e5.
+/// @throws std::invalid_argument if `normal` is zero, `restitution` is not from 0 to 1, or `mu_k` is negative.
 Vec2 bounce(const Vec2 &velocity, const Vec2 &normal, const Surface &surface);
 
 //> Bounce in a rotated box
 /// A ball's velocity after it has met the sides of a box that's been turned about the origin, anticlockwise [m/s]: seen
-/// from the box, that's what `bounce_in_box` does. What's beyond ±1e5 as seen from the box may be refused.
+/// from the box, that's what `bounce_in_box` does.
 /// @param box    as it was before you turned it
 /// @param angle  [rad], negative: clockwise
-/// @throws std::invalid_argument for what `bounce_in_box` refuses, or if `angle` is not within ±1e5.
+/// @throws std::invalid_argument for what `bounce_in_box` refuses.
 Vec2 bounce_in_rotated_box(const Ball &ball, const Box &box, double angle);
 
 //> A bank shot
@@ -78,8 +77,9 @@ Vec2 bounce_in_rotated_box(const Ball &ball, const Box &box, double angle);
 /// @param target  where the ball's centre should get to [m]
 /// @param across  how many tables the image is to the right (negative: to the left), from -100 to 100
 /// @param up      how many tables it's up (negative: down), from -100 to 100
-/// @throws std::invalid_argument if the ball's centre or `target` is closer to a side than the radius, the ball is at the
-///         image already, `across` or `up` is out of range, or for what `bounce_in_box` refuses.
+/// @throws std::invalid_argument if the ball's centre or `target` is closer to a side than the radius by more than
+///         rounding, the ball is at the image already, `across` or `up` is out of range, or for what `bounce_in_box`
+///         refuses.
 Vec2 bank_shot(const Ball &ball, const Vec2 &target, const Box &table, int across, int up);
 
 //>

@@ -1,4 +1,5 @@
 #include "../demo.hpp"
+#include "../chance.hpp"
 
 #include "game.hpp"
 
@@ -43,7 +44,6 @@ const demo::About about{
 const demo::Still still{1.6, "f", in_games({break_shot})};
 
 const Box table{{-8, -4.5}, {8, 4.5}};
-constexpr double small = 0.3; // the radius of the balls of the break shot [m]
 
 struct State {
     Game game = you_guess;
@@ -87,23 +87,16 @@ void place(State &now, const Vec2 &n, double size, const Ball &a, const Ball &b,
 }
 
 /// Fifteen balls in a triangle, and the cue ball in front of them.
-void rack(State &now) {
-    now.balls.clear();
-    now.balls.push_back({{-4.5, 0}, {0, 0}, small, 1});
-    for (int row = 0; row < 5; ++row)
-        for (int k = 0; k <= row; ++k)
-            now.balls.push_back({{1.5 + 0.5215 * row, 0.602 * (k - 0.5 * row)}, {0, 0}, small, 1});
+void rack_up(State &now) {
+    now.balls = rack({1.5, 0}, {0, 0});
     now.rolling = false;
 }
 
-/// A random number from -1 to 1, the same ones in every run.
-double random(unsigned &seed) {
-    seed = seed * 1664525u + 1013904223u;
-    return seed / 2147483648.0 - 1;
-}
+/// From -1 to 1.
+double either_way(course::Dice &dice) { return 2 * dice.one() - 1; }
 
 void fill(State &now, int count) {
-    unsigned seed = 8;
+    course::Dice dice{8};
     const double radius = 0.1 * std::sqrt(1000.0 / count);
     const int columns = int(std::sqrt(count * 1.6));
     const Vec2 step = (table.high - table.low) / (columns + 1);
@@ -111,7 +104,7 @@ void fill(State &now, int count) {
     now.balls.clear();
     for (int i = 0; i < count; ++i) {
         const double x = -8 + step.x() * (1 + i % columns), y = -4.5 + up * (1 + i / columns);
-        now.balls.push_back({{x, y}, {2 * random(seed), 2 * random(seed)}, radius, 1});
+        now.balls.push_back({{x, y}, {2 * either_way(dice), 2 * either_way(dice)}, radius, 1});
     }
 }
 
@@ -130,9 +123,9 @@ double angle_from(const Vec2 &a, const Vec2 &b) { return std::atan2(a.x() * b.y(
 
 /// Another contact to guess at: in the first round the chapter's own.
 void new_guess(State &now) {
-    unsigned seed = 40u * unsigned(++now.round);
-    random(seed);
-    const double angle = random(seed);
+    course::Dice dice{40u * unsigned(++now.round)};
+    dice.roll();
+    const double angle = either_way(dice);
     now.guessed_at = {std::cos(angle), std::sin(angle)};
     now.guess[0] = now.guess[1] = {2, 0};
     now.rolling = false;
@@ -158,7 +151,7 @@ void start(State &now, const Input &in) {
     }
     if (now.game == fast) place(now, {along, off}, 1, {{0, 0}, {in["speed"], 0}, 0, 1}, {{1, 0}, {0, 0}, 0, 1}, 0);
     if (now.game == fast) now.a.position.x() = now.from[0].x() = -7.5;
-    if (now.game == break_shot) rack(now);
+    if (now.game == break_shot) rack_up(now);
     if (now.game == crowd) gather(now);
     if (now.game == thousand) fill(now, int(in["balls"]));
     now.begun = now.game == masses ? energy_of(now.a) + energy_of(now.b) : 0;
@@ -223,7 +216,7 @@ void drag(State &now, const Input &in) {
     if (now.game == contact && in.handle == 0 && there.norm() > 0.1) now.to_b = there.normalized();
     if (now.game == contact && in.handle == 1) now.velocity = there / 0.7;
     if (now.game == break_shot) {
-        rack(now);
+        rack_up(now);
         const Vec2 aim = there - now.balls[0].position;
         now.aim = aim / std::max(1.0, aim.norm() / 2.5);
     }

@@ -25,7 +25,10 @@ inline Arrows arrows(const Vec2 &velocity, const Vec2 &a, const Vec2 &b) {
 }
 
 //> Do they touch?
-inline bool touch(const Ball &a, const Ball &b) { return (b.position - a.position).norm() <= a.radius + b.radius; }
+inline bool touch(const Ball &a, const Ball &b) {
+    const double reach = a.radius + b.radius;
+    return (b.position - a.position).squaredNorm() <= reach * reach;
+}
 
 //> The frame loop: two equal balls
 /// One frame of the game: when two balls touch, they collide; then both roll for `dt` seconds.
@@ -44,6 +47,16 @@ inline void collide(Ball &a, Ball &b, double restitution) {
     const Velocities after = resolve_collision(a, b, restitution);
     a.velocity = after.a;
     b.velocity = after.b;
+}
+
+//> A rack
+/// A cue ball, and 6 m to its right, at `tip`, the first of fifteen balls in a triangle, 2 mm apart.
+inline std::vector<Ball> rack(const Vec2 &tip, const Vec2 &cue_velocity) {
+    std::vector<Ball> balls{{tip - Vec2{6, 0}, cue_velocity, 0.3, 1}};
+    for (int line = 0; line < 5; ++line)
+        for (int k = 0; k <= line; ++k)
+            balls.push_back({{tip.x() + 0.5215 * line, tip.y() + 0.602 * (k - 0.5 * line)}, {0, 0}, 0.3, 1});
+    return balls;
 }
 
 //> Between the sides of a table

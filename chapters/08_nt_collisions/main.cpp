@@ -1,3 +1,4 @@
+#include "../chance.hpp"
 #include "../program.hpp"
 
 #include "game.hpp"
@@ -52,14 +53,7 @@ void print_materials(std::ostream &out) {
 //> A break shot
 const Box table{{0, 0}, {16, 9}};
 
-/// A cue ball, and fifteen balls in a triangle, 2 mm apart.
-std::vector<Ball> racked() {
-    std::vector<Ball> balls{{{3.5, 4.5}, {12, 1}, 0.3, 1}};
-    for (int line = 0; line < 5; ++line)
-        for (int k = 0; k <= line; ++k)
-            balls.push_back({{9.5 + 0.5215 * line, 4.5 + 0.602 * (k - 0.5 * line)}, {0, 0}, 0.3, 1});
-    return balls;
-}
+std::vector<Ball> racked() { return rack({9.5, 4.5}, {12, 1}); }
 
 void print_break(std::ostream &out) {
     out << row({{"t [s]", 7}, {"balls that move", 17}, {"kinetic energy [J]", 0}});
@@ -135,11 +129,10 @@ void print_pushes(std::ostream &out) {
 /// So many points at random on a table that grows with their number: 16 m by 9 m for a thousand.
 std::vector<Vec2> strewn(int count) {
     std::vector<Vec2> points;
-    unsigned seed = 8;
-    const auto random = [&seed] { return (seed = seed * 1664525u + 1013904223u) / 4294967296.0; }; // from 0 to 1
+    course::Dice dice{8};
     const double size = std::sqrt(count / 1000.0);
     for (int i = 0; i < count; ++i) {
-        const double x = random(), y = random();
+        const double x = dice.one(), y = dice.one();
         points.push_back({16 * size * x, 9 * size * y});
     }
     return points;

@@ -1,4 +1,5 @@
 #include "../demo.hpp"
+#include "../chance.hpp"
 
 #include "game.hpp"
 
@@ -77,9 +78,9 @@ std::vector<Vec2> joints_of(const Pose &pose) {
 
 /// A pose with all of the arm on one side of the wall, and another one in each round. The first one's way is a long one.
 Pose pose_on(double side, int round) {
-    for (unsigned seed = unsigned(round == 0 ? 10 : round) * 2654435761u + (side > 0 ? 77u : 1u);;
-         seed = seed * 1664525u + 1013904223u) {
-        const Pose pose{(double(seed >> 20) / 4096 * 2 - 1) * 3.1, (double(seed >> 8 & 4095) / 4096 * 2 - 1) * 2.6};
+    for (course::Dice dice{unsigned(round == 0 ? 10 : round) * 2654435761u + (side > 0 ? 77u : 1u)};; dice.roll()) {
+        const auto part = [](unsigned bits) { return double(bits % 4096) / 4096 * 2 - 1; }; // -1 to 1
+        const Pose pose{part(dice.seed >> 20) * 3.1, part(dice.seed >> 8) * 2.6};
         const std::vector<Vec2> all = joints_of(pose);
         const auto is_fine = [&](const Vec2 &at) { return side * at.x() > 0.5 && at.y() > 0.3; };
         if (is_fine(all[1]) && is_fine(all[2])) return pose;
@@ -90,12 +91,10 @@ Pose pose_on(double side, int round) {
 void bolt(State &now) {
     now.bolted[0] = {3, 30 * degree};
     now.bolted[1] = {2, 45 * degree};
-    for (unsigned seed = unsigned(now.round) * 2654435761u; now.round > 0;) {
-        const auto roll = [&](unsigned count) {
-            return double((seed = seed * 1664525u + 1013904223u) >> 16) * count / 65536;
-        };
-        now.bolted[0] = {1.5 + 0.5 * std::floor(roll(5)), 15 * degree * std::floor(roll(7))};
-        now.bolted[1] = {1 + 0.5 * std::floor(roll(4)), 15 * degree * std::floor(roll(13) - 6)};
+    for (course::Dice dice{unsigned(now.round) * 2654435761u}; now.round > 0;) {
+        const auto whole = [&](int count) { return std::floor(count * dice.one()); };
+        now.bolted[0] = {1.5 + 0.5 * whole(5), 15 * degree * whole(7)};
+        now.bolted[1] = {1 + 0.5 * whole(4), 15 * degree * (whole(13) - 6)};
         const Vec2 hand = two_links(now.bolted[0], now.bolted[1]).hand;
         if (now.bolted[1].angle != 0 && hand.x() > 0.3 && hand.x() < 4.8 && hand.y() > 0.2 && hand.y() < 3.7) return;
     }
@@ -170,6 +169,8 @@ void step(State &now, const Input &in) {
     if (now.game == drawing) {
         next_frame(now.arm, in["first motor"], in["second motor"], frame_time);
         if (now.arm.trail.size() > 900) now.arm.trail.clear();
+        for (Link *link : {&now.arm.first, &now.arm.second}) // if the motors run for hours
+            if (std::abs(link->angle) > 1e4) link->angle = std::remainder(link->angle, 360 * degree);
     }
     if (now.game == carrying) next_frame(now.box, hand_frame(now));
     if (now.game == driving)

@@ -175,6 +175,8 @@ void step(State &now, const Input &in) {
     case leading: {
         next_frame(now.pose, continued(now.arm, now.pose, now.fly), frame_time);
         next_frame(now.other, reach_for(now.arm, now.other, now.fly), frame_time);
+        for (double *angle : {&now.pose.first, &now.pose.second, &now.other.first, &now.other.second})
+            if (std::abs(*angle) > 1e4) *angle = std::remainder(*angle, 360 * degree); // it was led around for hours
         break;
     }
     case following: next_frame({0, -3}, now.links, now.fly); break;

@@ -6,8 +6,8 @@
 #include <vector>
 
 /// Section 10: which angles bring a hand to a place.
-/// Angles are in radians and go anticlockwise. Numbers beyond ±1e5 are refused. How many digits must be right stands with
-/// the tests.
+/// Angles are in radians and go anticlockwise. Numbers that go in are within ±1e5. Nine digits must be right,
+/// and a hand is where it has to be to 1e-12 of the arm's length; where less will do, the tests say.
 namespace inverse_kinematics {
 
 using course::Vec2;
@@ -16,7 +16,6 @@ using forward_kinematics::Pose; ///< `first`, `second`: the angles of both links
 
 //> Point at
 /// The angle at which a link points from its joint to the target [rad], from -π to π; 0 when both are the same point.
-/// @throws std::invalid_argument if a number is not within ±1e5.
 double point_at(const Vec2 &joint, const Vec2 &target);
 
 //> An arm
@@ -31,13 +30,13 @@ struct Arm {
 /// one when the arm has to be straight or folded; none when the target is out of reach. First angles are from -π to π, and
 /// so are second ones. Up to 1e-12 of both lengths together beyond the reach still counts as on its border.
 /// When both links are equally long and the target is at the first joint, every first angle will do: answer {0, π}.
-/// @throws std::invalid_argument if a length is not positive, or a number is not within ±1e5.
+/// @throws std::invalid_argument if a length is not positive.
 std::vector<Pose> poses(const Arm &arm, const Vec2 &target);
 
 //> Nearest reachable
 /// The point nearest to the target that the hand can reach [m]. From the first joint itself, when that's too near, all
 /// directions are the same: go to the right, along the x axis.
-/// @throws std::invalid_argument if a length is not positive, or a number is not within ±1e5.
+/// @throws std::invalid_argument if a length is not positive.
 Vec2 nearest_reachable(const Arm &arm, const Vec2 &target);
 
 //> An orchard
@@ -66,19 +65,19 @@ constexpr double grass = -3;         ///< an apple this low, or lower, is missed
 /// left. Then each apple falls: its speed grows by `gravity` times dt, then it moves with that. An apple within
 /// `catch_radius` of the hand is caught; else one at or below the grass is missed; the others stay, in their order.
 /// @param dt  [s], 0 to 1
-/// @throws std::invalid_argument if dt isn't from 0 to 1, or a number is not within ±1e5.
+/// @throws std::invalid_argument if dt isn't from 0 to 1.
 Orchard next_frame(Orchard now, const Vec2 &pointer, double dt);
 
 //> Continued
 /// The pose that brings the hand to the target, or to the nearest point it can reach, and is nearest to `before`: either
 /// elbow, any whole turns; the sum of both angles' changes is the smallest. So an arm that's led around its ring never jumps.
-/// @throws std::invalid_argument if a length is not positive, or a number is not within ±1e5.
+/// @throws std::invalid_argument if a length is not positive.
 Pose continued(const Arm &arm, const Pose &before, const Vec2 &target);
 
 //> CCD sweep
 /// An arm after one sweep of cyclic coordinate descent: from the last joint to the first, each turns, the shorter way, until
 /// the hand is in line with the target. A joint within 1e-9 m of the hand or of the target stays as it is.
-/// @throws std::invalid_argument if a length is negative, or a number is not within ±1e5.
+/// @throws std::invalid_argument if a length is negative.
 std::vector<Link> ccd_sweep(const Vec2 &base, std::vector<Link> links, const Vec2 &target);
 
 //> Limits
@@ -94,8 +93,8 @@ struct Limits {
 /// 1e-9 m below the ground, y = 0, Δ is halved and tried again, at most ten times; then the arm stays as it is.
 /// @param limits   one for each link
 /// @param damping  how much the step hesitates, at least 1e-6 [m]
-/// @throws std::invalid_argument if there isn't one limit for each link, if a lower limit is above its upper one, if the
-///         damping is less than 1e-6, if a length is negative, or a number is not within ±1e5.
+/// @throws std::invalid_argument if there isn't one limit for each link, if a lower limit is above its upper one, if
+///         the damping is less than 1e-6, or if a length is negative.
 std::vector<Link> damped_step(const Vec2 &base, const std::vector<Link> &links, const std::vector<Limits> &limits,
                               const Vec2 &target, double damping);
 
@@ -105,9 +104,9 @@ std::vector<Link> damped_step(const Vec2 &base, const std::vector<Link> &links, 
 /// angle changes by more than 0.1 rad. In each the hand is within 1e-6 m of the path, in the path's order, and each corner
 /// is visited; halfway between two poses, angles halfway, it's within 2 mm of the path. At most 1000 poses, for a
 /// path that takes a few hundred.
-/// @throws std::invalid_argument if the path has no corner, if the hand doesn't start within 1e-6 m of the first one, if the
-///         path isn't at least 0.1 m from where the reach ends, inside and outside, if a length is not positive, or a number
-///         is not within ±1e5.
+/// @throws std::invalid_argument if the path has no corner, if the hand doesn't start within 1e-6 m of the first one,
+///         if the path isn't at least 0.1 m from where the reach ends, inside and outside, or if a length is not
+///         positive.
 std::vector<Pose> write(const Arm &arm, const Pose &start, const std::vector<Vec2> &path);
 
 //>

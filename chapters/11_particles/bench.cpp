@@ -1,4 +1,4 @@
-// `./course bench particles` builds and runs this. Its figure is not redrawn each time, unlike the others.
+// `./course dev bench particles` builds and runs this. Its figure is not redrawn each time, unlike the others.
 #include "../bench.hpp"
 
 #include "pools.hpp"

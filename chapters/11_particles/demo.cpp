@@ -68,7 +68,7 @@ std::vector<Particle> sparks_of(Burst kind, State &now, const Vec2 &place) {
 
 void spawn_all(State &now, const std::vector<Particle> &newborn) {
     for (const Particle &spark : newborn)
-        if (const auto after = spawn(now.pool, spark)) now.pool = *after;
+        if (const auto slot = free_slot(now.pool)) now.pool[*slot] = spark;
 }
 
 void one_frame(State &now, const Input &in, double dt) {

@@ -14,7 +14,7 @@ inline void next_frame(Pool &pool, const std::vector<Particle> &newborn, const W
     for (auto &slot : pool)
         if (slot) slot = step(*slot, world, dt); // "nothing" from `step` makes the slot free
     for (const Particle &spark : newborn)
-        if (const auto after = spawn(pool, spark)) pool = *after; // if the pool is full, this spark is lost
+        if (const auto slot = free_slot(pool)) pool[*slot] = spark; // if the pool is full, this spark is lost
 }
 
 //> Three sparks

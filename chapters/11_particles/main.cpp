@@ -14,11 +14,11 @@ void print_pool(std::ostream &out) {
     Pool pool(3);
     out << row({{"spawn", 7}, {"does it fit?", 14}, {"slots", 0}});
     for (int i = 1; i <= 4; ++i) {
-        const auto after = spawn(pool, spark);
-        if (after) pool = *after;
+        const auto free = free_slot(pool);
+        if (free) pool[*free] = spark;
         std::string slots;
         for (const auto &slot : pool) slots += slot ? '*' : '.';
-        out << row({{text(i), 7}, {after ? "yes" : "no, full", 14}, {slots, 0}});
+        out << row({{text(i), 7}, {free ? "yes" : "no, full", 14}, {slots, 0}});
     }
 }
 
@@ -276,9 +276,11 @@ void trace_slots(std::ostream &out) {
     const Particle old{.position = {0, 0}, .velocity = {0, 0}, .age = 1, .life = 2};
     const Particle young{.position = {0, 0}, .velocity = {0, 0}, .age = 0, .life = 2};
     const Pool before{old, std::nullopt, old, std::nullopt, old};
+    Pool after = before;
+    after[free_slot(before).value()] = young;
     out << "# slot[1]\trow[1]\tholds[1]\n";
     int line = 0;
-    for (const Pool &pool : {before, spawn(before, young).value()}) {
+    for (const Pool &pool : {before, after}) {
         for (std::size_t i = 0; i < pool.size(); ++i)
             out << i << '\t' << line << '\t' << (!pool[i] ? 0 : pool[i]->age > 0 ? 1 : 2) << '\n';
         ++line;

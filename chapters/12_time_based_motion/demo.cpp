@@ -103,9 +103,9 @@ Pair pair_of(int round) {
     if (round == 0) return {60, 144, 2};
     constexpr double slow[]{30, 50, 60, 75}, fast[]{90, 120, 144, 165, 240};
     const auto one_of = [round](const auto &all, unsigned which) {
-        return all[int(chance(unsigned(round), which) * double(std::size(all)))];
+        return all[int(course::chance(unsigned(round), which) * double(std::size(all)))];
     };
-    return {one_of(slow, 1), one_of(fast, 2), chance(unsigned(round), 3) < 0.5 ? 2.0 : 3.0};
+    return {one_of(slow, 1), one_of(fast, 2), course::chance(unsigned(round), 3) < 0.5 ? 2.0 : 3.0};
 }
 /// Where your ship is when the other one arrives [px].
 double truth(const Pair &pair) { return finish * pair.yours / pair.other; }
@@ -253,8 +253,8 @@ void step_busy(State &now, const Input &in) {
 
 void step_friend(State &now, const Input &in) {
     while (0.05 * (now.packets + 1) <= now.time) {
-        const double sent = 0.05 * ++now.packets, late = 0.01 + 0.04 * chance(5, 2 * now.packets + 1);
-        if (100 * chance(5, 2 * now.packets) < in["lost"]) now.lost[now.losses++ % 8] = sent;
+        const double sent = 0.05 * ++now.packets, late = 0.01 + 0.04 * course::chance(5, 2 * now.packets + 1);
+        if (100 * course::chance(5, 2 * now.packets) < in["lost"]) now.lost[now.losses++ % 8] = sent;
         else now.line[now.packets % 24] = {{sent, flight(sent)}, sent + late};
     }
     const Vec2 seen = next_frame(now.line, now.time), news = newest(now.line, now.time);
@@ -265,6 +265,7 @@ void step_friend(State &now, const Input &in) {
 }
 
 void step(State &now, const Input &in) {
+    if (now.time > 3600 && now.mode >= laps) start(now); // nobody has watched it for an hour
     now.time += frame_time;
     switch (now.mode) {
     case who_is_first:

@@ -1,6 +1,7 @@
 #pragma once
 // The game of this chapter, as it grows: screens, a tab that sleeps, runners, cactuses, cameras, laps, a busy machine, and
 // a friend. All of it takes values: nothing in here looks at a clock.
+#include "../chance.hpp"
 #include "time_based_motion.hpp"
 
 #include <algorithm>
@@ -67,16 +68,10 @@ struct Cactus {
 };
 constexpr double half_width = 0.15; ///< of every cactus [m]
 
-/// Always the same number from 0 to 1 for the same two, and another one for others.
-inline double chance(unsigned seed, unsigned number) {
-    unsigned mixed = (seed * 7919 + number + 11) * 2654435761u;
-    mixed = (mixed ^ mixed >> 15) * 2246822519u;
-    return double((mixed ^ mixed >> 13) >> 20) / 4096;
-}
 /// The cactus with this number, from 0: 6.5 to 13 m behind the one before.
 inline Cactus cactus(unsigned seed, int number) {
     const auto another = 2 * unsigned(number);
-    return {6 + 9.75 * number + 3.25 * chance(seed, another), 0.45 + 0.3 * chance(seed, another + 1)};
+    return {6 + 9.75 * number + 3.25 * course::chance(seed, another), 0.45 + 0.3 * course::chance(seed, another + 1)};
 }
 
 //> Ouch

@@ -1,6 +1,7 @@
 #pragma once
 // What this game needs around its step: somebody to move the hands. That's the keys, or a machine, or a beginner who
 // never gets tired, so that we can try the machine in a hundred matches. Nothing in here looks at a clock.
+#include "../chance.hpp"
 #include "table_hockey.hpp"
 
 #include <algorithm>
@@ -93,18 +94,12 @@ inline Vec2 machine_hand(const World &now, int side, Level level) {
 }
 
 //> The beginner
-/// Always the same number from -1 to 1 for the same two, and another one for others.
-inline double chance(unsigned seed, unsigned number) {
-    unsigned mixed = (seed * 7919 + number + 11) * 2654435761u;
-    mixed = (mixed ^ mixed >> 15) * 2246822519u;
-    return double((mixed ^ mixed >> 13) >> 20) / 2048 - 1;
-}
 constexpr double late = 0.045, clumsy = 0.03; ///< [s], [m]
 /// Where the hand of a beginner on the left goes. It sees where the disc was a moment ago, points a little beside it, and
 /// runs after it as soon as it's in its own half.
 inline Vec2 beginner_hand(const World &now, unsigned seed, double time) {
     const auto number = 2 * unsigned(4 * time); // points elsewhere four times a second
-    const Vec2 beside = clumsy * Vec2{chance(seed, number), chance(seed, number + 1)};
+    const Vec2 beside = clumsy * Vec2{2 * course::chance(seed, number) - 1, 2 * course::chance(seed, number + 1) - 1};
     Disc disc = now.disc;
     disc.place = motion::uniform_motion(disc.place, disc.velocity, -late) + beside;
     return disc.place.x() > 0 ? Vec2{guard(disc, false) + beside} : strike(now.left.mallet, disc, {1, 0});

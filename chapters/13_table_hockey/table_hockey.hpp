@@ -17,7 +17,7 @@
 #include <vector>
 
 /// Section 13: a game of table hockey, seen from above, in which all of this course runs.
-/// Numbers beyond ±1e5 are refused. How exact a game has to be, the tests say.
+/// Numbers that go in are within ±1e5. How exact a game has to be, the tests say.
 namespace table_hockey {
 
 using course::Vec2;
@@ -139,18 +139,18 @@ inline std::vector<Particle> next_sparks(const std::vector<Particle> &sparks, co
 
 //> Step
 /// The world dt later. Time is used up in steps of `step_time`, and what's less than a step waits in `spare`. In each step:
-/// - Each mallet follows its hand. It hits a disc in its way and pushes it aside; without room for that, the mallet stops.
+/// - One after the other, in either order, the mallets follow their hands. A mallet hits a disc in its way and pushes it
+///   aside; without room for that, the mallet stops.
 /// - The well pulls, if it's on, and the felt slows the disc down. Then the disc moves. It bounces off cushions, goal posts
 ///   and mallets, each with its restitution, and passes through none.
 /// - Sparks fly, as in `next_sparks`, which compares the disc with what it was before the step.
 /// - When the disc's centre is beyond a goal line, it's a goal for the player at the other end. The disc goes back to the
 ///   middle, at rest, and the player who let it in gets the serve.
-/// - A disc that rested on the centre line for `serve_time` is served, with `serve_velocity`. When it moves, the wait starts
-///   again.
+/// - A disc that rested on the centre line for `serve_time` is served, with `serve_velocity`. Moving restarts the wait.
 /// @param dt  [s], 0 to 0.25
-/// @throws std::invalid_argument if dt isn't from 0 to 0.25, if `spare` isn't from 0 to `step_time`, if a player is on the
-///         wrong side or has fewer than 0 goals, if `serve_to` isn't -1 or 1, if there are too many sparks, or one that
-///         section 11 refuses, or a number is not within ±1e5.
+/// @throws std::invalid_argument if dt isn't from 0 to 0.25, if `spare` isn't from 0 to `step_time`, if a player is on
+///         the wrong side or has fewer than 0 goals, if `serve_to` isn't -1 or 1, if there are too many sparks, or
+///         one that section 11 refuses.
 World step(World now, const Inputs &inputs, double dt);
 
 //> Opening

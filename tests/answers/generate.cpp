@@ -1,4 +1,4 @@
-// Puts all of a section's wrong and right answers into one C++ file, and lists how each is to be judged.
+// Puts all of a section's mutants and variants into one C++ file, and lists how each is to be judged.
 //
 //     answers-in-one ROOT NN_slug UNIT LIST CLAIMS KIND...
 //     answers-in-one ROOT NN_slug BUGS
@@ -7,13 +7,13 @@
 //
 // It writes UNIT, the C++ file; LIST, for the section's tests: a line `NAME EXERCISE EXPECTED` for each answer; and
 // CLAIMS, a line `NAME EXERCISE what you did` for each wrong one whose claim begins with "you", since `check` says that to
-// a reader, and `NAME EXERCISE what is special about it` for each right one: `mytests` says both. A KIND is `wrong` or
-// `right`. An answer is a file, tests/KIND/NN_slug/name.cpp, or an entry in tests/KIND/NN_slug.diff, of which
-// tools/loop/differences.hpp knows the form.
+// a reader, and `NAME EXERCISE what is special about it` for each right one: `mytests` says both. A KIND is `mutants`
+// or `variants`. An answer is a file, tests/NN_slug/KIND/name.cpp, or an entry in tests/NN_slug/KIND.diff, of which
+// tools/check/differences.hpp knows the form.
 // With `7.2 meet_leaves_the_ends_open, 8 of 13, yours t = 0.5: ...` exactly so many of the tests must pass, and the first
 // that does not must show that answer: a chapter says so. One of the two may be left out.
 
-#include "loop/differences.hpp"
+#include "check/differences.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -70,7 +70,7 @@ class Unit {
         write(code, solution.includes);
         // The solution itself, exercise by exercise: what the differences start from is right.
         for (const Exercise &exercise : exercises) {
-            std::string name = "right_solution_" + exercise.number;
+            std::string name = "variant_solution_" + exercise.number;
             std::replace(name.begin(), name.end(), '.', '_');
             add_lines(name, exercise.number, solution.of(exercise.number), read(solution_file)[0]);
             note(name, exercise.number, "our solution");
@@ -78,18 +78,18 @@ class Unit {
     }
 
     void add(const std::string &kind) {
-        const fs::path folder = root / "tests" / kind / section, differences = fs::path{folder} += ".diff";
+        const fs::path folder = root / "tests" / section / kind, differences = fs::path{folder} += ".diff";
+        const std::string prefix = kind.substr(0, kind.size() - 1) + '_'; // "mutant_", "variant_"
         if (fs::exists(differences))
             for (const Answer &answer : read_differences(differences)) {
-                add_lines(kind + '_' + answer.name, answer.exercise, solution.with(answer), answer.head,
-                          answer.verdict);
-                note(kind + '_' + answer.name, answer.exercise, answer.claim);
+                add_lines(prefix + answer.name, answer.exercise, solution.with(answer), answer.head, answer.verdict);
+                note(prefix + answer.name, answer.exercise, answer.claim);
             }
         std::set<fs::path> files;
         if (fs::exists(folder))
             for (const auto &entry : fs::directory_iterator{folder})
                 if (entry.path().extension() == ".cpp") files.insert(entry.path());
-        for (const fs::path &file : files) add_file(kind + '_' + file.stem().string(), file);
+        for (const fs::path &file : files) add_file(prefix + file.stem().string(), file);
     }
 
     std::string code_of_all() const { return "#include \"choose.hpp\"\n" + code.str(); }
@@ -126,7 +126,7 @@ class Unit {
         const auto exercise = std::find_if(exercises.begin(), exercises.end(),
                                            [&](const Exercise &each) { return each.number == number; });
         if (exercise == exercises.end()) throw BadAnswer{head, "there is no exercise " + number + " in this section"};
-        const std::string expected = !name.starts_with("wrong_") ? "all" : verdict.empty() ? "red" : verdict;
+        const std::string expected = !name.starts_with("mutant_") ? "all" : verdict.empty() ? "red" : verdict;
         if (!judged.emplace(name, number + ' ' + expected).second)
             throw BadAnswer{head, "there is an answer of this name already: choose another one"};
         code << "#line " << head.number << ' ' << *head.file << "\nconst Answer " << name << "_{\"" << name << "\", "
@@ -135,7 +135,7 @@ class Unit {
     }
 
     void note(const std::string &name, const std::string &exercise, const std::string &claim) {
-        if (!name.starts_with("wrong_") || claim.starts_with("you ")) told[name] = exercise + ' ' + claim;
+        if (!name.starts_with("mutant_") || claim.starts_with("you ")) told[name] = exercise + ' ' + claim;
     }
 
     fs::path root;
@@ -147,7 +147,7 @@ class Unit {
     std::map<std::string, std::string> judged, told;
 };
 
-std::string lines_of(const std::map<std::string, std::string> &entries) {
+std::string split_lines(const std::map<std::string, std::string> &entries) {
     std::string text;
     for (const auto &[name, rest] : entries) text += name + ' ' + rest + '\n';
     return text;
@@ -158,7 +158,7 @@ std::string lines_of(const std::map<std::string, std::string> &entries) {
 std::string bugs_for_pages(const fs::path &root, const std::string &section) {
     const std::string slug = section.substr(3);
     const Solution solution{root / "solutions" / (section + ".cpp")};
-    const std::vector<Answer> answers = read_differences(root / "tests" / "wrong" / (section + ".diff"));
+    const std::vector<Answer> answers = read_differences(root / "tests" / section / "mutants.diff");
     std::map<std::string, std::string> functions;
     for (const Exercise &each : exercises_of(root / "chapters" / section / (slug + ".hpp")))
         functions[each.number] = each.function;
@@ -171,7 +171,7 @@ std::string bugs_for_pages(const fs::path &root, const std::string &section) {
         const auto answer = std::ranges::find_if(
             answers, [&](const Answer &each) { return each.exercise + ' ' + each.name == line.text; });
         if (answer == answers.end()) throw BadAnswer{line, "this is no wrong answer of section " + section};
-        code << "\nnamespace wrong_" << answer->name << " {\nusing namespace " << slug << ";\ndecltype(" << slug
+        code << "\nnamespace mutant_" << answer->name << " {\nusing namespace " << slug << ";\ndecltype(" << slug
              << "::" << function->second << ") " << function->second << " COURSE_WRONG(\"" << exercise << ' '
              << function->second << "\");\n";
         write(code, solution.with(*answer));
@@ -201,8 +201,8 @@ int main(int argc, char **argv) try {
     for (int kind = 6; kind < argc; ++kind) unit.add(argv[kind]);
 
     write(argv[3], unit.code_of_all());
-    write(argv[4], lines_of(unit.judgements()));
-    write(argv[5], lines_of(unit.claims()));
+    write(argv[4], split_lines(unit.judgements()));
+    write(argv[5], split_lines(unit.claims()));
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';
     return 1;

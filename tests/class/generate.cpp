@@ -8,10 +8,10 @@
 // invented, and the bytes are the same each time.
 
 #include "../tools/made_zip.hpp"
-#include "class/archive.hpp"
-#include "ground/files.hpp"
-#include "ground/text.hpp"
-#include "loop/differences.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "check/differences.hpp"
+#include "grade/archive.hpp"
 
 #include <array>
 #include <filesystem>
@@ -30,7 +30,7 @@ const std::array<std::string, 8> exercises{"5.1", "5.2", "5.3", "5.4", "5.5", "5
 
 /// What somebody hands in.
 struct HandedIn {
-    enum Kind { file, link, zeros, text } kind = file;
+    enum Outcome { file, link, zeros, text } kind = file;
     std::string name, bytes; ///< of a link: where it leads
     std::string what;        ///< for class.txt
     std::string older;       ///< bytes of an earlier upload, if there was one
@@ -48,7 +48,7 @@ class Class {
         : root{root_},
           ours{root / "solutions" / file_name},
           solution{read_file(root / "solutions" / file_name)},
-          stub{read_file(root / "tests/stubs" / file_name)} {
+          stub{read_file(root / "tests" / section / "stub.cpp")} {
         rights();
         wrongs();
         for (std::size_t done = 2; done < 7; ++done) add("half done: " + std::to_string(done), half_done(done));
@@ -72,12 +72,12 @@ class Class {
     }
 
     std::vector<Answer> answers(const std::string &kind) const {
-        return differences::read_differences(root / "tests" / kind / (section + ".diff"));
+        return differences::read_differences(root / "tests" / section / (kind + ".diff"));
     }
 
     void rights() {
         add("right", solution);
-        const std::vector<Answer> other = answers("right");
+        const std::vector<Answer> other = answers("variants");
         for (std::size_t i = 0; i < 19; ++i) {
             const Answer &answer = other.at(i * other.size() / 19);
             add("right " + answer.exercise + ' ' + answer.name, with(answer));
@@ -85,7 +85,7 @@ class Class {
     }
 
     void wrongs() {
-        const std::vector<Answer> wrong = answers("wrong");
+        const std::vector<Answer> wrong = answers("mutants");
         for (std::size_t i = 0; i < 20; ++i) {
             const Answer &answer = wrong.at(i * wrong.size() / 20);
             add("wrong " + answer.exercise + ' ' + answer.name, with(answer));

@@ -4,3 +4,5 @@
 #define TEN(x) x x x x x x x x x x
 #define THOUSAND(x) TEN(TEN(TEN(x)))
 static_assert(false, THOUSAND(TEN(TEN("xxxxxxxxxx"))));
+
+namespace segment_intersection {} // else that would be told first

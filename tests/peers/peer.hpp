@@ -1,5 +1,5 @@
 #pragma once
-// Compares a solution with a peer: code that others wrote for the same job, in another way. tests/peers/NN_slug.txt
+// Compares a solution with a peer: code that others wrote for the same job, in another way. tests/NN_slug/peer.txt
 // keeps how far apart the two are at most, and the chapter shows it.
 //
 //     NN_slug NN_slug.txt                       fails if a difference is larger than the kept one, or less than half
@@ -54,7 +54,7 @@ inline std::map<std::string, double> read_kept(const std::string &file) {
 /// What the main function of a peer does.
 inline int compare_with_peer(int argc, char **argv, const std::string &title,
                              const std::vector<Comparison> &comparisons) try {
-    if (argc != 2) throw std::runtime_error{"usage: " + std::string{argv[0]} + " tests/peers/NN_slug.txt"};
+    if (argc != 2) throw std::runtime_error{"usage: " + std::string{argv[0]} + " tests/NN_slug/peer.txt"};
     const std::map<std::string, double> kept = read_kept(argv[1]);
     std::ostringstream now;
     now << "#> " << title << '\n' << std::left << std::setprecision(2);

@@ -60,7 +60,7 @@ rows.forEach((row, i) => {
   row.forEach((x, k) => (most = Math.max(most, Math.abs(x - there[k]))));
   if (there.length === row.length && different < 0) return;
   console.log(`${name}: the page's demo and this machine's differ from frame ${i} on: ${row.length} numbers and ${there.length}, ${row[different]} and ${there[different]}.`);
-  console.log('If the demo was changed, type ./course publish');
+  console.log('If the demo was changed, type ./course dev publish');
   process.exit(1);
 });
 console.log(`${name}: 2000 frames, ${rows.reduce((sum, row) => sum + row.length, 0)} numbers, largest difference ${most}`);

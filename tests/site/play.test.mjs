@@ -57,6 +57,18 @@ describe('a demo', { concurrency: 2 }, () => {
     assert.notEqual(await demo.picture(), turned, 'r resets');
   });
 
+  test('where somebody jumps, the space bar is for that, and pauses nothing', async (t) => {
+    const demo = await inChapter(t, '12_time_based_motion', 'The game: run and jump');
+    await demo.canvas.focus();
+    await demo.page.keyboard.press(' '); // the first press starts the runner
+    const before = await demo.picture();
+    await demo.wait(400);
+    assert.notEqual(await demo.picture(), before, 'it runs on');
+    const named = await demo.figure.locator('.keys').innerText();
+    assert.match(named, /space jump/);
+    assert.doesNotMatch(named, /space pause/);
+  });
+
   test('is dragged by the mouse, and by a finger while the page stays where it is', async (t) => {
     const demo = await openDemo(t, seven);
     await demo.still();

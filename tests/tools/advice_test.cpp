@@ -1,11 +1,11 @@
 // What `check` adds to a compiler's words, with the words that GCC and Clang have for slips.cpp, where they are.
 
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
-#include "ground/plain.hpp"
-#include "ground/process.hpp"
-#include "ground/text.hpp"
-#include "loop/diagnosis.hpp"
+#include "base/files.hpp"
+#include "base/lines.hpp"
+#include "base/plain.hpp"
+#include "base/process.hpp"
+#include "base/text.hpp"
+#include "check/diagnosis.hpp"
 #include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -38,7 +38,7 @@ std::string said_of_line(const std::string &printed, const std::string &file, in
 
 /// Whether this ends in one of the sentences of slips.cpp.
 bool ends_with_advice(const std::string &said, const std::string &slips) {
-    for (const Line &line : lines_of(slips)) {
+    for (const Line &line : split_lines(slips)) {
         const std::size_t comment = line.text.find("// ");
         if (comment != line.text.npos && said.ends_with(line.text.substr(comment + 3))) return true;
     }
@@ -76,6 +76,21 @@ TEST_CASE(
     CHECK(said("ball") == "could not convert 'ball'" + advice);
 }
 
+TEST_CASE("a header of a later C++, and a library that isn't linked, are told with what to do instead") {
+    const auto said = [](const std::string &words) {
+        return diagnose_compiler("/x/04.cpp:1:10: fatal error: " + words + "\n", "/x/04.cpp", "04.cpp").sentence;
+    };
+    const std::string print = ": print with std::cout, and #include <iostream>.";
+    CHECK(said("format: No such file or directory") == "This compiler doesn't have <format> yet" + print);
+    CHECK(said("'print' file not found") == "This compiler doesn't have <print> yet" + print);
+    CHECK(said("generator: No such file or directory") == "This compiler doesn't have <generator> yet: do without it.");
+    CHECK(said("formats.hpp: No such file or directory").starts_with("A check can't open this file"));
+    CHECK(diagnose_linker("x.o: undefined reference to `fmt::v9::vprint(fmt::v9::basic_string_view<char>)'\n", "04.cpp",
+                          "4")
+              .sentence
+          == "A check doesn't link the library fmt" + print);
+}
+
 TEST_CASE("an else behind a missing } is explained, whatever the compiler calls it") {
     for (const char *words : {"expected ‘}’ before ‘else’", "expected expression"})
         CHECK(diagnose_compiler("/x/02.cpp:4:5: error: " + std::string{words} + "\n    else x = 2;\n    ^\n",
@@ -86,10 +101,10 @@ TEST_CASE("an else behind a missing } is explained, whatever the compiler calls 
 TEST_CASE("what GCC says of a vector whose parts are gone is said in words") {
     const std::string file = "/x/11.cpp", place = file + ":97:29: warning: ";
     const std::string parts = " + offsetof(Eigen::Matrix<double, 2, 1>, <unnamed>))’ may be used uninitialized\n";
-    CHECK(find_warnings(plain_output(place + "‘*(__m128d*)((char*)&<unnamed>" + parts), file, "11.cpp")
+    CHECK(find_warnings(sanitize(place + "‘*(__m128d*)((char*)&<unnamed>" + parts), file, "11.cpp")
           == std::vector<std::string>{
               "11.cpp:97: This vector's parts may be gone by now: if it's declared with auto, write Vec2 instead."});
-    CHECK(find_warnings(plain_output(place + "‘*(__m128d*)((char*)&v" + parts), file, "11.cpp")
+    CHECK(find_warnings(sanitize(place + "‘*(__m128d*)((char*)&v" + parts), file, "11.cpp")
               .at(0)
               .ends_with("uninitialized"));
 }
@@ -147,13 +162,13 @@ TEST_CASE("the slips that are made most are explained, whatever the compiler cal
     const auto compiled =
         run({compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wshadow", "-Wfloat-conversion",
              "-fdiagnostics-color=never", many, "-I" COURSE_ROOT "/chapters", "-isystem", COURSE_EIGEN, file});
-    const std::string printed = plain_output(compiled.err);
+    const std::string printed = sanitize(compiled.err);
     int number = 0, explained = 0;
     const std::string text = read_file(file);
-    for (const Line &line : lines_of(text)) {
+    for (const Line &line : split_lines(text)) {
         ++number;
         const std::size_t comment = line.text.find("// ");
-        if (comment == line.text.npos || without_blanks(line.text.substr(0, comment)).empty()) continue;
+        if (comment == line.text.npos || trim(line.text.substr(0, comment)).empty()) continue;
         std::string said = said_of_line(printed, file, number);
         const std::string want{line.text.substr(comment + 3)};
         if (want.starts_with("Look at the end") && compiler == "clang++") // which stands in the gap itself

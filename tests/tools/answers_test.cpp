@@ -1,4 +1,4 @@
-// The answers of tests/wrong and tests/right: what becomes of a difference to the solution, and that no mistake in one
+// Mutants and variants: what becomes of a difference to the solution, and that no mistake in one
 // stays hidden.
 
 #include "small_course.hpp"
@@ -41,10 +41,10 @@ int second() { return two(); }
     }
     Finished put_together(const std::string &differences) const {
         write(wrong, differences);
-        return run({ANSWERS_IN_ONE, tree.root.string(), "07_wall_meeting", path("unit.cpp"), path("list"),
-                    path("mistakes"), "right", "wrong"});
+        return run({ANSWERS_IN_ONE, workspace.root.string(), "07_wall_meeting", path("unit.cpp"), path("list"),
+                    path("mistakes"), "variants", "mutants"});
     }
-    std::string path(const std::string &file) const { return (tree.root / file).string(); }
+    std::string path(const std::string &file) const { return (workspace.root / file).string(); }
 
     /// The code of one of the answers.
     std::string answer(const std::string &name) const {
@@ -54,7 +54,7 @@ int second() { return two(); }
         REQUIRE(from != std::string::npos);
         return unit.substr(from + begin.size(), unit.find("const Answer", from) - from - begin.size());
     }
-    std::string wrong = "tests/wrong/07_wall_meeting.diff";
+    std::string wrong = "tests/07_wall_meeting/mutants.diff";
 };
 
 } // namespace
@@ -89,27 +89,27 @@ TEST_CASE("a difference replaces lines of its exercise's solution; comments and 
     INFO(done.err);
     REQUIRE(done.code == 0);
     const std::string helper = "int two() { return 2; } // always\n";
-    CHECK(course.answer("right_solution_7_2") == helper + "int second() { return two(); }\n}\n");
-    CHECK(course.answer("wrong_starts_at_one")
+    CHECK(course.answer("variant_solution_7_2") == helper + "int second() { return two(); }\n}\n");
+    CHECK(course.answer("mutant_starts_at_one")
           == helper + "int first() {\n    int i = 1;\n    ++i;\n\n    // again\n    ++i;\n    return i;\n}\n}\n");
-    CHECK(course.answer("wrong_two_is_one") == "int two() { return 1; }\nint second() { return two(); }\n}\n");
-    CHECK(course.answer("wrong_begins_twice")
+    CHECK(course.answer("mutant_two_is_one") == "int two() { return 1; }\nint second() { return two(); }\n}\n");
+    CHECK(course.answer("mutant_begins_twice")
           == helper
                  + "int first() {\n    int i = 0;\n    i = 1;\n\n    // again\n    ++i;\n    ++i;\n    return "
                    "i;\n}\n}\n");
-    CHECK(course.answer("wrong_ends_twice")
+    CHECK(course.answer("mutant_ends_twice")
           == helper
                  + "int first() {\n    int i = 0;\n    return i;\n    ++i;\n\n    // again\n    ++i;\n    return "
                    "0;\n}\n}\n");
     CHECK_THAT(course.read("unit.cpp"),
                ContainsSubstring("#line 5 \"" + course.path(course.wrong) + "\"\n    int i = 1;\n"));
     CHECK(course.read("list")
-          == "right_solution_7_1 7.1 all\n"
-             "right_solution_7_2 7.2 all\n"
-             "wrong_begins_twice 7.1 red\n"
-             "wrong_ends_twice 7.1 8 of 13, yours [0]\n"
-             "wrong_starts_at_one 7.1 red\n"
-             "wrong_two_is_one 7.2 red\n");
+          == "mutant_begins_twice 7.1 red\n"
+             "mutant_ends_twice 7.1 8 of 13, yours [0]\n"
+             "mutant_starts_at_one 7.1 red\n"
+             "mutant_two_is_one 7.2 red\n"
+             "variant_solution_7_1 7.1 all\n"
+             "variant_solution_7_2 7.2 all\n");
 }
 
 TEST_CASE("a mistake in a difference is an error, which names the place and what to do") {
@@ -139,11 +139,11 @@ TEST_CASE("a mistake in a difference is an error, which names the place and what
 
 TEST_CASE("a whole file is an answer as well, if it says of which exercise") {
     const Answers course;
-    course.write("tests/right/07_wall_meeting/by_hand.cpp", "// 7.2: without help\nint second() { return 2; }\n");
+    course.write("tests/07_wall_meeting/variants/by_hand.cpp", "// 7.2: without help\nint second() { return 2; }\n");
     REQUIRE(course.put_together("").code == 0);
-    CHECK_THAT(course.read("unit.cpp"), ContainsSubstring("by_hand.cpp\"\n") && ContainsSubstring("right_by_hand"));
-    CHECK_THAT(course.read("list"), ContainsSubstring("right_by_hand 7.2 all\n"));
-    course.write("tests/right/07_wall_meeting/by_hand.cpp", "int second() { return 2; }\n");
+    CHECK_THAT(course.read("unit.cpp"), ContainsSubstring("by_hand.cpp\"\n") && ContainsSubstring("variant_by_hand"));
+    CHECK_THAT(course.read("list"), ContainsSubstring("variant_by_hand 7.2 all\n"));
+    course.write("tests/07_wall_meeting/variants/by_hand.cpp", "int second() { return 2; }\n");
     const Finished done = course.put_together("");
     CHECK(done.code == 1);
     CHECK_THAT(done.err, ContainsSubstring("by_hand.cpp:1: must begin with its exercise"));
@@ -154,19 +154,30 @@ TEST_CASE("a wrong answer that passes is found out, a right one that does not, a
     const std::string built = COURSE_BUILD, section = "/07_segment_intersection";
     const auto judge = [&](const std::string &list) {
         course.write("list", list);
-        return run({built + "/tests" + section, built + "/subjects" + section + "/answers", "--answers",
-                    (course.tree.root / "list").string()});
+        return run({built + "/author" + section, built + "/subjects" + section + "/answers", "--answers",
+                    (course.workspace.root / "list").string()});
     };
-    const std::string as_expected = "right_solution_7_1 7.1 all\nright_solution_7_1 7.1 20 of 20\n";
+    const std::string as_expected = "variant_solution_7_1 7.1 all\nvariant_solution_7_1 7.1 19 of 19\n";
     const Finished good = judge(as_expected);
     CHECK(good.code == 0);
     CHECK(good.out == "2 of 2 answers are judged as expected (seed 2026)\n");
-    const std::string other = GENERATE("right_solution_7_1 7.1 red", "right_solution_7_1 7.1 19 of 20",
-                                       "right_solution_7_1 7.2 all", // only 7.1 is answered,
-                                       "right_solution_7_1 7.2 red", // and what is not started is not wrong
-                                       "wrong_nobody 7.1 red", "right_nobody 7.1 all", "right_solution_7_1 7.9 all");
+    const std::string other =
+        GENERATE("variant_solution_7_1 7.1 red", "variant_solution_7_1 7.1 18 of 19",
+                 "variant_solution_7_1 7.2 all", // only 7.1 is answered,
+                 "variant_solution_7_1 7.2 red", // and what is not started is not wrong
+                 "mutant_nobody 7.1 red", "variant_nobody 7.1 all", "variant_solution_7_1 7.9 all");
     const Finished bad = judge(as_expected + other + '\n');
     CHECK(bad.code == 1);
     CHECK_THAT(bad.out, ContainsSubstring("NOT as expected: " + other) && ContainsSubstring("2 of 3 answers"));
     CHECK(judge("").code == 2); // no answer at all is a mistake, too
+}
+
+TEST_CASE("the program that checks a student's file knows nothing of what authors ask") {
+    const std::string tests = COURSE_BUILD "/tests/07_segment_intersection",
+                      answers = COURSE_BUILD "/subjects/07_segment_intersection/answers";
+    const std::string mode = GENERATE("--answers", "--kills", "--mistakes", "--all-cases", "--own");
+    const Finished done = run({tests, answers, mode, "/dev/null"});
+    CHECK(done.code == bad_input);
+    CHECK_THAT(done.err, ContainsSubstring("Unrecognised token: " + mode));
+    CHECK_THAT(read_file(tests), !ContainsSubstring(mode));
 }

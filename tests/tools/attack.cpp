@@ -1,9 +1,10 @@
 // A subject that tries one thing which a student's code may not do, and prints "done" or why it could not.
-// COURSE_ANSWER says what: see shut_in_test.cpp. With arguments it's for check_test.cpp: see without_landlock.
+// COURSE_ANSWER says what: see sandbox_test.cpp. With arguments it's for check_test.cpp: see without_landlock.
 
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <string>
+#include <sys/file.h>
 #include <sys/ipc.h>
 #include <sys/prctl.h>
 #include <sys/ptrace.h>
@@ -22,6 +24,8 @@
 #include <sys/syscall.h>
 #include <sys/utsname.h>
 #include <sys/wait.h>
+#include <system_error>
+#include <thread>
 #include <unistd.h>
 
 namespace {
@@ -45,6 +49,31 @@ bool leave_a_daemon() {
 bool take_memory_that_stays() {
     const int segment = ::shmget(IPC_PRIVATE, 4096, IPC_CREAT | 0600);
     return segment >= 0 && ::shmctl(segment, IPC_RMID, nullptr) == 0;
+}
+
+/// By a call of Linux 6.13.
+bool set_an_attribute(const char *file) {
+    constexpr long setxattrat = 463;
+    struct {
+        std::uint64_t value;
+        std::uint32_t size, flags;
+    } const what{reinterpret_cast<std::uintptr_t>("x"), 1, 0};
+    return ::syscall(setxattrat, AT_FDCWD, file, 0, "user.x", &what, sizeof what) == 0;
+}
+
+bool start_a_thread() try {
+    std::thread{[] {}}.join();
+    return true;
+} catch (const std::system_error &refused) {
+    return errno = refused.code().value(), false;
+}
+
+bool is_fresh_memory_zero() {
+    constexpr std::size_t size = 5000;
+    volatile char *volatile memory = static_cast<char *>(std::malloc(size)); // so that no compiler looks into it
+    bool zero = true;
+    for (std::size_t i = 0; i < size; ++i) zero = zero && memory[i] == 0;
+    return zero;
 }
 
 bool take_memory() {
@@ -94,6 +123,12 @@ bool try_to(const std::string &what, const char *file) {
     if (what == "read") return ::open(file, O_RDONLY) >= 0;
     if (what == "delete") return ::unlink(file) == 0;
     if (what == "make") return ::mkdir((std::string{file} + ".folder").c_str(), 0755) == 0;
+    if (what == "empty by name") return ::truncate(file, 0) == 0;
+    if (what == "empty by reading") return ::open(file, O_RDONLY | O_TRUNC) >= 0;
+    if (what == "empty by looking") return ::open(file, O_ACCMODE | O_TRUNC) >= 0;
+    if (what == "new attribute") return set_an_attribute(file);
+    if (what == "thread") return start_a_thread();
+    if (what == "fresh memory is 0") return is_fresh_memory_zero();
     if (what == "change mode") return ::chmod(file, 0600) == 0;
     if (what == "execute") return ::execl("/bin/echo", "echo", "done", nullptr) == 0;
     if (what == "fork") return fork_one();
@@ -102,6 +137,12 @@ bool try_to(const std::string &what, const char *file) {
     if (what == "signal") return ::kill(::getppid(), 0) == 0;
     if (what == "signal by a pipe") return ::pipe(ends) == 0 && ::fcntl(ends[0], F_SETOWN, ::getppid()) == 0;
     if (what == "limit") return ::prlimit(::getppid(), RLIMIT_CORE, nullptr, &limit) == 0;
+    if (what == "wait for the disk") return ::fdatasync(STDOUT_FILENO) == 0;
+    if (what == "lock") return ::flock(STDIN_FILENO, LOCK_SH) == 0;
+    struct flock range {
+        .l_type = F_RDLCK, .l_whence = SEEK_SET, .l_start = 0, .l_len = 0, .l_pid = 0
+    };
+    if (what == "lock a part") return ::fcntl(STDIN_FILENO, F_SETLK, &range) == 0;
     if (what == "outlive") return ::prctl(PR_SET_PDEATHSIG, 0) == 0;
     if (what == "share memory") return take_memory_that_stays();
     if (what == "connect") return ::socket(AF_UNIX, SOCK_STREAM, 0) >= 0;

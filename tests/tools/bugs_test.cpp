@@ -3,11 +3,11 @@
 
 #include "small_course.hpp"
 
-#include "ground/text.hpp"
-#include "loop/bugs.hpp"
-#include "loop/memory.hpp"
-#include "site/html.hpp"
-#include "site/suspects.hpp"
+#include "base/text.hpp"
+#include "book/html.hpp"
+#include "check/bugs.hpp"
+#include "check/progress_store.hpp"
+#include "site/spot_the_bug.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -23,10 +23,10 @@ namespace {
 
 /// This course, as it was built, with exercises and a memory of its own.
 struct OwnExercises {
-    OwnExercises() { write_file(tree.exercise(seven), read_file(tree.stub(seven))); }
+    OwnExercises() { write_file(workspace.exercise(seven), read_file(workspace.stub(seven))); }
 
     Finished operator()(std::vector<std::string> words) const {
-        return run(course_command(tree, words, {"NO_COLOR=1"}));
+        return run(course_command(workspace, words, {"NO_COLOR=1"}));
     }
     Finished bug(std::vector<std::string> more = {}) const {
         more.insert(more.begin(), {"bug", "7"});
@@ -35,7 +35,7 @@ struct OwnExercises {
 
     std::string text() const { return read_file(file); }
     void write(const std::string &code) const { write_file(file, code); }
-    void mend() const { write(read_file(tree.solution(seven))); }
+    void mend() const { write(read_file(workspace.solution(seven))); }
 
     /// `A` for a law in the place of the first one.
     static std::string letter(const Bug &bug, bool right) {
@@ -44,9 +44,9 @@ struct OwnExercises {
         return std::string{static_cast<char>('A' + (law - bug.laws.begin()))};
     }
 
-    std::vector<fs::path> kept() const { return files_in(tree.memory() / "kept"); }
+    std::vector<fs::path> kept() const { return files_in(workspace.memory() / "kept"); }
 
-    static Tree tree_in(const fs::path &folder) {
+    static Workspace tree_in(const fs::path &folder) {
         const std::set<std::string> own{"build", ".git", ".course", "exercises"};
         for (const auto &entry : fs::directory_iterator{COURSE_ROOT})
             if (const fs::path name = entry.path().filename(); !own.contains(name.string()))
@@ -55,10 +55,10 @@ struct OwnExercises {
     }
 
     OwnFolder folder{"own exercises XXXXXX"};
-    Tree tree = tree_in(folder.path);
-    Section seven = tree.section("7");
-    std::vector<Bug> bugs = bugs_of(tree, seven);
-    fs::path file = tree.bug(seven);
+    Workspace workspace = tree_in(folder.path);
+    Section seven = workspace.section("7");
+    std::vector<Bug> bugs = bugs_of(workspace, seven);
+    fs::path file = workspace.bug(seven);
 };
 
 } // namespace
@@ -67,7 +67,7 @@ TEST_CASE("a bug is written, looked at, mended, and found once its law is named"
     const OwnExercises course;
     REQUIRE(course.bugs.size() == 3);
     const Bug &first = course.bugs.front();
-    const BuggyCode made = code_of(course.tree, course.seven, first);
+    const BuggyCode made = code_of(course.workspace, course.seven, first);
 
     const Finished begun = course.bug();
     INFO(begun.err);
@@ -106,7 +106,7 @@ TEST_CASE("a bug is written, looked at, mended, and found once its law is named"
     const Finished no = course.bug({"--law", course.letter(first, false)});
     CHECK(no.code == 1);
     CHECK_THAT(no.out, StartsWith("No: the bug left that one green: "));
-    CHECK(recall_hunt(course.tree, course.seven).found.empty());
+    CHECK(recall_hunt(course.workspace, course.seven).found.empty());
 
     const Finished yes = course.bug({"--law", lower(course.letter(first, true))});
     CHECK(yes.code == 0);
@@ -119,7 +119,7 @@ TEST_CASE("a bug is written, looked at, mended, and found once its law is named"
     CHECK_THAT(next.out, ContainsSubstring("Bug 2 of 3") && ContainsSubstring("is kept: .course/kept/07_bug-20"));
     REQUIRE(course.kept().size() == 1);
     CHECK(read_file(course.kept().front()) == mine);
-    CHECK_THAT(course.text(), ContainsSubstring(code_of(course.tree, course.seven, course.bugs[1]).text));
+    CHECK_THAT(course.text(), ContainsSubstring(code_of(course.workspace, course.seven, course.bugs[1]).text));
 }
 
 TEST_CASE("a bug whose file doesn't compile says where; one whose file is deleted comes back") {
@@ -140,7 +140,7 @@ TEST_CASE("bugs that are all found come back with --again, and so they do after 
     const OwnExercises course;
     Hunt all;
     for (const Bug &bug : course.bugs) all.found.insert(all.begun = bug.name);
-    remember_hunt(course.tree, course.seven, all);
+    remember_hunt(course.workspace, course.seven, all);
     CHECK_THAT(course.bug().out, StartsWith("You've found all 3 bugs of section 7."));
     CHECK_FALSE(fs::exists(course.file));
     CHECK_THAT(course.bug({"--again"}).out, StartsWith("Bug 1 of 3"));
@@ -153,7 +153,7 @@ TEST_CASE("bugs that are all found come back with --again, and so they do after 
     CHECK_THAT(reset.out, ContainsSubstring("exercises/07_bug.cpp is gone. Yours is kept: .course/kept/07_bug-20"));
     CHECK_FALSE(fs::exists(course.file));
     CHECK(course.kept().size() == 1);
-    const Hunt hunt = recall_hunt(course.tree, course.seven);
+    const Hunt hunt = recall_hunt(course.workspace, course.seven);
     CHECK((hunt.begun.empty() && hunt.found.empty()));
     CHECK(course({"list"}).out.find("bugs found") == std::string::npos);
 }
@@ -162,12 +162,13 @@ TEST_CASE("a bug is shown beside what's right, with four causes of which one is 
     const OwnExercises course;
     const auto bug = std::ranges::find_if(course.bugs, [](const Bug &each) { return each.others.size() == 3; });
     REQUIRE(bug != course.bugs.end());
-    const Causes causes = causes_of(course.tree, course.seven, *bug);
-    const std::vector<Demo> all = demos(course.tree);
+    const Causes causes = causes_of(course.workspace, course.seven, *bug);
+    const std::vector<Demo> all = demos(course.workspace);
     const auto demo = std::ranges::find(all, course.seven.name, [](const Demo &each) { return each.section.name; });
     REQUIRE(demo != all.end());
     CHECK(std::ranges::is_sorted(causes.all));
-    const std::string claim = code_of(course.tree, course.seven, *bug).claim, html = suspects(course.tree, *demo);
+    const std::string claim = code_of(course.workspace, course.seven, *bug).claim,
+                      html = spot_the_bug(course.workspace, *demo);
     CHECK_THAT(claim, StartsWith(causes.all.at(causes.right)));
     CHECK_THAT(html, ContainsSubstring("data-bug=\"" + bug->exercise + ' ')
                          && ContainsSubstring("data-cause=\"" + std::to_string(causes.right) + '"'));
@@ -175,7 +176,7 @@ TEST_CASE("a bug is shown beside what's right, with four causes of which one is 
     CHECK_FALSE(contains(html, "data-mine"));
 
     const SmallCourse without;
-    CHECK(suspects(without.tree, {without.seven(), {}, {}, ""}).empty());
+    CHECK(spot_the_bug(without.workspace, {without.seven(), {}, {}, ""}).empty());
 }
 
 TEST_CASE("a hunt says in one sentence what it lacks") {
@@ -183,7 +184,7 @@ TEST_CASE("a hunt says in one sentence what it lacks") {
     CHECK_THAT(course({"bug", "7"}).err, ContainsSubstring("this course comes without our answers to section 7"));
     CHECK_THAT(course({"play", "--bug"}).err, ContainsSubstring("--bug needs a section"));
     CHECK_THAT(course({"play", "7", "--bug"}).err, ContainsSubstring("./course bug 7 puts a bug into it"));
-    course.write("tests/wrong/07_wall_meeting.diff", "7.1 is_two: you return 2\n-int first() { return 1; }\n");
+    course.write("tests/07_wall_meeting/mutants.diff", "7.1 is_two: you return 2\n-int first() { return 1; }\n");
     course.write("tests/bugs.txt", "# none here\n6.1 another\n  breaks a law\n");
     CHECK_THAT(course({"bug", "7"}).err, ContainsSubstring("section 7 has no bugs to hunt yet"));
     CHECK_THAT(course({"bug", "7.1"}).err, ContainsSubstring("type ./course bug 7"));
@@ -228,11 +229,11 @@ int second() {
 //>
 } // namespace wall_meeting
 )");
-    course.write("tests/wrong/07_wall_meeting.diff", "7.2 is_three: you return 3\n-return first();\n+return 3;\n\n"
-                                                     "7.2 is_more: you add 1\n return first();\n-return four();\n"
-                                                     "+return first() + four();\n");
+    course.write("tests/07_wall_meeting/mutants.diff", "7.2 is_three: you return 3\n-return first();\n+return 3;\n\n"
+                                                       "7.2 is_more: you add 1\n return first();\n-return four();\n"
+                                                       "+return first() + four();\n");
     const auto code = [&](const std::string &name) {
-        return code_of(course.tree, course.seven(), {.exercise = "7.2", .name = name});
+        return code_of(course.workspace, course.seven(), {.exercise = "7.2", .name = name});
     };
     CHECK(code("is_three").claim == "you return 3");
     CHECK(code("is_three").text == R"(#include "wall_meeting.hpp"

@@ -1,9 +1,9 @@
 // `course check` as a command: one exercise alone; with --watch again whenever the file changes, again at Enter, and
 // gone at q. What it says of a file is in tests/verdicts.
 
-#include "ground/text.hpp"
+#include "base/text.hpp"
+#include "judge/runner/sandbox.hpp"
 #include "small_course.hpp"
-#include "verdict/tests/shut_in.hpp"
 #include "whole_answer.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -77,6 +77,38 @@ struct OtherBuild {
                    work = folder / "loop";
 };
 
+/// A course whose only file of the student's is our answer to section 7.
+struct OwnCourse {
+    OwnCourse() {
+        fs::create_directories(root / "exercises");
+        for (const auto &entry : fs::directory_iterator{COURSE_ROOT})
+            if (const fs::path name = entry.path().filename();
+                name != "exercises" && name != ".course" && name != ".git")
+                fs::create_symlink(entry.path(), root / name);
+        write(course::read_file(fs::path{COURSE_ROOT} / "solutions/07_segment_intersection.cpp"));
+    }
+    ~OwnCourse() { fs::remove_all(root); }
+    OwnCourse(const OwnCourse &) = delete;
+    OwnCourse &operator=(const OwnCourse &) = delete;
+
+    void write(const std::string &text) const { course::write_file(file, text); }
+    /// The function that begins so throws this at its start.
+    void throw_in(const std::string &function, const std::string &what) const {
+        std::string answer = course::read_file(file);
+        const std::size_t begin = answer.find(function);
+        REQUIRE(begin != answer.npos);
+        write(answer.insert(answer.find("{\n", begin) + 2, "    throw " + what + ";\n"));
+    }
+    std::string operator()(const std::vector<std::string> &words) const {
+        return course::run(course::course_command({root, build.folder}, words)).out;
+    }
+    std::string check(const std::string &what) const { return (*this)({"check", what}); }
+
+    const OtherBuild build{""}; // whose pages are not told of it
+    const fs::path root = fs::temp_directory_path() / ("a course of my own " + std::to_string(::getpid())),
+                   file = root / "exercises/07_segment_intersection.cpp";
+};
+
 /// The same command, as an ordinary user types it.
 std::vector<std::string> as_nobody(const std::vector<std::string> &command) {
     std::vector<std::string> line{"setpriv",        "--reuid=65534", "--regid=65534",
@@ -87,6 +119,16 @@ std::vector<std::string> as_nobody(const std::vector<std::string> &command) {
 
 /// What check says of a file, and what it leaves with.
 std::string said_of(const course::Finished &done) { return done.out + done.err + "code " + std::to_string(done.code); }
+
+#ifdef __linux__
+/// What a command says and how it leaves, on a kernel that has no Landlock.
+std::string said_without_landlock(const std::vector<std::string> &words) {
+    std::vector<std::string> line{ATTACK};
+    const auto command = course::course_command({COURSE_ROOT, COURSE_BUILD}, words);
+    line.insert(line.end(), command.begin(), command.end());
+    return said_of(course::run(line));
+}
+#endif
 
 constexpr const char *our_answer = "solutions/07_segment_intersection.cpp";
 
@@ -103,38 +145,59 @@ const std::vector<std::string> ways_to_open{
     "# 1 \"@\" 1\nint wrong = ;\n",
     "asm(\".incbin \\\"@\\\"\");\n",
     "asm(\".include \\\"@\\\"\");\n",
-    "#if __has_include(\"@\")\n#error it is there\n#endif\n",
 };
 
 } // namespace
 
-TEST_CASE("asked for one exercise that is passed, check names the next one that was open when it was last judged") {
-    const OtherBuild build{""}; // whose pages are not told of it
-    const fs::path root = fs::temp_directory_path() / ("a course of my own " + std::to_string(::getpid()));
-    fs::create_directories(root / "exercises");
-    for (const auto &entry : fs::directory_iterator{COURSE_ROOT})
-        if (const fs::path name = entry.path().filename(); name != "exercises" && name != ".course" && name != ".git")
-            fs::create_symlink(entry.path(), root / name);
-    const fs::path file = root / "exercises/07_segment_intersection.cpp";
-    std::string answer = course::read_file(fs::path{COURSE_ROOT} / our_answer);
-    const auto leave_open = [&](const std::string &before) {
-        const std::size_t begin = answer.find(before);
-        REQUIRE(begin != answer.npos);
-        answer.insert(answer.find("{\n", begin) + 2, "    throw course::NotYet{\"where does it begin?\"};\n");
-        course::write_file(file, answer);
-    };
-    const auto check_mine = [&](const std::string &what) {
-        return course::run(course::course_command({root, build.folder}, {"check", what})).out;
-    };
-    leave_open("\nBall move_and_bounce(");
-    check_mine("7");
+TEST_CASE("asked for one exercise that is passed, check names the first that was open when it was last judged") {
+    OwnCourse course;
+    course.throw_in("\nBall move_and_bounce(", "course::NotYet{\"where does it begin?\"}");
+    course.check("7");
     const std::string ball = "\nNext: 7.4 move_and_bounce. Where to begin: ./course hint 7.4\n";
-    CHECK(check_mine("7.2").ends_with(ball));
-    CHECK(check_mine("7.6").ends_with(ball));
-    leave_open("\nbool segments_intersect(");
-    check_mine("7.2");
-    CHECK(check_mine("7.1").ends_with("\nNext: 7.2 segments_intersect. Where to begin: ./course hint 7.2\n"));
-    fs::remove_all(root);
+    CHECK(course.check("7.2").ends_with(ball));
+    CHECK(course.check("7.6").ends_with(ball));
+    course.throw_in("\nbool segments_intersect(", "course::NotYet{\"where does it begin?\"}");
+    course.check("7.2");
+    CHECK(course.check("7.1").ends_with("\nNext: 7.2 segments_intersect. Where to begin: ./course hint 7.2\n"));
+    CHECK(course.check("7.6").ends_with("\nNext: 7.2 segments_intersect. Where to begin: ./course hint 7.2\n"));
+}
+
+TEST_CASE("a compiler's error takes no tick away, and whoever passes the last exercise has passed the section") {
+    OwnCourse course;
+    const std::string all = "\nAll of section 7 passes. See your figures in the book: ./course open 7 --mine\n";
+    course.throw_in("\nBall move_and_bounce(", "1");
+    CHECK(course.check("7").ends_with("\nNext: 7.4 move_and_bounce. Stuck? ./course hint 7.4\n"));
+    const std::string right = course::read_file(fs::path{COURSE_ROOT} / our_answer);
+    for (const char *what : {"7", "7.4", "7.1"}) {
+        CAPTURE(what);
+        course.write(right + "\nint slip = ;\n");
+        CHECK_THAT(course.check(what), ContainsSubstring("does not compile"));
+        CHECK_THAT(course({"list"}), ContainsSubstring(": 5 of 6 passed"));
+    }
+    CHECK_THAT(course({"list"}), ContainsSubstring("Next: ./course check 7 (it does not compile)"));
+    course.write(right);
+    CHECK(course.check("7.4").ends_with(all));
+    CHECK(course.check("7.1").ends_with(all));
+    CHECK_THAT(course({"list"}), ContainsSubstring(": 6 of 6 passed"));
+}
+
+TEST_CASE("an exercise that was never tried isn't called stuck because another one does not compile") {
+    OwnCourse course;
+    course.write("int slip = ;\n" + course::read_file(fs::path{COURSE_ROOT} / our_answer));
+    course.check("7.1");
+    course.write(course::read_file(fs::path{COURSE_ROOT} / our_answer));
+    CHECK(course.check("7.1").ends_with("\nNext: 7.2 segments_intersect. Where to begin: ./course hint 7.2\n"));
+}
+
+TEST_CASE("what is saved while a check runs was not judged, and list says that the file has changed since") {
+    OwnCourse course;
+    fs::remove(course.build.folder / "tests");
+    const fs::path tests = course.build.folder / "tests/07_segment_intersection";
+    course::write_file(tests, "#!/bin/sh\necho '// saved meanwhile' >> '" + course.file.string() + "'\nexec '"
+                                  + (fs::path{COURSE_BUILD} / "tests/07_segment_intersection").string() + "' \"$@\"\n");
+    fs::permissions(tests, fs::perms::all);
+    CHECK_THAT(course.check("7"), ContainsSubstring("All of section 7 passes."));
+    CHECK_THAT(course({"list"}), ContainsSubstring("07_segment_intersection.cpp has changed since the last check"));
 }
 
 TEST_CASE("asked for one exercise, check runs no other's tests: an endless loop in another one takes no time") {
@@ -156,7 +219,7 @@ TEST_CASE("asked for one exercise, check speaks of no other that is passed, and 
     CHECK(count(done.out, "\n") == 2);
     CHECK(done.code == 0);
 
-    const auto not_begun = check("7.2", "tests/stubs/07_segment_intersection.cpp");
+    const auto not_begun = check("7.2", "tests/07_segment_intersection/stub.cpp");
     CHECK(not_begun.out
           == "· 7.2 segments_intersect, core: not started\nNext: 7.2 segments_intersect. Where to begin: ./course hint "
              "7.2\n");
@@ -212,6 +275,35 @@ TEST_CASE("a file that isn't the student's is neither read nor told of while his
     CHECK(said_of(course::run(as_nobody(line))).ends_with("code 0"));
 }
 
+#ifdef __linux__
+TEST_CASE("a kernel without Landlock is told of before others' code is judged there, and not of one's own") {
+    const course::Protection here = course::protection_of_this_kernel();
+    if (!here.files || !here.calls) SKIP("this kernel lacks one of the two anyway, or a sanitizer is in the way");
+    const course::OwnFolder own;
+    const fs::path answer = own.path / "1001/07_segment_intersection.cpp";
+    fs::create_directory(answer.parent_path());
+    fs::copy_file(fs::path{COURSE_ROOT} / our_answer, answer);
+    const std::string warning = "This kernel lacks Landlock, so code isn't shut in: judge only what you trust.";
+    CHECK(count(said_without_landlock({"check", "7.2", "--file", answer.string()}), warning) == 1);
+    CHECK(count(said_without_landlock({"check", "7.2"}), warning) == 0);
+    CHECK(said_without_landlock({"grade", "7", own.path.string(), "--dry-run"}).starts_with(warning));
+    CHECK_THAT(said_without_landlock({"doctor"}), ContainsSubstring("Landlock        not in this kernel: "));
+    CHECK(count(check("7.2", our_answer).err, "lacks") == 0);
+}
+#endif
+
+TEST_CASE("a compiler doesn't wait for what it says itself, which it'd do for ever if check were killed") {
+    if (!course::protection_of_this_kernel().files) SKIP("this kernel has no Landlock");
+    const course::OwnFolder own;
+    const fs::path answer = own.path / "ann.cpp";
+    for (const std::string end : {"1", "2"}) {
+        course::write_file(answer, course::read_file(fs::path{COURSE_ROOT} / our_answer)
+                                       + "#warning hello\n#include \"/proc/self/fd/" + end + "\"\n");
+        const std::string said = said_of(check({"7", "--file", answer.string()}));
+        CHECK_THAT(said, ContainsSubstring("A check can't open this file"));
+    }
+}
+
 TEST_CASE("on a kernel without Landlock, too, a file may include nothing but headers, and isn't waited for") {
 #ifdef __linux__
     const course::OwnFolder own;
@@ -219,11 +311,7 @@ TEST_CASE("on a kernel without Landlock, too, a file may include nothing but hea
     const std::string ours = course::read_file(fs::path{COURSE_ROOT} / our_answer);
     const auto checked_with = [&](const std::string &more) {
         course::write_file(answer, ours + more);
-        std::vector<std::string> line{ATTACK};
-        for (const auto &word :
-             course::course_command({COURSE_ROOT, COURSE_BUILD}, {"check", "7.2", "--file", answer.string()}))
-            line.push_back(word);
-        return said_of(course::run(line));
+        return said_without_landlock({"check", "7.2", "--file", answer.string()});
     };
     CHECK(checked_with("").ends_with("code 0"));
     course::write_file(other, "xyzzy = 1;\n");
@@ -265,9 +353,9 @@ TEST_CASE("what a shell sets for compilers, or doesn't, changes nothing; a limit
     fs::remove(checked());
 }
 
-TEST_CASE("what was built and has been cut to nothing is built again, not believed") {
-    const course::SmallCourse small;
-    const fs::path build = small.tree.build, program = build / "tests/07_wall_meeting";
+/// A section 7 whose built files are there, by their names.
+void pretend_to_build(const course::SmallCourse &small) {
+    const fs::path build = small.workspace.build;
     const auto file = [&](const char *name) { return (build / name).string(); };
     const nlohmann::json section{{"name", "07_wall_meeting"},
                                  {"server", file("server.o")},
@@ -279,21 +367,58 @@ TEST_CASE("what was built and has been cut to nothing is built again, not believ
                                                       {"flags", none},
                                                       {"precompiled", none},
                                                       {"nm", "nm"},
+                                                      {"objcopy", "objcopy"},
                                                       {"node", ""},
                                                       {"link", none},
                                                       {"includes", none},
                                                       {"sections", {section}}}
                                            .dump());
-    for (const char *name : {"server.o", "missing.o", "ours.o"}) small.write(build / name, "whole");
+    for (const char *name : {"server.o", "missing.o", "ours.o", "tests/07_wall_meeting"})
+        small.write(build / name, "whole");
     small.write("exercises/07_wall_meeting.cpp", "int first() { return 1; }\n");
-    small.write(program, "");
     small.write(build / "loop/07_wall_meeting.checked", "");
+}
+
+TEST_CASE("what was built and has been cut to nothing is built again, not believed") {
+    const course::SmallCourse small;
+    const fs::path build = small.workspace.build, program = build / "tests/07_wall_meeting";
+    pretend_to_build(small);
+    small.write(program, "");
     const auto path = small.instead_of("cmake", "exit 1");
     const auto done = small({"check", "7"}, {path});
     CHECK(done.code == 2);
     CHECK_THAT(done.err, ContainsSubstring("the course's own files don't build"));
     CHECK_FALSE(fs::exists(program)); // what makes ninja build it
     CHECK(fs::exists(build / "server.o"));
+}
+
+TEST_CASE("a mended test is built whatever its date says, and whatever the clock said when others were") {
+    const course::SmallCourse small;
+    pretend_to_build(small);
+    const fs::path tests = small.workspace.tests(small.seven()),
+                   stamp = small.workspace.build / "loop/07_wall_meeting.checked",
+                   asked = small.workspace.root / "asked";
+    const auto path = small.instead_of("cmake", "echo \"$@\" >>'" + asked.string() + "'");
+    const auto asks = [&] { // of the build, and its words
+        fs::remove(asked);
+        small({"check", "7"}, {path});
+        return fs::exists(asked) ? course::read_file(asked) : "";
+    };
+    const auto now = fs::file_time_type::clock::now();
+    small.write(tests, "one");
+    CHECK(count(asks(), "--target 07_wall_meeting_loop") == 1); // it's newer
+    CHECK(asks() == "");
+    const auto date = fs::last_write_time(tests);
+    small.write(tests, "two");
+    fs::last_write_time(tests, date);
+    CHECK(count(asks(), "--target 07_wall_meeting_loop") == 1);
+    CHECK(fs::last_write_time(tests) > date); // what makes ninja build it
+    CHECK(asks() == "");
+    for (const fs::path &ahead : {stamp, small.workspace.build / "tests/07_wall_meeting"}) {
+        fs::last_write_time(ahead, now + std::chrono::hours{24});
+        CHECK(count(asks(), "-- -t clean 07_wall_meeting_loop") == 1); // nor is a date of what it makes believed
+        fs::last_write_time(ahead, now);
+    }
 }
 
 TEST_CASE("a compiler that the machine has stopped is no verdict, and exits with 4") {
@@ -342,6 +467,17 @@ TEST_CASE("what is never reached is told of a file that does not link, too") {
     CHECK_THAT(done.out, ContainsSubstring("does not link") && ContainsSubstring("is never reached: move it up"));
 }
 
+TEST_CASE("what a compiler says when it gives up names the student's file, and not where it was compiled") {
+    const course::OwnFolder own;
+    const fs::path answer = own.path / "answer.cpp";
+    std::string text;
+    for (int i = 0; i < 80'000; ++i) text += "namespace a{"; // after which it gives up
+    course::write_file(answer, text + '\n' + course::read_file(fs::path{COURSE_ROOT} / our_answer));
+    const auto done = check({"7", "--file", answer.string()});
+    CHECK_THAT(done.out, ContainsSubstring(answer.string() + ":1:")); // GCC calls it no error, and Clang does
+    CHECK_THAT(done.out, !ContainsSubstring(COURSE_BUILD));
+}
+
 TEST_CASE("a disk that is full is no verdict, and check exits with 4") {
     REQUIRE(check("7.1", our_answer).code == 0);
     const OtherBuild build{""};
@@ -367,7 +503,7 @@ TEST_CASE("a disk that is full is no verdict, and check exits with 4") {
 }
 
 TEST_CASE("a section that builds on another one has its own exercises only") {
-    const std::string checked = check("11", "tests/stubs/11_particles.cpp").out;
+    const std::string checked = check("11", "tests/11_particles/stub.cpp").out;
     CHECK(count(checked, ": not started\n") == 9);
     CHECK(count(checked, " 7.") == 0);
 }
@@ -515,13 +651,13 @@ TEST_CASE("check all says of a file that is missing that it is, and judges and r
                + R"([{"exercise": ")" + number + R"(", "claim": "one"}, {"exercise": ")" + number
                + R"(", "claim": "two"}]})";
     };
-    small.write(small.tree.build / "catalogue/06_reflection.json", list("6.1"));
-    small.write(small.tree.build / "catalogue/07_wall_meeting.json", list("7.1"));
+    small.write(small.workspace.build / "catalogue/06_reflection.json", list("6.1"));
+    small.write(small.workspace.build / "catalogue/07_wall_meeting.json", list("7.1"));
     small.write("exercises/07_wall_meeting.cpp", "\n");
-    const fs::path report = small.tree.root / "all.xml";
+    const fs::path report = small.workspace.root / "all.xml";
     const auto check_all = [&] { return small({"check", "all", "--junit", report.string()}, {"NO_COLOR=1"}); };
 
-    fs::remove(small.tree.root / "exercises/06_reflection.cpp");
+    fs::remove(small.workspace.root / "exercises/06_reflection.cpp");
     const auto missing = check_all();
     CHECK(missing.code == 2);
     const std::string sentence =
@@ -533,7 +669,7 @@ TEST_CASE("check all says of a file that is missing that it is, and judges and r
     CHECK(count(xml, "message=\"exercises/07_wall_meeting.cpp is empty.") == 2);
     CHECK(count(xml, "<testsuite name=\"06_reflection\" tests=\"2\" failures=\"2\"") == 1);
 
-    fs::create_directory(small.tree.root / "exercises/06_reflection.cpp");
+    fs::create_directory(small.workspace.root / "exercises/06_reflection.cpp");
     const auto folder = check_all();
     CHECK(folder.code == 2);
     CHECK(count(folder.out, "is a folder, not a file with answers\n") == 1);

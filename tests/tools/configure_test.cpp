@@ -1,8 +1,8 @@
 // What CMake says of a course that lacks a file, has one too many, or has its exercise deleted.
 
-#include "class/handout.hpp"
-#include "ground/files.hpp"
-#include "ground/process.hpp"
+#include "base/files.hpp"
+#include "base/process.hpp"
+#include "grade/handout.hpp"
 #include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -67,8 +67,8 @@ TEST_CASE("a handout configures without solutions, and has the tests of its stub
 
 TEST_CASE("a file of no section is a configure error that names it", "[configure]") {
     const Copy copy;
-    const std::string stray = GENERATE("solutions/07_segments.cpp", "tests/07_segments.cpp", "tests/stubs/07_old.cpp");
-    course::write_file(copy.root / stray, "");
+    const std::string stray = GENERATE("solutions/07_segments.cpp", "tests/07_segments");
+    course::write_file(copy.root / (stray.ends_with(".cpp") ? stray : stray + "/tests.cpp"), "");
     copy.is_refused(stray + " belongs to no section");
 }
 
@@ -124,17 +124,15 @@ TEST_CASE("a section without a figure is a configure error", "[configure]") {
 TEST_CASE("the packages that peers need are asked for all at once, and only if peers are wanted", "[configure]") {
     const Copy copy;
     for (const std::string section : {"01_motion", "11_particles"})
-        course::write_file(copy.root / "tests/peers" / (section + ".cpp"),
+        course::write_file(copy.root / "tests" / section / "peer.cpp",
                            "// needs No" + section + " no::no libno-" + section + "-dev\n");
     copy.is_refused("sudo apt install libno-01_motion-dev libcgal-dev libno-11_particles-dev",
                     {"-DCOURSE_PEERS=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_CGAL=ON"});
     CHECK(copy.configure({"-DCOURSE_PEERS=OFF"}).code == 0);
 }
 
-TEST_CASE("a peer is named as its section, and says in its first line what it needs", "[configure]") {
+TEST_CASE("a peer says in its first line what it needs", "[configure]") {
     const Copy copy;
-    const auto [name, head] = GENERATE(table<std::string, std::string>(
-        {{"07_segments", "// needs CGAL CGAL::CGAL libcgal-dev\n"}, {"01_motion", "// needs CGAL\n"}}));
-    course::write_file(copy.root / "tests/peers" / (name + ".cpp"), head);
-    copy.is_refused("tests/peers/" + name + ".cpp must be named as a section is", {"-DCOURSE_PEERS=ON"});
+    course::write_file(copy.root / "tests/01_motion/peer.cpp", "// needs CGAL\n");
+    copy.is_refused("tests/01_motion/peer.cpp must begin with `// needs", {"-DCOURSE_PEERS=ON"});
 }

@@ -23,7 +23,7 @@ machine() { # machine CLAIM: a new one, with everything installed, nothing built
     echo '{}' >"$tree/CMakePresets.json"
     : >"$tree/CMakeLists.txt"
     : >"$tree/chapters/course.hpp"
-    for tool in sh env cat sed awk grep cut head tail tr paste mkdir mv rm cp ls find date sleep sort install readlink flock touch getconf mktemp tr; do
+    for tool in sh env cat sed awk grep cut head tail tr paste mkdir mv rm cp ls find date sleep sort install readlink flock touch getconf mktemp tr iconv; do
         ln -s "$(command -v "$tool")" "$bin/$tool" 2>/dev/null
     done
 
@@ -212,6 +212,8 @@ is "$out" 'tool [list]'
 claim='help COMMAND is the help of that command'
 course help check
 is "$out" 'tool [check] [--help]'
+course help dev weave
+is "$out" 'tool [dev] [weave] [--help]'
 course help doctor
 leaves_with 0
 has "$out" './course doctor'
@@ -220,7 +222,7 @@ claim='test: what shows that the course works is built and run, and ctest gets t
 course test -R 'a b'
 leaves_with 0
 has "$did" 'build checks'
-has "$out" "ctest: --test-dir $build --output-on-failure --no-tests=error --label-exclude ^(slow|thorough|configure)\$ --exclude-regex ^tool-tests -R a b"
+has "$out" "ctest: --test-dir $build --output-on-failure --no-tests=error --label-exclude ^(slow|thorough|configure|wild)\$ --exclude-regex ^tool-tests -R a b"
 
 claim='test --all: everything is built, all tests run, and a failure of ctest is 1'
 ctest_leaves=8
@@ -229,6 +231,24 @@ leaves_with 1
 has "$did" 'build all'
 has "$out" "ctest: --test-dir $build --output-on-failure --no-tests=error -R a b"
 ctest_leaves=0
+
+claim='a path that a build cannot have is refused at the start, and named; blanks and other letters are fine'
+for odd in 'a;b' 'a\\b' 'a"b' 'a#b' 'a[b' "$(printf 'a\nb')" "$(printf 'a\351b')"; do
+    mv "$tree" "$lab/$odd"
+    tree=$lab/$odd
+    course --yes
+    leaves_with 2
+    has "$err" "the path $tree has one of"
+    has_not "$did" cmake
+done
+mv "$tree" "$lab/främe by frame"
+tree="$lab/främe by frame"
+mkdir -p "$lab/frame by frame/build/default" # where the fake cmake writes
+course --yes
+leaves_with 0
+rm -r "$lab/frame by frame"
+mv "$tree" "$lab/frame by frame"
+tree="$lab/frame by frame"
 
 claim='a checkout that was moved is configured anew'
 mv "$tree" "$tree moved"
@@ -265,16 +285,25 @@ has "$err" 'no program was built'
 has_not "$did" 'build site'
 echo 'write: No space left on device' >"$lab/fails.programs"
 course
-leaves_with 2
-has "$err" 'the disk is full'
+leaves_with 4
+has "$err" 'the disk is full (seen while'
+echo 'ar: unable to copy file; reason: Success' >"$lab/fails.programs"
+course
+leaves_with 3
+fake df 'echo "Filesystem 1024-blocks Used Available Capacity Mounted on"; echo "none 50000 9040 40960 20% /"'
+course
+leaves_with 4
+has "$err" 'reason: Success'
+has "$err" 'and only 40 MB are free below'
+rm "$bin/df"
 
 machine 'a book that differs from the code, as after a change that a chapter suggests, is told, and stops nothing'
 cat >"$lab/fails.book" <<'END'
 [1/2] Checking that the book says what the code says
 FAILED: book.stamp
-cd /somewhere && course-tool weave --check
+cd /somewhere && course-tool dev weave --check
 chapters/07/README.md:9: "A wall" differs here from chapters/07/wall.hpp:11.
-To keep the code as it is now, type ./course weave; to bring back how it was, git restore chapters/07/wall.hpp
+To keep the code as it is now, type ./course dev weave; to bring back how it was, git restore chapters/07/wall.hpp
 ninja: build stopped: subcommand failed.
 END
 course
@@ -284,7 +313,7 @@ has "$out" '  book                      differs from the code
 '
 has "$out" 'All is built and drawn. But the book and the code differ:
 chapters/07/README.md:9: "A wall" differs here from chapters/07/wall.hpp:11.
-To keep the code as it is now, type ./course weave; to bring back how it was, git restore chapters/07/wall.hpp
+To keep the code as it is now, type ./course dev weave; to bring back how it was, git restore chapters/07/wall.hpp
 
 '
 has_not "$out" 'checked'
@@ -536,6 +565,7 @@ rm "$lab/fails.apt"
 who=1000 course
 leaves_with 2
 has "$err" 'there is no sudo here'
+has "$err" 'COURSE_BUILD="$(mktemp -d)" ./course setup' # a folder that nobody else has prepared
 fake sudo 'case $1 in -n | -v) exit ${NO_SUDO:-0} ;; esac; echo "sudo $*" >>"$LAB/did"; exec "$@"'
 who=1000 course
 leaves_with 0

@@ -1,7 +1,7 @@
 // `course export handout`: what's in it, what isn't, and that a line of ours that is left in it is found.
 
-#include "class/handout.hpp"
-#include "loop/which_tests.hpp"
+#include "check/which_tests.hpp"
+#include "grade/handout.hpp"
 #include "small_course.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -20,8 +20,8 @@ struct HandedOutCourse : SmallCourse {
         write("README.md", "# A course\n\n## I teach with it\n\n[All of it](docs/instructors.md)\n\nMIT licence.\n");
         write("docs/instructors.md", "# For instructors\n");
         write("solutions/07_wall_meeting.cpp", solution_code);
-        write("tests/07_wall_meeting.cpp", "// tests\n");
-        write("tests/wrong/07_wall_meeting.diff", "7.1 wrong\n");
+        write("tests/07_wall_meeting/tests.cpp", "// tests\n");
+        write("tests/07_wall_meeting/mutants.diff", "7.1 wrong\n");
         write("exercises/07_wall_meeting.cpp", "// mine\n");
         write("chapters/07_wall_meeting/README.md", chapter_before + bar + chapter_behind);
         write(".gitignore", "/build/\n/out/\n");
@@ -36,10 +36,10 @@ struct HandedOutCourse : SmallCourse {
     std::vector<Finding> leaks_of(const std::string &file, const std::string &text) const {
         std::filesystem::remove_all(out);
         write_file(out / file, text);
-        return leaks(tree, out);
+        return leaks(workspace, out);
     }
 
-    const std::filesystem::path out = tree.root / "out";
+    const std::filesystem::path out = workspace.root / "out";
     static constexpr const char *solution_code = "//> Solution 7.1: one\ndouble first(double x) {\n    return "
                                                  "std::max(0.0, x < 3 ? x * x * x : \"\"[0]);\n}\n//>\n";
     static inline const std::string chapter_before = "# 7 Walls\n\nText.\n\n",
@@ -59,15 +59,16 @@ TEST_CASE("a handout has chapters, exercises and stubs, and none of our answers"
     REQUIRE(made.code == 0);
     CHECK(course.log_of_handout() == "Frame by Frame 1.2.3\n");
     for (const char *file : {"chapters/07_wall_meeting/README.md", "exercises/07_wall_meeting.cpp", "HANDOUT.md",
-                             "tests/stubs/07_wall_meeting.cpp", "tests/07_wall_meeting.cpp"})
+                             "tests/07_wall_meeting/stub.cpp", "tests/07_wall_meeting/tests.cpp"})
         CHECK(course.has("out/frame-by-frame/" + std::string{file}));
-    const std::string stamp = stamp_of(which_tests(hash_of_tests(course.tree, course.seven()), "1.2.3"));
-    for (const char *file : {"exercises/07_wall_meeting.cpp", "tests/stubs/07_wall_meeting.cpp"})
+    const std::string stamp = stamp_of(which_tests(hash_of_tests(course.workspace, course.seven()), "1.2.3"));
+    for (const char *file : {"exercises/07_wall_meeting.cpp", "tests/07_wall_meeting/stub.cpp"})
         CHECK(course.read("out/frame-by-frame/" + std::string{file})
-              == read_file(course.tree.stub(course.seven())) + stamp);
-    for (const char *file : {"solutions", "tests/wrong", "docs/instructors.md"})
+              == read_file(course.workspace.stub(course.seven())) + stamp);
+    for (const char *file : {"solutions", "tests/07_wall_meeting/mutants.diff", "docs/instructors.md"})
         CHECK(!course.has("out/frame-by-frame/" + std::string{file}));
     CHECK(course.read("out/frame-by-frame/chapters/07_wall_meeting/README.md") == "# 7 Walls\n\nText.\n\nThe end.\n");
+    CHECK_THAT(course.read("out/frame-by-frame/HANDOUT.md"), ContainsSubstring("## What to hand in\n"));
     CHECK(course.read("out/frame-by-frame/README.md") == "# A course\n\nMIT licence.\n");
     const std::string packed =
         run({"cmake", "-E", "tar", "tf", (course.out / "frame-by-frame-1.2.3-handout.zip").string()}).out;
@@ -97,9 +98,9 @@ TEST_CASE("a file in a handout says which tests it came with, and nothing else i
 TEST_CASE("the name of the tests changes with them, and not with how lines end") {
     const SmallCourse course;
     const auto hash_of = [&](const std::string &tests, const std::string &helpers) {
-        course.write("tests/07_wall_meeting.cpp", tests);
+        course.write("tests/07_wall_meeting/tests.cpp", tests);
         course.write("tests/matchers.hpp", helpers);
-        return hash_of_tests(course.tree, course.seven());
+        return hash_of_tests(course.workspace, course.seven());
     };
     const std::string one = hash_of("a\nb\n", "c\n");
     CHECK(one.size() == 64);
@@ -154,11 +155,12 @@ TEST_CASE("a line of a solution is found in a page with colours, in a search ind
           == 1);
     CHECK(course.leaks_of("search.js", R"({"text": "return std::max(0.0,\n x < 3 ? x * x * x : \"\"[0]);"})").size()
           == 1);
-    std::filesystem::create_directories(course.tree.root / "tools" / "play");
-    std::filesystem::copy(std::filesystem::path{COURSE_ROOT} / "tools/play/pack.cjs", course.tree.root / "tools/play");
+    std::filesystem::create_directories(course.workspace.root / "tools" / "play");
+    std::filesystem::copy(std::filesystem::path{COURSE_ROOT} / "tools/play/pack.cjs",
+                          course.workspace.root / "tools/play");
     const auto pack = [&](const std::string &text) {
         course.write("packed", text);
-        return run({"node", COURSE_ROOT "/tools/play/pack.cjs", (course.tree.root / "packed").string(), "x"}).out;
+        return run({"node", COURSE_ROOT "/tools/play/pack.cjs", (course.workspace.root / "packed").string(), "x"}).out;
     };
     CHECK(course.leaks_of("demo.js", pack(HandedOutCourse::solution_code)).size() == 1);
     CHECK(course.leaks_of("demo.js", pack("void f();")).empty());
@@ -167,7 +169,7 @@ TEST_CASE("a line of a solution is found in a page with colours, in a search ind
 TEST_CASE("what the chapter's own text tells, or the tests, is no leak") {
     const HandedOutCourse course;
     const std::string line = "return std::max(0.0, x < 3 ? x * x * x : \"\"[0]);";
-    const std::string file = GENERATE("chapters/07_wall_meeting/README.md", "tests/07_wall_meeting.cpp");
+    const std::string file = GENERATE("chapters/07_wall_meeting/README.md", "tests/07_wall_meeting/tests.cpp");
     course.write(file, "> | `" + line + "` | that's all |\n");
     CHECK(course.leaks_of("page.txt", line).empty());
 }
@@ -196,7 +198,7 @@ TEST_CASE("a page loses what needs our answers, and keeps what stands around it"
 TEST_CASE(
     "without solutions, commands that need them say so in one sentence, and a hint doesn't send anybody to them") {
     const SmallCourse course;
-    std::filesystem::remove_all(course.tree.root / "solutions");
+    std::filesystem::remove_all(course.workspace.root / "solutions");
     course.write(handout_mark, "");
     const auto [words, sentence] = GENERATE(
         std::pair{
@@ -217,7 +219,7 @@ TEST_CASE("a student's earlier file is linked with helpers of the same name, or 
     const SmallCourse course;
     const auto object = [&](const std::string &name, const std::string &code) {
         course.write(name + ".cpp", code);
-        const std::string file = (course.tree.root / name).string();
+        const std::string file = (course.workspace.root / name).string();
         REQUIRE(run({"sh", COURSE_ROOT "/cmake/compile_yours.sh", file + ".o", file + ".stand_in", "4" + name, "nm",
                      "objcopy", "c++", "-c", file + ".cpp"})
                     .code
@@ -226,10 +228,10 @@ TEST_CASE("a student's earlier file is linked with helpers of the same name, or 
     };
     const auto result_of = [&](const std::string &program) {
         course.write("main.cpp", program);
-        const std::string to = (course.tree.root / "program").string();
+        const std::string to = (course.workspace.root / "program").string();
         const Finished built =
-            run({"c++", (course.tree.root / "main.cpp").string(), (course.tree.root / "wall.o").string(),
-                 (course.tree.root / "ball.o").string(), "-o", to});
+            run({"c++", (course.workspace.root / "main.cpp").string(), (course.workspace.root / "wall.o").string(),
+                 (course.workspace.root / "ball.o").string(), "-o", to});
         INFO(built.err);
         REQUIRE(built.code == 0);
         return run({to}).code;
@@ -239,7 +241,7 @@ TEST_CASE("a student's earlier file is linked with helpers of the same name, or 
     object("wall", "int help() { return 40; } namespace wall { int f() { return help(); } }");
     object("ball", "int help() { return 2; } namespace ball { int f() { return help(); } }");
     CHECK(result_of(program) == 42);
-    std::filesystem::copy(course.tree.root / "ball.o", course.tree.root / "wall.stand_in");
+    std::filesystem::copy(course.workspace.root / "ball.o", course.workspace.root / "wall.stand_in");
     object("wall", "what?");
-    CHECK(read_file(course.tree.root / "wall.o") == read_file(course.tree.root / "ball.o"));
+    CHECK(read_file(course.workspace.root / "wall.o") == read_file(course.workspace.root / "ball.o"));
 }

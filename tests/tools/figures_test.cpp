@@ -1,14 +1,14 @@
 // What can go wrong between a program's trace and a published figure, each with the sentence that says so.
 
+#include "base/files.hpp"
+#include "base/kernel.hpp"
+#include "check/programs.hpp"
 #include "commands/commands.hpp"
 #include "figures/figure.hpp"
 #include "figures/section_figures.hpp"
 #include "figures/trace.hpp"
-#include "ground/files.hpp"
-#include "ground/kernel.hpp"
-#include "loop/programs.hpp"
+#include "judge/runner/sandbox.hpp"
 #include "small_course.hpp"
-#include "verdict/tests/shut_in.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -32,15 +32,15 @@ namespace {
 /// A small course in a folder of its own, gone in the end: one section, one figure.
 struct Place {
     Place() {
-        tree = {folder.path, folder.path / "build"};
+        workspace = {folder.path, folder.path / "build"};
         write("CMakeLists.txt", "section(07_lines)\n");
         write("plots/style.gp", read_file(fs::path{COURSE_ROOT} / "plots/style.gp"));
         write("plots/07_lines_rise.gp", script("using 1:2 with lines title 'rise'"));
         write("build/traces/07_lines/07_lines_rise.tsv", good_trace);
     }
 
-    void write(const fs::path &name, const std::string &text) const { write_file(tree.root / name, text); }
-    std::string read(const fs::path &name) const { return read_file(tree.root / name); }
+    void write(const fs::path &name, const std::string &text) const { write_file(workspace.root / name, text); }
+    std::string read(const fs::path &name) const { return read_file(workspace.root / name); }
 
     static std::string script(const std::string &curve) {
         return "#> Figure: a line that rises\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange "
@@ -49,16 +49,16 @@ struct Place {
     }
     static constexpr const char *good_trace = "# t[s]\tx[m]\n0\t1\n1\t2\n\n2\t2.5\n3\t4\n";
 
-    Figure figure() const { return figures_of(tree, section).at(0); }
+    Figure figure() const { return figures_of(workspace, section).at(0); }
     OwnFolder folder;
-    Tree tree;
+    Workspace workspace;
     Section section{"07_lines"};
 };
 
 std::string refusal(const std::function<void()> &action) {
     try {
         action();
-    } catch (const Complaint &complaint) {
+    } catch (const UserError &complaint) {
         return complaint.what();
     }
     return "nothing was refused";
@@ -81,8 +81,8 @@ std::string said_of_trace(const std::string &trace) {
 /// The course's own command line with `draw` in it.
 void course_draw(const std::vector<std::string> &words) {
     CLI::App app;
-    const Tree tree;
-    add_draw(app, tree);
+    const Workspace workspace;
+    add_draw(app, workspace);
     std::vector<std::string> reversed{words.rbegin(), words.rend()}; // as CLI11 wants it
     reversed.push_back("draw");
     app.parse(reversed);
@@ -192,7 +192,7 @@ TEST_CASE("a script that forgets its output or its style is refused") {
 
 TEST_CASE("without gnuplot one sentence says how to get it") {
     const Place place;
-    const OnlyPath nowhere{place.tree.root};
+    const OnlyPath nowhere{place.workspace.root};
     CHECK_THAT(refusal([&] { draw(place.figure()); }),
                ContainsSubstring("gnuplot, which draws the figures, is not here")
                    && ContainsSubstring("./course doctor"));
@@ -201,7 +201,7 @@ TEST_CASE("without gnuplot one sentence says how to get it") {
 TEST_CASE("`course draw` writes the figure, and says which file it cannot write") {
     const Place place;
     const std::string script = place.figure().script, trace = place.figure().trace,
-                      out = place.tree.root / "new/rise.svg";
+                      out = place.workspace.root / "new/rise.svg";
     course_draw({"--script", script, "--trace", trace, "--out", out});
     CHECK(read_file(out) == draw(place.figure()));
 
@@ -221,7 +221,7 @@ TEST_CASE("a student's curve is drawn over the reference's where the script has 
     Figure figure = place.figure();
     CHECK(draws_student(figure.script));
     CHECK_THAT(draw(figure), !ContainsSubstring("yours"));
-    figure.student = place.tree.root / "mine's.tsv";
+    figure.student = place.workspace.root / "mine's.tsv";
     CHECK_THAT(draw(figure), ContainsSubstring(">yours</"));
 
     place.write("mine's.tsv", "# t[s]\tx[m]\n0\tnan\n3\t2\n");
@@ -306,38 +306,39 @@ TEST_CASE("a missing row, another gap, another column of a kept trace is found")
 TEST_CASE("after publishing figure and trace, the check finds no difference") {
     const Place place;
     place.write("build/plots/07_lines_rise.svg", draw(place.figure()));
-    CHECK(outdated(place.tree, place.section).size() == 2); // neither is there yet
-    CHECK(publish(place.tree, place.section).size() == 2);
+    CHECK(outdated(place.workspace, place.section).size() == 2); // neither is there yet
+    CHECK(publish(place.workspace, place.section).size() == 2);
     CHECK(place.read("plots/07_lines_rise.svg") == draw(place.figure()));
     CHECK(place.read("plots/07_lines_rise.tsv") == Place::good_trace);
-    CHECK(outdated(place.tree, place.section).empty());
-    CHECK(publish(place.tree, place.section).empty());
-    CHECK(strays(place.tree).empty());
+    CHECK(outdated(place.workspace, place.section).empty());
+    CHECK(publish(place.workspace, place.section).empty());
+    CHECK(strays(place.workspace).empty());
 }
 
 TEST_CASE("a kept trace that is still true keeps its digits, one that is not is replaced") {
     const Place place;
     place.write("build/plots/07_lines_rise.svg", "<svg/>");
-    publish(place.tree, place.section);
+    publish(place.workspace, place.section);
     place.write("build/traces/07_lines/07_lines_rise.tsv", "# t[s]\tx[m]\n0\t1.000006\n1\t2\n\n2\t2.5\n3\t4\n");
-    CHECK(publish(place.tree, place.section).empty());
+    CHECK(publish(place.workspace, place.section).empty());
     place.write("build/traces/07_lines/07_lines_rise.tsv", "# t[s]\tx[m]\n0\t1.3\n1\t2\n\n2\t2.5\n3\t4\n");
-    CHECK(outdated(place.tree, place.section)
+    CHECK(outdated(place.workspace, place.section)
           == std::vector<std::string>{"plots/07_lines_rise.tsv, row 1, column x[m]: it was 1, it is 1.3"});
-    CHECK(publish(place.tree, place.section).size() == 1);
-    CHECK(outdated(place.tree, place.section).empty());
+    CHECK(publish(place.workspace, place.section).size() == 1);
+    CHECK(outdated(place.workspace, place.section).empty());
 }
 
 TEST_CASE("a measured figure is drawn from the kept trace, and a later measurement does not contradict it") {
     const Place place;
-    fs::rename(place.tree.root / "plots/07_lines_rise.gp", place.tree.root / "plots/07_lines_measured_rise.gp");
+    fs::rename(place.workspace.root / "plots/07_lines_rise.gp",
+               place.workspace.root / "plots/07_lines_measured_rise.gp");
     place.write("plots/07_lines_measured_rise.tsv", Place::good_trace);
     place.write("build/traces/07_lines/07_lines_measured_rise.tsv", "# t[s]\tx[m]\n0\t9\n1\t9\n");
     CHECK(place.figure().is_measured());
     place.write("build/plots/07_lines_measured_rise.svg", draw(place.figure()));
-    CHECK(publish(place.tree, place.section).size() == 1); // the figure, and never a trace
+    CHECK(publish(place.workspace, place.section).size() == 1); // the figure, and never a trace
     CHECK(place.read("plots/07_lines_measured_rise.tsv") == Place::good_trace);
-    CHECK(outdated(place.tree, place.section).empty());
+    CHECK(outdated(place.workspace, place.section).empty());
 }
 
 TEST_CASE("a damaged kept trace is a difference, and publishing mends it") {
@@ -345,21 +346,21 @@ TEST_CASE("a damaged kept trace is a difference, and publishing mends it") {
     place.write("build/plots/07_lines_rise.svg", "<svg/>");
     place.write("plots/07_lines_rise.svg", "<svg/>");
     place.write("plots/07_lines_rise.tsv", "<<<<<<< ours\n");
-    REQUIRE(outdated(place.tree, place.section).size() == 1);
-    CHECK_THAT(outdated(place.tree, place.section)[0], ContainsSubstring("plots/07_lines_rise.tsv, line 1"));
-    publish(place.tree, place.section);
-    CHECK(outdated(place.tree, place.section).empty());
+    REQUIRE(outdated(place.workspace, place.section).size() == 1);
+    CHECK_THAT(outdated(place.workspace, place.section)[0], ContainsSubstring("plots/07_lines_rise.tsv, line 1"));
+    publish(place.workspace, place.section);
+    CHECK(outdated(place.workspace, place.section).empty());
 }
 
 TEST_CASE(
     "every published figure is as wide as all are, and has the words at its axes: gnuplot drops what has no room") {
     static const std::regex axis{"set [xy]label '([^']*)'"};
     std::size_t counted = 0;
-    const Tree tree{COURSE_ROOT, COURSE_BUILD};
-    for (const Section &section : tree.sections())
-        for (const Figure &figure : figures_of(tree, section)) {
+    const Workspace workspace{COURSE_ROOT, COURSE_BUILD};
+    for (const Section &section : workspace.sections())
+        for (const Figure &figure : figures_of(workspace, section)) {
             const std::string script = read_file(figure.script);
-            const std::string picture = read_file(tree.root / "plots" / (figure.name() + ".svg"));
+            const std::string picture = read_file(workspace.root / "plots" / (figure.name() + ".svg"));
             CAPTURE(figure.name());
             CHECK_THAT(picture, ContainsSubstring("<svg width=\"480\""));
             for (std::sregex_iterator found{script.begin(), script.end(), axis}, end; found != end; ++found) {
@@ -376,7 +377,7 @@ TEST_CASE("files in plots/ without a section or without a script are found") {
     place.write("plots/07_lines_fall.svg", "");
     place.write("plots/07_lines_fall.tsv", "");
     place.write("plots/notes.txt", "");
-    const auto found = strays(place.tree);
+    const auto found = strays(place.workspace);
     REQUIRE(found.size() == 3);
     CHECK_THAT(found[0], ContainsSubstring("07_lines_fall.svg has no script"));
     CHECK_THAT(found[1], ContainsSubstring("07_lines_fall.tsv has no script"));
@@ -396,17 +397,17 @@ struct StudentPlace : Place {
     }
     void command(const fs::path &name, const std::string &script) const {
         write(name, "#!/bin/sh\n" + script + '\n');
-        fs::permissions(tree.root / name, fs::perms::owner_all);
+        fs::permissions(workspace.root / name, fs::perms::owner_all);
     }
-    OnlyPath path{(tree.root / "bin").string() + ":/usr/bin:/bin"};
+    OnlyPath path{(workspace.root / "bin").string() + ":/usr/bin:/bin"};
 };
 
 /// What is said of a student's program that does this.
 Ran ran(const std::string &program, const std::string &cmake = "exit 0") {
     const StudentPlace place{program, cmake};
     place.write("build/mine/traces/07_lines/old.tsv", "");
-    const fs::path traces = student_traces(place.tree, place.section);
-    const Ran result = run_program(place.tree, place.section, Whose::student, traces, "", 0.6);
+    const fs::path traces = student_traces(place.workspace, place.section);
+    const Ran result = run_program(place.workspace, place.section, Whose::student, traces, "", 0.6);
     CHECK(fs::exists(traces / "old.tsv") != result.started); // no trace of an earlier run survives
     return result;
 }
@@ -467,8 +468,9 @@ TEST_CASE("a student's file that cannot be built is told with its first error") 
 
 TEST_CASE("an exercise that is not there is missed, with the way back") {
     const Place place;
-    CHECK_THAT(refusal([&] { run_program(place.tree, place.section, Whose::student, place.tree.build / "traces"); }),
-               ContainsSubstring("exercises/07_lines.cpp") && ContainsSubstring("./course reset 7"));
+    CHECK_THAT(
+        refusal([&] { run_program(place.workspace, place.section, Whose::student, place.workspace.build / "traces"); }),
+        ContainsSubstring("exercises/07_lines.cpp") && ContainsSubstring("./course reset 7"));
 }
 
 // `course plot --mine`, on such a program.
@@ -491,17 +493,17 @@ std::string plotted(const std::string &program, const std::string &second = "", 
     place.write("build/plots/mine/07_lines_rise.svg", "of yesterday");
 
     CLI::App app;
-    add_plot(app, place.tree);
+    add_plot(app, place.workspace);
     std::ostringstream printed;
     std::streambuf *const before = std::cout.rdbuf(printed.rdbuf());
     int code = 0;
     try {
         app.parse(std::vector<std::string>{"--mine", "7", "plot"});
-    } catch (const Leave &leave) {
+    } catch (const ExitRequest &leave) {
         code = leave.code;
     }
     std::cout.rdbuf(before);
-    CHECK(fs::exists(place.tree.build / "plots/mine/07_lines_rise.svg") == (code == 0));
+    CHECK(fs::exists(place.workspace.build / "plots/mine/07_lines_rise.svg") == (code == 0));
     return std::to_string(code) + ' ' + printed.str();
 }
 

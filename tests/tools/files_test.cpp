@@ -1,7 +1,7 @@
 // The one way in which `course` writes files: whole or not at all, and said in one sentence if not.
 
-#include "ground/complaint.hpp"
-#include "ground/files.hpp"
+#include "base/errors.hpp"
+#include "base/files.hpp"
 #include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
+#include <fstream>
 #include <random>
 #include <sys/file.h>
 #include <sys/mount.h>
@@ -126,11 +127,11 @@ TEST_CASE("a folder that cannot be written is named in one sentence") {
     SECTION("a file where a folder should be") {
         const fs::path file = folder.path / "file/inside";
         CHECK_THROWS_MATCHES(
-            write_file(file, "new"), Complaint,
+            write_file(file, "new"), UserError,
             MessageMatches(ContainsSubstring("cannot write " + file.string()) && ContainsSubstring("; ")));
     }
     SECTION("a folder that is nobody's to write, root's neither") {
-        CHECK_THROWS_MATCHES(write_file("/proc/self/course/file", "new"), Complaint,
+        CHECK_THROWS_MATCHES(write_file("/proc/self/course/file", "new"), UserError,
                              MessageMatches(ContainsSubstring("cannot write /proc/self/course/file")));
     }
     CHECK(read_file(folder.path / "file") == "text");
@@ -143,7 +144,7 @@ TEST_CASE("a folder without leave to write is named, and what to do") {
     write_file(folder.path / "file", "text");
     fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
 
-    CHECK_THROWS_MATCHES(write_file(folder.path / "file", "new"), Complaint,
+    CHECK_THROWS_MATCHES(write_file(folder.path / "file", "new"), UserError,
                          MessageMatches(ContainsSubstring("make " + folder.path.string() + " writable")));
     CHECK(read_file(folder.path / "file") == "text");
     fs::permissions(folder.path, fs::perms::owner_all);
@@ -151,9 +152,9 @@ TEST_CASE("a folder without leave to write is named, and what to do") {
 
 TEST_CASE("a file that is not there, and a folder, cannot be read, and are named") {
     const Folder folder;
-    CHECK_THROWS_MATCHES(read_file(folder.path / "none"), Complaint,
+    CHECK_THROWS_MATCHES(read_file(folder.path / "none"), UserError,
                          MessageMatches(ContainsSubstring("cannot read " + (folder.path / "none").string())));
-    CHECK_THROWS_AS(read_file(folder.path), Complaint);
+    CHECK_THROWS_AS(read_file(folder.path), UserError);
 }
 
 TEST_CASE("a full disk is reported in one sentence; the old file stays, and no draft is left") {
@@ -164,7 +165,7 @@ TEST_CASE("a full disk is reported in one sentence; the old file stays, and no d
     const fs::path file = folder.path / "file";
     write_file(file, "old");
 
-    CHECK_THROWS_MATCHES(write_file(file, std::string(200'000, 'x')), Complaint,
+    CHECK_THROWS_MATCHES(write_file(file, std::string(200'000, 'x')), UserError,
                          MessageMatches(ContainsSubstring("cannot write " + file.string() + ": the disk is full")));
     CHECK(read_file(file) == "old");
     CHECK(folder.files() == 1);
@@ -177,7 +178,7 @@ TEST_CASE("a file-size limit is reported as a full disk, and the old file stays"
     write_file(file, "old");
     const SmallFiles until_done{64 * 1024};
 
-    CHECK_THROWS_MATCHES(write_file(file, std::string(200'000, 'x')), Complaint,
+    CHECK_THROWS_MATCHES(write_file(file, std::string(200'000, 'x')), UserError,
                          MessageMatches(ContainsSubstring("the disk is full")));
     CHECK(read_file(file) == "old");
     CHECK(folder.files() == 1);

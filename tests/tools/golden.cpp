@@ -5,10 +5,10 @@
 //
 // Where FILE.cpp includes rest.hpp, what is checked is the whole answer: see whole_answer.hpp.
 
-#include "ground/files.hpp"
-#include "ground/process.hpp"
-#include "ground/text.hpp"
-#include "verdict/tests/shut_in.hpp"
+#include "base/files.hpp"
+#include "base/process.hpp"
+#include "base/text.hpp"
+#include "judge/runner/sandbox.hpp"
 #include "whole_answer.hpp"
 
 #include <cstdlib>

@@ -1,27 +1,34 @@
 // `course grade`: what a file comes to that is half broken, what it earns, and what comes of a class.
 
-#include "class/archive.hpp"
-#include "class/assignment.hpp"
-#include "class/feedback.hpp"
-#include "class/late.hpp"
-#include "class/points.hpp"
-#include "class/trivial.hpp"
-#include "ground/kernel.hpp"
-#include "ground/lines.hpp"
-#include "ground/text.hpp"
-#include "loop/functions.hpp"
-#include "loop/junit.hpp"
-#include "loop/toolbox.hpp"
+#include "base/kernel.hpp"
+#include "base/lines.hpp"
+#include "base/text.hpp"
+#include "check/build_config.hpp"
+#include "check/functions.hpp"
+#include "check/junit.hpp"
+#include "check/outline.hpp"
+#include "grade/archive.hpp"
+#include "grade/assignment.hpp"
+#include "grade/baseline_answers.hpp"
+#include "grade/feedback.hpp"
+#include "grade/points.hpp"
+#include "grade/process_pool.hpp"
+#include "made_zip.hpp"
 #include "small_course.hpp"
+#include "whole_answer.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <algorithm>
+#include <ctime>
+#include <unistd.h>
 
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
 using Catch::Matchers::WithinAbs;
 using namespace course;
 namespace fs = std::filesystem;
@@ -29,9 +36,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The course's own section 5, as it's built.
-const Tree &built_course() {
-    static const Tree tree{.root = COURSE_ROOT, .build = COURSE_BUILD};
-    return tree;
+const Workspace &built_course() {
+    static const Workspace workspace{.root = COURSE_ROOT, .build = COURSE_BUILD};
+    return workspace;
 }
 Section section_five() { return built_course().section("5"); }
 std::string answer_of_ours() { return read_file(built_course().solution(section_five())); }
@@ -61,7 +68,7 @@ GradedExercise of_tests(std::initializer_list<bool> passed) {
     exercise.possible = 3;
     for (const bool each : passed) {
         Verdict verdict{.test = "test " + std::to_string(exercise.verdicts.size() + 1)};
-        verdict.kind = each ? Kind::passed : Kind::wrong;
+        verdict.kind = each ? Outcome::passed : Outcome::wrong;
         exercise.verdicts.push_back(verdict);
     }
     return exercise;
@@ -78,6 +85,10 @@ struct SmallClass {
         write_file(folder.path / "in" / id / "05_inclined_planes.cpp", text);
     }
     Finished operator()(std::vector<std::string> words) const {
+        if (words.front() == "5") words.insert(words.end(), {"--seed", "2026"}); // else it draws its own
+        return draws_its_own(words);
+    }
+    Finished draws_its_own(std::vector<std::string> words) const {
         words.insert(words.begin(), "grade");
         return run(course_command(built_course(), words, {"NO_COLOR=1"}));
     }
@@ -99,18 +110,28 @@ struct SmallClass {
 
 } // namespace
 
+TEST_CASE("what keeps a job from leaving its result is told, and the others have left theirs") {
+    std::size_t done = 0;
+    const auto job = [](std::size_t number) {
+        if (number == 3) throw UserError{"cannot write 3.json: the disk is full"};
+    };
+    REQUIRE_THROWS_MATCHES(in_parallel(8, job, [&] { ++done; }), EnvironmentError,
+                           MessageMatches(ContainsSubstring("cannot write 3.json: the disk is full")));
+    CHECK(done == 7);
+}
+
 TEST_CASE("a function's definition is found in code that needn't compile") {
     const auto found = [](const std::string &text) {
-        const std::string code = code_of(text);
-        const auto its = definition_of(code, "first", {"first", "second"});
-        return its ? text.substr(its->begin, its->end - its->begin) + (its->closed ? "" : " OPEN") : "none";
+        const Functions functions = functions_of(Source{text}, {"first", "second"});
+        const Function *its = find_function(functions, "first");
+        return its != nullptr ? text.substr(its->begin, its->end - its->begin) + (its->fault ? " FAULT" : "") : "none";
     };
     CHECK(found("int first();\n// first() {\nint first(int a) { return a; }\nint b;")
           == "int first(int a) { return a; }");
     CHECK(found("int second() { return first(1); }\n") == "none");
     CHECK(found("int x() { if (first(1)) {} }\nint first()\n{\n  return \"}\"[0];\n}\n")
           == "int first()\n{\n  return \"}\"[0];\n}");
-    CHECK(found("int first() {\n  if (1) {\n}\nint second() {}\n") == "int first() {\n  if (1) {\n}\n OPEN");
+    CHECK(found("int first() {\n  if (1) {\n}\nint second() {}\n") == "int first() {\n  if (1) {\n} FAULT");
     CHECK(found("int at_first() {}\n") == "none");
     CHECK(found("char q = '\"', b = '{', e = '\\''; int n = 1'000;\nint first() { return 1; }\n")
           == "int first() { return 1; }");
@@ -118,15 +139,16 @@ TEST_CASE("a function's definition is found in code that needn't compile") {
     CHECK(found("auto s = R\"x(\" { )\" ()x\";\nint first() { return 1; }\n") == "int first() { return 1; }");
     CHECK(found("auto s = \"\\\\\";\nint first() { return 1; }\n") == "int first() { return 1; }");
     const auto calls_second = [](const std::string &body) {
-        const std::string code = code_of("int first() { return " + body + "; }");
-        return calls(code, definition_of(code, "first", {}).value(), "second");
+        const Source source{"int first() { return " + body + "; }"};
+        return calls(source, functions_of(source, {}).at(0), "second");
     };
     CHECK(calls_second("second(1)"));
     CHECK(calls_second("1 + second (1)"));
     CHECK_FALSE(calls_second("pair.second(1) + my_second(1) + second"));
     const auto around = [](const std::string &text, const std::string &place) {
-        const auto its = function_around(text, text.find(place));
-        return its ? text.substr(its->begin, its->end - its->begin) : "none";
+        const Functions functions = functions_of(Source{text}, {});
+        const Function *its = function_around(functions, text.find(place));
+        return its != nullptr ? text.substr(its->begin, its->end - its->begin) : "none";
     };
     const std::string file = "#include <x> // (\nnamespace n {\nint a[] = {1};\nstruct S { int m() { return 2; } };\n"
                              "template <class T> T f(T t) {\n  if (t) { return 3; }\n}\nint v = g(4);\n} // n\n";
@@ -135,9 +157,10 @@ TEST_CASE("a function's definition is found in code that needn't compile") {
     CHECK(around(file, "3") == "template <class T> T f(T t) {\n  if (t) { return 3; }\n}");
     CHECK(around(file, "template") == around(file, "3"));
     CHECK(around(file, "4") == "none");
-    CHECK(around("int open() {\n return 1;\n", "1") == "none");
-    CHECK(line_begins("a\nbc\nd", 2) == 2);
-    CHECK(line_begins("a\nbc\nd", 9) == 6);
+    CHECK(around("int open() {\n return 1;\n", "1") == "int open() {\n return 1;\n");
+    CHECK(Source{"a\nbc\nd"}.line_begins(2) == 2);
+    CHECK(Source{"a\nbc\nd"}.line_begins(9) == 6);
+    CHECK(Source{"a\nbc\nd"}.line_of(3) == 2);
 }
 
 TEST_CASE("points are all or, above what an answer passes that computes nothing, in proportion") {
@@ -158,13 +181,13 @@ TEST_CASE("a file of points that can't be understood is refused with its line") 
     const OwnFolder folder{"points XXXXXX"};
     const auto worth = [&](const std::string &text) {
         write_file(folder.path / "points.txt", text);
-        return Worth{folder.path / "points.txt"};
+        return Worth{folder.path / "points.txt", {{"5.3", "core", "f"}, {"5.4", "core", "f"}, {"5.6", "core", "f"}}};
     };
-    const Worth mixed = worth("# ours\ncore 2\n5.4 3.5 # hard\n");
+    const Worth mixed = worth("# ours\ncore 2\n5.4 3.5 # hard\n6.9 1\n");
     CHECK(mixed.of({"5.4", "core", "f"}) == 3.5);
     CHECK(mixed.of({"5.3", "core", "f"}) == 2);
     CHECK(mixed.of({"5.6", "stretch", "f"}) == 1);
-    for (const char *bad : {"core\n", "core two\n", "kern 2\n", "core -1\n", "core 2 3\n", "core inf\n"})
+    for (const char *bad : {"core\n", "core two\n", "kern 2\n", "core -1\n", "core 2 3\n", "core inf\n", "5.9 3\n"})
         CHECK_THROWS_WITH(worth(std::string{"# ours\n"} + bad), ContainsSubstring("points.txt:2: "));
 }
 
@@ -305,9 +328,107 @@ TEST_CASE("a function that doesn't compile costs no other one anything") {
         const Outcomes outcomes =
             come_out(with(answer_of_ours(), "namespace inclined_planes {", "int x\nnamespace inclined_planes {"));
         REQUIRE(outcomes.unbuilt);
-        CHECK(outcomes.unbuilt->kind == Kind::does_not_compile);
+        CHECK(outcomes.unbuilt->kind == Outcome::does_not_compile);
         CHECK(outcomes.verdicts.empty());
     }
+}
+
+namespace {
+
+/// A slip in one function of ours: none of them is in a type, or in a value.
+std::string with_slip(const std::string &function, const std::string &slip) {
+    const std::string ours = answer_of_ours();
+    const Functions functions = functions_of(Source{ours}, {});
+    const Function &its = *find_function(functions, function);
+    const std::string code = ours.substr(its.begin, its.end - its.begin);
+    const std::size_t line = code.find('\n') + 1, quote = std::min(code.find('"'), code.size());
+    const std::map<std::string, std::string> slips{
+        {"fair", code.substr(0, line) + "this is no code;\n" + code.substr(line)},
+        {"last )", std::string{code}.erase(code.rfind(')'), 1)},
+        {"{", std::string{code}.erase(code.find('{'), 1)},
+        {"}", code.substr(0, code.size() - 1)},
+        {"\"", std::string{code}.erase(quote, 1)},
+        {"} too many", code + "\n}"},
+        {"/*", code.substr(0, line) + "/* how far?\n" + code.substr(line)},
+        {"twice", code + "\n" + code}};
+    return ours.substr(0, its.begin) + slips.at(slip) + ours.substr(its.end);
+}
+
+void check_slip(const Exercise &exercise, const std::string &slip) {
+    INFO(exercise.number << ", " << slip);
+    const std::string text = with_slip(exercise.function, slip);
+    if (text == answer_of_ours()) return; // it has no quote
+    const Outcomes outcomes = come_out(text);
+    CHECK_FALSE(outcomes.unbuilt);
+    CHECK(outcomes.without.contains(exercise.number));
+    CHECK(that_fail(outcomes) == that_fail(come_out(with_slip(exercise.function, "fair"))));
+}
+
+const std::vector<std::string> slips{"last )", "{", "}", "\"", "} too many", "/*", "twice"};
+
+} // namespace
+
+TEST_CASE("a bracket too many or missing costs no more than any other slip in its function") {
+    const std::vector<Exercise> exercises = catalogue(built_course(), section_five());
+    for (std::size_t i = 0; i < exercises.size(); ++i) check_slip(exercises[i], slips[i % slips.size()]);
+    check_slip(exercises.back(), "}");
+    check_slip(exercises[5], "}"); // with a line that ends in one
+}
+
+TEST_CASE("each bracket in each function costs no more than any other slip in it", "[.each-bracket]") {
+    for (const Exercise &exercise : catalogue(built_course(), section_five()))
+        for (const std::string &slip : slips) check_slip(exercise, slip);
+}
+
+TEST_CASE("what's wrong around the code of a function is told at its place") {
+    const std::string ours = answer_of_ours(), heading = "namespace inclined_planes {\n";
+    const auto told = [](const std::string &text, int stopped = 0) {
+        const auto verdict = diagnose_outline(text, "x.cpp", built_course(), section_five(), stopped);
+        return verdict ? std::to_string(verdict->line) + ": " + verdict->sentence : "nothing";
+    };
+    const auto line = [](const std::string &text, const std::string &words) { // in which these words end
+        const auto end = text.begin() + long(text.find(words) + words.size());
+        return std::to_string(1 + std::count(text.begin(), end, '\n')) + ": ";
+    };
+    CHECK(told(ours) == "nothing");
+    const std::string much = with_slip("stopping_distance", "} too many"), comment = with_slip("normal_force", "/*"),
+                      less = with_slip("critical_angle", "}");
+    CHECK_THAT(told(much), ContainsSubstring(line(much, "}\n}") + "In 5.1 stopping_distance, this } is one too many"));
+    CHECK_THAT(told(comment),
+               ContainsSubstring(line(comment, "/* how") + "In 5.3 normal_force, the comment that starts"));
+    CHECK_THAT(told(less),
+               ContainsSubstring(line(less, "double critical_angle") + "In 5.5 critical_angle, this { never"));
+    CHECK_THAT(told(with_slip("up_and_back", "{")), ContainsSubstring("In 5.7 up_and_back, a { is missing"));
+    CHECK_THAT(told(with_slip("up_and_back", "last )")), ContainsSubstring("In 5.7 up_and_back, this ( never closes"));
+    const std::string helper =
+        with(ours, "static void require_board(double mass,", "static void require_board(double mass;");
+    CHECK(told(helper) == "nothing");
+    CHECK_THAT(told(with(ours, "#include \"inclined_planes.hpp\"", "")),
+               ContainsSubstring("0: Your file doesn't include"));
+    CHECK_THAT(told(with(ours, heading, "")), ContainsSubstring("`namespace inclined_planes {` is gone"));
+    CHECK_THAT(told("```cpp\n" + ours), ContainsSubstring("1: Lines with ```"));
+    CHECK_THAT(told(with(ours, "\"deceleration [m/s²] must be positive\"", "“deceleration”")),
+               ContainsSubstring("Curly quotes"));
+    CHECK(told(with(ours, "must be positive\"", "must be “positive”\"")) == "nothing");
+}
+
+TEST_CASE("a text is read in a time that grows as it does, whatever is in it") {
+    const std::string piece =
+        GENERATE("apply_friction(", "double first(", "\ndouble first(int a)\n", "/* \n", "'\"\n", "R\"(\n", "}({[",
+                 "#if 0\n", "a a a a\n", "double second() {\n", "namespace n {\n");
+    const auto work = [&](std::size_t size) {
+        std::string text;
+        while (text.size() < size) text += piece;
+        double least = 1e18;
+        for (int i = 0; i < 3; ++i) {
+            const std::clock_t begin = std::clock();
+            functions_of(Source{text}, {"first", "second"});
+            least = std::min(least, double(std::clock() - begin));
+        }
+        return least;
+    };
+    INFO(piece);
+    CHECK(work(400'000) < 32 * work(50'000)); // 8 times as long; 64, if it grew with the square
 }
 
 TEST_CASE("a function that fails because of another one is told so, and one that's wrong itself isn't") {
@@ -339,7 +460,7 @@ TEST_CASE("what a student hasn't written is no consequence, although with ours i
         CHECK(outcomes.because_of.count("5.4") == 0);
     }
     SECTION("it looks for ours at its distance from the one that it calls") {
-        const Toolbox tools = toolbox(built_course(), section_five());
+        const BuildConfig tools = build_config(built_course(), section_five());
         const std::string symbols = run({tools.nm, tools.ours.string()}).out;
         const auto place = [&](const std::string &function) {
             const std::size_t line = symbols.rfind('\n', symbols.find(function));
@@ -355,6 +476,28 @@ TEST_CASE("what a student hasn't written is no consequence, although with ours i
         const Outcomes outcomes = come_out(wrong.substr(0, begin) + far + wrong.substr(end));
         CHECK_FALSE(outcomes.unbuilt);
         CHECK(outcomes.without.empty());
+        CHECK(outcomes.because_of.count("5.4") == 0);
+    }
+    SECTION("it calls the one that calls it, so that each has ours while it's judged") {
+        const Outcomes outcomes = come_out(
+            with(with(answer_of_ours(), "    const double loss = deceleration * dt; // of speed [m/s]\n",
+                      "    return table_friction({velocity, 0}, deceleration, dt).x();\n    const double loss = 0;\n"),
+                 "    if (speed <= loss) return {0, 0};\n    return (speed - loss) / speed * velocity;",
+                 "    if (speed == 0) return velocity;\n"
+                 "    return apply_friction(speed, deceleration, dt) / speed * velocity + 0 * loss * velocity;"));
+        CHECK(outcomes.because_of.count("5.2") == 0);
+    }
+    SECTION("it's there only as long as the other one is") {
+        const std::string symbol = "_ZN15inclined_planes20incline_accelerationERKNS_3BoxEdd";
+        const std::size_t begin = wrong.find(heading), end = wrong.find("\n}", begin);
+        const std::string hidden =
+            with(heading, " {", " asm(\"hidden\");\n") + heading
+            + "\n    asm(\".ifdef _ZN15inclined_planes12normal_forceEddd\\n.pushsection .text.x,\\\"ax\\\",@progbits\\n"
+              ".globl "
+            + symbol + "\\n" + symbol
+            + ": jmp hidden\\n.popsection\\n.endif\\n\");\n    return normal_force(box.mass, angle, g);";
+        const Outcomes outcomes = come_out(wrong.substr(0, begin) + hidden + wrong.substr(end));
+        CHECK(that_fail(outcomes) == "5.3 5.4 5.7 ");
         CHECK(outcomes.because_of.count("5.4") == 0);
     }
 }
@@ -396,6 +539,16 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         CHECK_THAT(grade.read("grades.csv"), ContainsSubstring("1003,7.5\n") && ContainsSubstring("1005,2\n"));
         CHECK_THAT(grade({"--out", grade.out(), "--again"}).out, ContainsSubstring("Nobody's points have changed"));
         CHECK_THAT(grade.read("overrides.csv"), ContainsSubstring("the upload, broke"));
+        grade.hand_in("1003", answer_of_ours());
+        write_file(fs::path{grade.out()} / "overrides.csv", "1003,7.5,broke\n");
+        CHECK_THAT(
+            grade({"--out", grade.out(), "--again"}).out,
+            ContainsSubstring("2 students changed:\n  1003: 7.5 -> 7.5 (set by hand: broke; another file was "
+                              "handed in, which comes to 10)\n  1005: 2 -> nothing (no longer set by hand: clear "
+                              "it on the platform, too)\n"));
+        write_file(fs::path{grade.out()} / "overrides.csv", "");
+        CHECK_THAT(grade({"--out", grade.out(), "--again"}).out,
+                   ContainsSubstring("1 student changed:\n  1003: 7.5 -> 10 (no longer set by hand)\n"));
     }
     SECTION("an override that can't be meant is refused; its head may be missing") {
         const auto refused = [&](const std::string &text) {
@@ -455,6 +608,18 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
         CHECK_THAT(grade({"--out", grade.out(), "--only", "1001"}).out,
                    ContainsSubstring("doesn't count for anybody: " + name));
         CHECK(grade({"--out", grade.out(), "--without", "no such test"}).code == 2);
+    }
+    SECTION("a consequence isn't blamed for a mistake besides") {
+        grade.hand_in("1004", with(answer_of_ours(), "    if (pull <= box.mu_s * normal) return 0;\n", ""));
+        REQUIRE(grade({"--out", grade.out(), "--again"}).code == 0);
+        const Archive texts{fs::path{grade.out()} / "feedback.zip"};
+        const auto entry = std::ranges::find(texts.entries(), "1004/feedback.txt", &Archive::Entry::name);
+        const std::string text = texts.read(*entry, 10000);
+        const std::size_t consequence = text.find("This is a consequence of 5.4:");
+        REQUIRE(consequence != text.npos); // 5.7 is right, and comes out as if it checked nothing on the way back
+        CHECK_THAT(text.substr(consequence), !ContainsSubstring("This is what comes out when"));
+        const std::string report = grade.read("report.html");
+        CHECK_THAT(report, !ContainsSubstring("0 of 0 tests") && !ContainsSubstring("no test that counts</"));
     }
     SECTION("a consequence may cost nothing") {
         grade({"--out", grade.out(), "--forgive"});
@@ -548,6 +713,40 @@ TEST_CASE("who began with the file of other tests is listed, and told; nobody el
     CHECK_THAT(check({}), !ContainsSubstring("Judged by"));
 }
 
+TEST_CASE("a grading draws its own seed, names it everywhere, and keeps it until another is said") {
+    const SmallClass grade;
+    grade.hand_in("1", answer_of_ours());
+    const auto seed_of = [](const Finished &done) {
+        INFO(done.out << done.err);
+        return std::string{between(done.out, "Generated values: --seed ", ".\n").value_or("none")};
+    };
+    const std::string first = seed_of(grade.draws_its_own({"5", grade.in(), "--out", grade.out() + "1"}));
+    const std::string seed = seed_of(grade.draws_its_own({"5", grade.in(), "--out", grade.out()}));
+    CHECK(first != seed);
+    CHECK_THAT(grade.read("report.html"), ContainsSubstring("<dd>" + seed + "</dd>"));
+    CHECK_THAT(grade.read("junit.xml"), ContainsSubstring(seed));
+    const Archive texts{fs::path{grade.out()} / "feedback.zip"};
+    CHECK_THAT(texts.read(texts.entries().at(0), 10000),
+               ContainsSubstring("`check --seed " + seed + "` draws the same.\n"));
+    const Finished again = grade.draws_its_own({"--out", grade.out(), "--again"});
+    CHECK(seed_of(again) == seed);
+    CHECK_THAT(again.out, ContainsSubstring("0 judged now"));
+    const Finished joined = grade.draws_its_own({"5", grade.in(), "--out", grade.out() + "2", "--merge", grade.out()});
+    CHECK(seed_of(joined) == seed);
+    CHECK_THAT(joined.out, ContainsSubstring("0 judged now"));
+    const Finished other = grade.draws_its_own({"--out", grade.out(), "--seed", "7"});
+    CHECK(seed_of(other) == "7");
+    CHECK_THAT(other.out, ContainsSubstring("1 judged now"));
+
+    const Finished apart = grade.draws_its_own({"--out", grade.out(), "--merge", grade.out() + "1"});
+    CHECK(apart.code == 2);
+    CHECK_THAT(apart.err, ContainsSubstring("was judged with --seed " + first + ", and this with --seed 7"));
+    const Finished part = grade.draws_its_own({"5", grade.in(), "--out", grade.out() + "3", "--shard", "1/2"});
+    CHECK(part.code == 2);
+    CHECK_THAT(part.err, ContainsSubstring("say the same for each, as in --seed "));
+    CHECK(grade.draws_its_own({"5", grade.in(), "--out", grade.out() + "3", "--seed", "-1"}).code == 2);
+}
+
 TEST_CASE("a folder with other things in it, or a file, is left alone") {
     const SmallClass grade;
     grade.hand_in("1", answer_of_ours());
@@ -559,6 +758,29 @@ TEST_CASE("a folder with other things in it, or a file, is left alone") {
     const Finished file = grade({"5", grade.in(), "--out", grade.out() + "/report.html"});
     CHECK(file.code == 2);
     CHECK_THAT(file.err, ContainsSubstring("is a file: name a folder"));
+}
+
+TEST_CASE("writes through no link, and into nobody else's folder") {
+    const SmallClass grade;
+    grade.hand_in("1", answer_of_ours());
+    const fs::path out = grade.out(), elsewhere = grade.folder.path / "elsewhere";
+    fs::create_directories(elsewhere);
+    const auto refuses = [&](const std::string &words) {
+        const Finished done = grade({"5", grade.in(), "--out", grade.out()});
+        CHECK(done.code == 2);
+        CHECK_THAT(done.err, ContainsSubstring(words));
+        CHECK(fs::is_empty(elsewhere));
+    };
+    for (const char *name : {"files", "files/1.cpp", "points.txt"}) {
+        fs::create_directories((out / name).parent_path());
+        fs::create_symlink(elsewhere / "x", out / name);
+        refuses("has a link in it, " + std::string{name} + ", through which other files would be written");
+        fs::remove_all(out);
+    }
+    if (::geteuid() != 0) SKIP("only root can make another's folder");
+    fs::create_directories(out);
+    REQUIRE(::chown(out.c_str(), 65534, 65534) == 0);
+    refuses("belongs to another user (65534), who could read and change all of it: name a new folder");
 }
 
 TEST_CASE("a call that failed stands in nobody's way") {
@@ -573,7 +795,7 @@ TEST_CASE("Ctrl-C keeps what's judged, says so, and the same command goes on") {
     grade.hand_in("1", answer_of_ours());
     for (const char *id : {"2", "3"})
         grade.hand_in(id, with(answer_of_ours(), "return std::atan(mu_s);", "for (;;) {}"));
-    auto command = course_command(built_course(), {"grade", "5", grade.in(), "--out", grade.out()});
+    auto command = course_command(built_course(), {"grade", "5", grade.in(), "--out", grade.out(), "--seed", "2026"});
     const std::string script =
         "\"$@\" & until [ -e '" + grade.out() + "/results/1.json' ]; do sleep 0.05; done; kill -INT $!; wait $!";
     command.insert(command.begin(), {"sh", "-c", script, "sh"});
@@ -624,10 +846,92 @@ TEST_CASE("who hasn't been judged, through no fault of theirs, gets no 0 for it"
 TEST_CASE("a machine that lets nothing be judged stops before anybody is graded") {
     const SmallClass grade;
     grade.hand_in("1", answer_of_ours());
-    auto command = course_command(built_course(), {"grade", "5", grade.in(), "--out", grade.out()});
+    auto command = course_command(built_course(), {"grade", "5", grade.in(), "--out", grade.out(), "--seed", "2026"});
     command.insert(command.begin(), {"sh", "-c", "ulimit -f 200000; exec \"$@\"", "sh"}); // half of what a check needs
     CHECK(run(command).code == 4);
     CHECK_FALSE(fs::exists(fs::path{grade.out()} / "feedback.zip"));
+}
+
+TEST_CASE("points of everybody are in a table, and no file is 0 or blank, as agreed") {
+    const SmallClass grade;
+    write_file(grade.folder.path / "grades.csv",
+               "Student,ID,HW 5 (4711)\n    Points Possible,,10\n\"=Doe, J\",1,\nRoe,2,3\nPoe,3,\n");
+    grade.hand_in("1", with(answer_of_ours(), right_normal_force, "return mass * g * std::cos(angle)"));
+    write_file(fs::path{grade.in()} / "2" / "work.zip", "");
+    write_file(fs::path{grade.in()} / "3" / "work.zip", "");
+    write_file(fs::path{grade.out()} / "overrides.csv", "3,4,+oral\n");
+    CHECK_THAT(grade(grade.words({"--dry-run"})).out, ContainsSubstring("row 2 (Roe) would become 0, which has 3\n"));
+    CHECK_THAT(grade(grade.words()).out, ContainsSubstring("with --no-file blank (1): 2\n"));
+    const std::string archive =
+        "\"You handed in an archive, work.zip: hand in 05_inclined_planes.cpp itself, unpacked.\"\n";
+    const std::string head = "id,name,total,possible,5.1,5.2,5.3,5.4,5.5,5.6,5.7,5.8,trouble\n",
+                      first = "1,\"'=Doe, J\",6.15,10,1.54,1.54,0,0,1.54,0.77,0,0.77,\n",
+                      set = "3,Poe,4,10,,,,,,,,,set by hand: +oral\n";
+    CHECK(grade.read("points.csv") == head + first + "2,Roe,0,10,,,,,,,,," + archive + set);
+    CHECK_THAT(grade.read("grades.csv"), ContainsSubstring("Roe,2,0\n"));
+
+    const Finished blank = grade({"--out", grade.out(), "--no-file", "blank"});
+    CHECK_THAT(blank.out, ContainsSubstring("No file to judge, so their rows stay as they are (1): 2\n")
+                              && ContainsSubstring("2: 0 -> nothing (there's no file)\n"));
+    CHECK(grade.read("points.csv") == head + first + "2,Roe,,10,,,,,,,,," + archive + set);
+    CHECK_THAT(grade.read("grades.csv"), ContainsSubstring("Roe,2,3\n"));
+    CHECK_THAT(grade({"--out", grade.out(), "--again"}).out, ContainsSubstring("Nobody's points have changed"));
+    CHECK_THAT(grade.read("grades.csv"), ContainsSubstring("Roe,2,3\n")); // it's kept
+    CHECK(grade({"--out", grade.out(), "--no-file", "1"}).code == 2);
+}
+
+TEST_CASE("a test that our own solution fails is said first, and changes nobody's points") {
+    const SmallClass grade;
+    grade.write_gradebook({"1"});
+    grade.hand_in("1", answer_of_ours());
+    REQUIRE(grade(grade.words()).code == 0);
+    const std::string before = grade.read("grades.csv");
+    const fs::path root = grade.folder.path / "course"; // where ours is wrong: to a test that's as bad as a wrong test
+    fs::create_directories(root / "solutions");
+    for (const fs::directory_entry &entry : fs::directory_iterator{COURSE_ROOT})
+        if (entry.path().filename() != "solutions") fs::create_symlink(entry.path(), root / entry.path().filename());
+    write_file(root / "solutions" / "05_inclined_planes.cpp",
+               with(answer_of_ours(), right_normal_force, wrong_normal_force));
+    const Workspace workspace{.root = root, .build = COURSE_BUILD};
+    const auto there = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"grade", "--out", grade.out()});
+        return run(course_command(workspace, words, {"NO_COLOR=1"}));
+    };
+    grade.hand_in("1", with(answer_of_ours(), right_normal_force, wrong_normal_force));
+    const Finished done = there({"--again"});
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, ContainsSubstring("our own solution of 5.3 fails `") && ContainsSubstring("nobody's points"));
+    CHECK(grade.read("grades.csv") == before);
+}
+
+TEST_CASE("a file that the instructor names is judged, also by the next call") {
+    const SmallClass grade;
+    grade.write_gradebook({"1"});
+    for (const char *name : {"one.cpp", "two.cpp"}) write_file(fs::path{grade.in()} / "1" / name, answer_of_ours());
+    CHECK_THAT(grade(grade.words({"--dry-run"})).out,
+               ContainsSubstring("1: not taken: one.cpp, two.cpp\n")
+                   && ContainsSubstring("To judge another file of theirs, name it, as in --take 1=FILE\n"));
+    CHECK_THAT(grade(grade.words({"--take", "1"})).err, ContainsSubstring("as in 1032=f.cpp.txt, not 1"));
+    CHECK(grade(grade.words({"--take", "1=two.cpp"})).code == 0);
+    CHECK_THAT(grade.read("grades.csv"), ContainsSubstring(",1,10\n"));
+    CHECK_THAT(grade({"--out", grade.out(), "--again"}).out, ContainsSubstring("0 judged now"));
+    CHECK_THAT(grade.read("report.html"),
+               ContainsSubstring("one.cpp") && ContainsSubstring("<td class=\"file\">two.cpp"));
+}
+
+TEST_CASE("a class's names that aren't the gradebook's may be those of groups") {
+    const SmallClass grade;
+    grade.write_gradebook({"1", "2"});
+    const auto said = [&](const std::string &names) {
+        MadeZip zip;
+        for (const char *id : {"1", "2"})
+            zip.file(names + (names == "doe" ? std::string{"j"} + id : "") + '_' + id + "_9_05_inclined_planes.cpp",
+                     "x");
+        zip.write(grade.folder.path / "in");
+        return grade(grade.words({"--dry-run"})).out;
+    };
+    CHECK_THAT(said("team"), ContainsSubstring("No name in the download is its row's. Is it group work?"));
+    CHECK_THAT(said("doe"), !ContainsSubstring("group work"));
 }
 
 TEST_CASE("a dry run says what would be, and leaves nothing behind") {
@@ -639,6 +943,10 @@ TEST_CASE("a dry run says what would be, and leaves nothing behind") {
     CHECK_THAT(dry.out,
                ContainsSubstring("  1: 05_inclined_planes.cpp\n") && ContainsSubstring("row 1 (Doe, J1) would change"));
     CHECK_FALSE(fs::exists(grade.out()));
+    write_file(grade.folder.path / "grades.csv",
+               "Student,ID,Final Score of 5 (4711)\n    Points Possible,,10\n\"Doe, J\",1,A-\n");
+    CHECK_THAT(grade(grade.words({"--dry-run"})).out, ContainsSubstring("Canvas won't import `Final Score of 5 (4711)`")
+                                                          && ContainsSubstring("1 has `A-`, and Canvas may drop"));
 }
 
 TEST_CASE("what the manual tells an instructor to type, grades a class of sixty as it's kept") {
@@ -661,8 +969,11 @@ TEST_CASE("what the manual tells an instructor to type, grades a class of sixty 
     };
     const std::string manual = read_file(COURSE_ROOT "/docs/instructors.md");
     std::vector<std::string> said;
-    for (const Line &line : lines_of(between(manual, "```sh\n", "```").value()))
-        if (!line.text.empty()) said.push_back(type(std::string{line.text}));
+    for (const Line &line : split_lines(between(manual, "```sh\n", "```").value())) {
+        std::string words{line.text};
+        replace_all(words, "submissions.zip", "submissions.zip --seed 2026");
+        if (!words.empty()) said.push_back(type(words));
+    }
     REQUIRE(said.size() == 6);
     CHECK_THAT(said[0], ContainsSubstring("  row 1002 (Ahorn, Bero) would change\n"));
     CHECK(said[1].substr(0, said[1].find("See ./course open")) == kept("sixty_canvas.txt"));
@@ -682,9 +993,18 @@ TEST_CASE("what the manual tells an instructor to type, grades a class of sixty 
         if (contains_any(entry.name, {"_1023_", "_105", "_1060_"})) texts += "== " + entry.name + '\n' + text + '\n';
     }
     replace_all(texts, feedback_hash(texts), "TESTS");
-    CHECK(texts == kept("sixty_feedback.txt"));
+    CHECK(without_lines(texts) == kept("sixty_feedback.txt"));
 
     const std::string moodle = type("./course grade 5 moodle.zip --gradebook moodle.csv --out m5 --merge g5");
     CHECK(moodle.substr(0, moodle.find("See ./course open")) == kept("sixty_moodle.txt"));
+    CHECK_THAT(said[1], ContainsSubstring("\nCan't read feedback.zip in Canvas (2): 1049 (Canvas calls it "
+                                          "05_inclined_planes.zip), 1060 (Canvas drops it, for there's no file that "
+                                          "it's about). Paste into a comment for each what ./course grade --out g5 "
+                                          "--only 1049 prints.\n"));
+    CHECK_THAT(moodle,
+               ContainsSubstring("\nUpload grades.csv first: after feedback.zip, Moodle passes over all its rows.\n"));
+    CHECK_THAT(type("./course grade --out m5 --again"),
+               ContainsSubstring("\nMoodle passes over rows that it has changed")
+                   && ContainsSubstring("or name a fresh one with --gradebook.\n"));
     CHECK(read_file(folder.path / "m5" / "grades.csv") == kept("sixty_moodle.csv"));
 }

@@ -1,6 +1,6 @@
 // A student's process that does not play by the rules of the wire: COURSE_ANSWER says how. See verdict_test.cpp.
 
-#include "verdict/shared/wire.hpp"
+#include "judge/protocol/wire.hpp"
 
 #include <csignal>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // A course for many: built by somebody else, and not the student's to write.
 
-#include "ground/build.hpp"
-#include "ground/lab.hpp"
-#include "loop/toolbox.hpp"
+#include "base/build.hpp"
+#include "base/lab.hpp"
+#include "check/build_config.hpp"
 #include "small_course.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -18,49 +18,50 @@ namespace {
 
 /// A small course, and a student of it, whose folder has a blank in its name.
 struct Lab : SmallCourse {
-    Lab() { tree.home = tree.root / "home of ann"; }
+    Lab() { workspace.home = workspace.root / "home of ann"; }
     Finished operator()(const std::vector<std::string> &words) const {
-        return SmallCourse::operator()(words, {"COURSE_HOME=" + tree.home.string()});
+        return SmallCourse::operator()(words, {"COURSE_HOME=" + workspace.home.string()});
     }
-    std::string read_own(const fs::path &file) const { return read_file(tree.home / file); }
+    std::string read_own(const fs::path &file) const { return read_file(workspace.home / file); }
 };
 
 /// And a build of it, by a `ninja` that knows what these commands make.
 struct BuiltLab : Lab {
     BuiltLab() {
-        settle_in(tree);
+        create_student_folder(workspace);
         write("build/default/.ninja_log", "");
         write("build/default/page.o", "page ");
         write("build/default/server.o", "built");
         write("build/default/play/07_mine.o.broken", "ours ");
-        const std::string in_build = "cd '" + tree.build.string() + "' && ",
-                          play = tree.build.string() + "/play/07_mine",
-                          exercise = tree.root.string() + "/exercises/07_wall_meeting.cpp",
-                          note = tree.build.string() + "/CMakeFiles/d/1.d";
+        const std::string in_build = "cd '" + workspace.build.string() + "' && ",
+                          play = workspace.build.string() + "/play/07_mine",
+                          exercise = workspace.root.string() + "/exercises/07_wall_meeting.cpp",
+                          note = workspace.build.string() + "/CMakeFiles/d/1.d";
         step("page.o", in_build + "exit 1");
         step("play/07_mine.o.broken", in_build + "exit 2");
         step("play/07_mine.o", in_build + "cat \"" + exercise + "\" \"" + play + ".o.broken\" > \"" + play
-                                   + ".o\" && echo >> \"" + tree.home.string() + "/runs\" && : > \"" + note + '"');
+                                   + ".o\" && echo >> \"" + workspace.home.string() + "/runs\" && : > \"" + note + '"');
         step("play/07_mine.js", ": && cat page.o play/07_mine.o > \"" + play + ".wasm\" && cat \"" + play
                                     + ".wasm\" > \"" + play + ".js\"");
-        step("loop/06_reflection_yours.o", in_build + "cp \"" + tree.root.string() + "/exercises/06_reflection.cpp\" \""
-                                               + tree.build.string() + "/loop/06_reflection_yours.o\"");
+        step("loop/06_reflection_yours.o", in_build + "cp \"" + workspace.root.string()
+                                               + "/exercises/06_reflection.cpp\" \"" + workspace.build.string()
+                                               + "/loop/06_reflection_yours.o\"");
         step("tests/07_wall_meeting", ": && cat loop/06_reflection_yours.o server.o > tests/07_wall_meeting && :");
         write("compdb", database.dump());
         write("commands", commands);
     }
     template <class Do> auto with_ninja(Do what) const {
-        const OnlyPath path{instead_of("ninja", "case \"$4\" in compdb|commands) cat '" + tree.root.string()
+        const OnlyPath path{instead_of("ninja", "case \"$4\" in compdb|commands) cat '" + workspace.root.string()
                                                     + "'/\"$4\" ;; *) exit 1 ;; esac")
                                 .substr(5)};
         return what();
     }
     /// Brings the student's up to date.
     Finished build() const {
-        return with_ninja([&] { return build_target(tree, "07_wall_meeting_play_mine"); });
+        return with_ninja([&] { return build_target(workspace, "07_wall_meeting_play_mine"); });
     }
     int runs() const {
-        const std::string lines = fs::exists(tree.home / "runs") ? read_own("runs") : "";
+        const std::string lines = fs::exists(workspace.home / "runs") ? read_own("runs") : "";
         return static_cast<int>(lines.size());
     }
 
@@ -77,14 +78,14 @@ struct BuiltLab : Lab {
 
 TEST_CASE("a student's first command in a course for many makes a folder with empty exercises, and says where") {
     const Lab lab;
-    lab.write(lab.tree.root / "exercises/07_wall_meeting.cpp", "// its owner's\n");
+    lab.write(lab.workspace.root / "exercises/07_wall_meeting.cpp", "// its owner's\n");
     const Finished first = lab({"list"});
     CHECK(first.code == all_well);
-    CHECK_THAT(first.err, ContainsSubstring("Your exercises are in " + (lab.tree.home / "exercises").string()));
+    CHECK_THAT(first.err, ContainsSubstring("Your exercises are in " + (lab.workspace.home / "exercises").string()));
     CHECK(lab.read_own("exercises/07_wall_meeting.cpp") == "// 07_wall_meeting, nothing done yet\n");
     CHECK_THAT(lab.read_own("chapters/07_wall_meeting/README.md"), ContainsSubstring("Walls that meet"));
 
-    write_file(lab.tree.home / "exercises/07_wall_meeting.cpp", "// mine\n");
+    write_file(lab.workspace.home / "exercises/07_wall_meeting.cpp", "// mine\n");
     const Finished reset = lab({"reset", "7", "--yes"});
     CHECK(reset.err == "");
     CHECK_THAT(reset.out, ContainsSubstring("exercises/07_wall_meeting.cpp is the empty one again")
@@ -107,58 +108,60 @@ TEST_CASE("what takes too much room for many says that it needs a course of one'
 
 TEST_CASE("what's built of a student's file lies in the student's folder, and the build stays as it was") {
     const BuiltLab lab;
-    write_file(lab.tree.home / "exercises/07_wall_meeting.cpp", "mine ");
+    write_file(lab.workspace.home / "exercises/07_wall_meeting.cpp", "mine ");
     const Finished done = lab.build();
     INFO(done.out << done.err);
     REQUIRE(done.code == 0);
-    CHECK(read_file(lab.tree.work() / "play/07_mine.js") == "page mine ours ");
-    CHECK(files_in(lab.tree.build / "play").size() == 1);
-    CHECK_FALSE(fs::exists(lab.tree.build / "CMakeFiles"));
-    CHECK_FALSE(fs::exists(lab.tree.work() / "CMakeFiles/d"));
+    CHECK(read_file(lab.workspace.work() / "play/07_mine.js") == "page mine ours ");
+    CHECK(files_in(lab.workspace.build / "play").size() == 1);
+    CHECK_FALSE(fs::exists(lab.workspace.build / "CMakeFiles"));
+    CHECK_FALSE(fs::exists(lab.workspace.work() / "CMakeFiles/d"));
 }
 
 TEST_CASE("what's built of a student's file is built again only when the file has changed, or the course") {
     const BuiltLab lab;
     REQUIRE(lab.build().code == 0);
     REQUIRE(lab.build().code == 0);
-    REQUIRE(lab.with_ninja([&] { return build_target(lab.tree, "site"); }).code == 0); // which `play` brings up first
+    REQUIRE(lab.with_ninja([&] { return build_target(lab.workspace, "site"); }).code
+            == 0); // which `play` brings up first
     CHECK(lab.runs() == 1);
-    write_file(lab.tree.home / "exercises/07_wall_meeting.cpp", "mine now ");
+    write_file(lab.workspace.home / "exercises/07_wall_meeting.cpp", "mine now ");
     REQUIRE(lab.build().code == 0);
     CHECK(lab.runs() == 2);
-    CHECK(read_file(lab.tree.work() / "play/07_mine.js") == "page mine now ours ");
-    fs::last_write_time(lab.tree.build / ".ninja_log", fs::file_time_type::clock::now());
+    CHECK(read_file(lab.workspace.work() / "play/07_mine.js") == "page mine now ours ");
+    fs::last_write_time(lab.workspace.build / ".ninja_log", fs::file_time_type::clock::now());
     REQUIRE(lab.build().code == 0);
     CHECK(lab.runs() == 3);
 }
 
 TEST_CASE("in a handout for many, a later section is judged on what this student wrote for an earlier one") {
     const BuiltLab lab;
-    const std::string build = lab.tree.build.string() + '/';
-    for (const char *file : {"missing.o", "tests/07_wall_meeting"}) lab.write(lab.tree.build / file, "built");
+    const std::string build = lab.workspace.build.string() + '/';
+    for (const char *file : {"missing.o", "tests/07_wall_meeting"}) lab.write(lab.workspace.build / file, "built");
     const nlohmann::json compiler{{"compiler", "c++"}, {"flags", nlohmann::json::array()}, {"precompiled", {"x"}}};
     nlohmann::json course = compiler;
-    course.update({{"nm", "nm"}, {"node", "node"}, {"link", {"-x"}}, {"includes", {"/usr/include"}}});
+    course.update(
+        {{"nm", "nm"}, {"objcopy", "objcopy"}, {"node", "node"}, {"link", {"-x"}}, {"includes", {"/usr/include"}}});
     course["sections"] = {{{"name", "07_wall_meeting"},
                            {"server", build + "server.o"},
                            {"missing", build + "missing.o"},
                            {"ours", ""},
                            {"earlier", {build + "loop/06_reflection_yours.o"}}}};
-    lab.write(lab.tree.build / "course.json", course.dump());
-    const Toolbox tools = toolbox(lab.tree, lab.seven());
-    const fs::path object = lab.tree.work() / "loop/06_reflection_yours.o";
+    lab.write(lab.workspace.build / "course.json", course.dump());
+    const BuildConfig tools = build_config(lab.workspace, lab.seven());
+    const fs::path object = lab.workspace.work() / "loop/06_reflection_yours.o";
     REQUIRE(tools.earlier == std::vector{object.string()});
     for (const char *text : {"// what I wrote\n", "// what I wrote then\n"}) {
-        write_file(lab.tree.home / "exercises/06_reflection.cpp", text);
+        write_file(lab.workspace.home / "exercises/06_reflection.cpp", text);
         lab.with_ninja([&] {
-            bring_up_to_date(lab.tree, lab.seven(), tools);
+            bring_up_to_date(lab.workspace, lab.seven(), tools);
             return 0;
         });
         CHECK(read_file(object) == text);
-        CHECK(read_file(lab.tree.test_program(lab.seven())) == text + std::string{"built"});
+        CHECK(read_file(lab.workspace.test_program(lab.seven())) == text + std::string{"built"});
     }
-    fs::remove(lab.tree.build / "server.o");
-    CHECK_THROWS_AS(bring_up_to_date(lab.tree, lab.seven(), tools), MachineTrouble);
+    fs::remove(lab.workspace.build / "server.o");
+    CHECK_THROWS_AS(bring_up_to_date(lab.workspace, lab.seven(), tools), EnvironmentError);
 }
 
 TEST_CASE("there's room for what's built of one section, and its traces and figures stay") {
@@ -167,19 +170,19 @@ TEST_CASE("there's room for what's built of one section, and its traces and figu
                                           "CMakeFiles/06_mine.dir/a.o"},
         kept{"mine/traces/06_reflection/a.tsv", "plots/mine/06_a.svg", "loop/06_reflection_yours.o"};
     for (const auto &files : {others, kept})
-        for (const std::string &file : files) write_file(lab.tree.work() / file, "");
+        for (const std::string &file : files) write_file(lab.workspace.work() / file, "");
     REQUIRE(lab.build().code == 0);
-    for (const std::string &file : others) CHECK_FALSE(fs::exists(lab.tree.work() / file));
-    for (const std::string &file : kept) CHECK(fs::exists(lab.tree.work() / file));
+    for (const std::string &file : others) CHECK_FALSE(fs::exists(lab.workspace.work() / file));
+    for (const std::string &file : kept) CHECK(fs::exists(lab.workspace.work() / file));
 }
 
 TEST_CASE("a course for many that lacks something says what its owner has to type") {
     const BuiltLab lab;
-    fs::remove(lab.tree.build / "page.o");
+    fs::remove(lab.workspace.build / "page.o");
     try {
         lab.build();
         FAIL("it was built");
-    } catch (const MachineTrouble &trouble) {
+    } catch (const EnvironmentError &trouble) {
         CHECK_THAT(trouble.what(), ContainsSubstring("page.o isn't there") && ContainsSubstring("--target lab"));
     }
 }
@@ -204,6 +207,9 @@ TEST_CASE("a second user gets a verdict in a course that can't be written, and l
     if (::geteuid() != 0 || !in_path("setpriv") || as_another({"test", "-x", course.string()}).code != 0)
         SKIP("only root can be somebody else, and that one must reach the course");
 
+    const Finished homeless = as_another({"env", "-u", "HOME", course.string(), "check", "7"});
+    CHECK(homeless.code == bad_input);
+    CHECK_THAT(homeless.err, ContainsSubstring("HOME isn't set: type COURSE_HOME=/some/folder " + course.string()));
     CHECK(as_another({course.string(), "check", "7"}).code == something_to);
     CHECK_THAT(read_file(home / "exercises/07_segment_intersection.cpp"), ContainsSubstring("NotYet"));
     write_file(home / "exercises/07_segment_intersection.cpp",

@@ -2,10 +2,11 @@
 
 #include "small_course.hpp"
 
-#include "ground/complaint.hpp"
-#include "ground/lock.hpp"
-#include "ground/nearest.hpp"
-#include "loop/memory.hpp"
+#include "base/errors.hpp"
+#include "base/lock.hpp"
+#include "base/nearest.hpp"
+#include "remember_now.hpp"
+#include "site/progress_script.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -111,7 +112,7 @@ TEST_CASE("a section is named by its number, its name, a part of it, an exercise
                  "exercises/07_wall_meeting.cpp", "./chapters/07_wall_meeting/README.md", "chapters/07_wall_meeting/",
                  "/elsewhere/07_wall_meeting.cpp", "plots/07_wall_meeting_path.gp", "07_wall_meeting.cpp");
     CAPTURE(words);
-    CHECK(course.tree.section(words).name == "07_wall_meeting");
+    CHECK(course.workspace.section(words).name == "07_wall_meeting");
 }
 
 TEST_CASE("an unknown section offers the nearest, an ambiguous one all that it may be") {
@@ -130,7 +131,7 @@ TEST_CASE("an unknown section offers the nearest, an ambiguous one all that it m
         {"qqq", "./course list"},
     }));
     CAPTURE(words);
-    CHECK_THROWS_MATCHES(course.tree.section(words), Complaint, MessageMatches(ContainsSubstring(offer)));
+    CHECK_THROWS_MATCHES(course.workspace.section(words), UserError, MessageMatches(ContainsSubstring(offer)));
 }
 
 TEST_CASE("a line of CMakeLists.txt that only looks like a section is ignored") {
@@ -138,9 +139,9 @@ TEST_CASE("a line of CMakeLists.txt that only looks like a section is ignored") 
     course.write("CMakeLists.txt",
                  "# section(01_motion)\nfunction(section name)\n  section( 07_wall_meeting )\r\nsection(7_x)\n"
                  "section(11_sparks BUILDS_ON 07_wall_meeting)\nsection(12_a-b)\n");
-    REQUIRE(course.tree.sections().size() == 2);
-    CHECK(course.tree.sections()[0].name == "07_wall_meeting");
-    CHECK(course.tree.sections()[1].name == "11_sparks");
+    REQUIRE(course.workspace.sections().size() == 2);
+    CHECK(course.workspace.sections()[0].name == "07_wall_meeting");
+    CHECK(course.workspace.sections()[1].name == "11_sparks");
 }
 
 TEST_CASE("a slip of the pen is answered in one sentence with the nearest word, and exit code 2") {
@@ -163,6 +164,11 @@ TEST_CASE("a slip of the pen is answered in one sentence with the nearest word, 
         {{"check", "08.1"}, "section 8, n–t collisions, is still to come"},
         {{"reset", "7.2"}, "brings back a whole section"},
         {{"setup"}, "type ./course setup"},
+        {{"weave", "--check"}, "`weave` is a command for authors: type ./course dev weave"},
+        {{"bench", "--help"}, "`bench` is a command for authors: type ./course dev bench"},
+        {{"dev", "waeve", "--help"}, "there is no command `waeve`. Did you mean `weave`? See ./course dev --help"},
+        {{"dev", "weave", "--chekc"},
+         "`weave` has no option `--chekc`. Did you mean `--check`? See ./course dev weave"},
     }));
     const Finished said = course(words);
     CAPTURE(said.err);
@@ -172,26 +178,43 @@ TEST_CASE("a slip of the pen is answered in one sentence with the nearest word, 
     CHECK(std::count(said.err.begin(), said.err.end(), '\n') == 1);
 }
 
+/// Whether the program lists the command, and the command's own help has an example.
+void check_help(const SmallCourse &course, const std::string &list, std::vector<std::string> words) {
+    CAPTURE(words);
+    std::string example = "Example: ./course";
+    for (const std::string &word : words) example += ' ' + word;
+    CHECK_THAT(list, ContainsSubstring("\n  " + words.back() + " "));
+    words.emplace_back("--help");
+    const Finished own = course(words);
+    CHECK(own.code == 0);
+    CHECK_THAT(own.out, ContainsSubstring(example));
+    CHECK(own.out.find("Exit codes:") == std::string::npos);
+}
+
 TEST_CASE("help names every command with its group, the exit codes and an example; so does each command's own") {
     const SmallCourse course;
     const Finished help = course({"--help"});
     CHECK(help.code == 0);
     CHECK(help.err.empty());
-    for (const char *words :
-         {"For students:", "For instructors:", "For contributors:", "Exit codes:", "130", "Example: "})
+    for (const char *words : {"For students:", "For instructors:", "For authors:", "Exit codes:", "130", "Example: "})
         CHECK_THAT(help.out, ContainsSubstring(words));
 
-    for (const std::string command :
-         {"check", "list", "hint", "solution", "reset", "run", "plot", "play", "debug", "bug", "mytests", "doctor",
-          "setup", "test", "new", "weave", "publish", "bench"}) {
-        CAPTURE(command);
-        CHECK_THAT(help.out, ContainsSubstring("\n  " + command + " "));
-        const Finished own = course({command, "--help"});
-        CHECK(own.code == 0);
-        CHECK_THAT(own.out, ContainsSubstring("Example: ./course " + command));
-        CHECK(own.out.find("Exit codes:") == std::string::npos);
-    }
+    for (const std::string command : {"check", "list", "hint", "solution", "reset", "run", "plot", "play", "debug",
+                                      "bug", "mytests", "doctor", "setup", "test", "dev"})
+        check_help(course, help.out, {command});
     CHECK(course({}).out == help.out);
+}
+
+TEST_CASE("what only authors type is listed by `dev`, and nowhere else") {
+    const SmallCourse course;
+    const Finished list = course({"dev"}), help = course({"--help"});
+    CHECK(list.code == 0);
+    CHECK(list.err.empty());
+    CHECK(course({"dev", "--help"}).out == list.out);
+    for (const std::string command : {"new", "weave", "publish", "release", "bench"}) {
+        check_help(course, list.out, {"dev", command});
+        CHECK_THAT(help.out, !ContainsSubstring("\n  " + command + " "));
+    }
 }
 
 TEST_CASE("an option means the same before its command and after it") {
@@ -254,9 +277,9 @@ TEST_CASE("a deadline ends a program and its children, and so does the end of th
 }
 
 TEST_CASE("a program that only sleeps, and whatever it has started, too, is ended; one that computes is not") {
-    CHECK(run({"sh", "-c", "sleep 60 & sleep 60; :"}, {.deadline = 30, .patience = 0.3}).timed_out);
+    CHECK(run({"sh", "-c", "sleep 60 & sleep 60; :"}, {.deadline = 30, .idle_limit = 0.3}).timed_out);
     const Finished busy =
-        run({"sh", "-c", "sh -c 'while :; do :; done'; exit 7"}, {.patience = 0.3, .limits = {.processor_time = 2}});
+        run({"sh", "-c", "sh -c 'while :; do :; done'; exit 7"}, {.idle_limit = 0.3, .limits = {.processor_time = 2}});
     CHECK_FALSE(busy.timed_out);
     CHECK(busy.code == 7);
 }
@@ -274,21 +297,21 @@ TEST_CASE("a program may use no more memory, time and disk than it is given") {
 
 TEST_CASE("a program that is not there is named, with what to do") {
     CHECK_THROWS_MATCHES(
-        run({"no-such-program"}), Complaint,
+        run({"no-such-program"}), UserError,
         MessageMatches(ContainsSubstring("cannot start no-such-program") && ContainsSubstring("doctor")));
 }
 
 TEST_CASE("Ctrl-C reaches the program that is run, ends its children too, and then `course`, with 130") {
     const SmallCourse course;
     const int signal = GENERATE(SIGINT, SIGTERM);
-    const std::string path = course.instead_of("cmake", "cd '" + course.tree.root.string() + R"('
+    const std::string path = course.instead_of("cmake", "cd '" + course.workspace.root.string() + R"('
 trap 'echo > tidied; exit 1' INT TERM
 sleep 60 &
 echo $! > draft
 echo $$ >> draft
 mv draft pids
 wait)");
-    const fs::path pids = course.tree.root / "pids";
+    const fs::path pids = course.workspace.root / "pids";
     CHECK(stopped(course.command({"debug", "7"}, {path}), signal, [&] { return fs::exists(pids); }) == 128 + signal);
     CHECK(course.has("tidied"));
     std::ifstream lines{pids};
@@ -297,8 +320,8 @@ wait)");
 
 TEST_CASE("a program that does not heed Ctrl-C is ended a second later") {
     const SmallCourse course;
-    const std::string path = course.instead_of("cmake", "trap '' INT; echo > '" + (course.tree.root / "ready").string()
-                                                            + "'; sleep 60; sleep 60");
+    const std::string path = course.instead_of(
+        "cmake", "trap '' INT; echo > '" + (course.workspace.root / "ready").string() + "'; sleep 60; sleep 60");
     const auto begin = std::chrono::steady_clock::now();
     CHECK(stopped(course.command({"debug", "7"}, {path}), SIGINT, [&] { return course.has("ready"); }) == 130);
     CHECK(std::chrono::steady_clock::now() - begin < 30s);
@@ -310,7 +333,7 @@ TEST_CASE("a second command waits, says for which one, and goes on when the firs
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
     course.instead_of("gdb", "exit 0");
-    const fs::path lock = course.tree.build / ".lock";
+    const fs::path lock = course.workspace.build / ".lock";
     course.write(lock, "./course (process 12345)\n");
     const int held = ::open(lock.c_str(), O_RDWR | O_CLOEXEC);
     REQUIRE(::flock(held, LOCK_EX) == 0);
@@ -332,8 +355,8 @@ TEST_CASE("what the holder of the lock starts does not wait for it, and waiting 
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
     course.instead_of("gdb", "exit 0");
-    course.write(course.tree.build / ".lock", "");
-    const int held = ::open((course.tree.build / ".lock").c_str(), O_RDWR | O_CLOEXEC);
+    course.write(course.workspace.build / ".lock", "");
+    const int held = ::open((course.workspace.build / ".lock").c_str(), O_RDWR | O_CLOEXEC);
     REQUIRE(::flock(held, LOCK_EX) == 0);
     CHECK(course({"debug", "7"}, {path, "COURSE_LOCKED=yes"}).code == 0);
 
@@ -346,10 +369,10 @@ TEST_CASE("what the holder of the lock starts does not wait for it, and waiting 
 
 TEST_CASE("a lock is let go when it is destroyed, and names its holder meanwhile") {
     const SmallCourse course;
-    const fs::path path = course.tree.build / ".lock";
+    const fs::path path = course.workspace.build / ".lock";
     ::unsetenv("COURSE_LOCKED");
     {
-        const Lock lock{course.tree};
+        const Lock lock{course.workspace};
         CHECK_THAT(read_file(path), ContainsSubstring(std::to_string(::getpid())));
         CHECK(std::getenv("COURSE_LOCKED") != nullptr);
         const int other = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
@@ -368,7 +391,7 @@ TEST_CASE("a build folder that cannot be written is said in one sentence") {
     const std::string path = course.instead_of("cmake", "exit 0");
     course.instead_of("gdb", "exit 0");
     course.write("a file", "");
-    const Finished said = course({"debug", "7"}, {path, "COURSE_BUILD=" + (course.tree.root / "a file").string()});
+    const Finished said = course({"debug", "7"}, {path, "COURSE_BUILD=" + (course.workspace.root / "a file").string()});
     CHECK(said.code == 2);
     CHECK_THAT(said.err,
                ContainsSubstring("cannot write in the build folder") && ContainsSubstring("COURSE_BUILD=FOLDER"));
@@ -378,23 +401,23 @@ TEST_CASE("a build folder that cannot be written is said in one sentence") {
 
 TEST_CASE("the states of exercises, and the rungs of hints, are remembered") {
     const SmallCourse course;
-    const Tree &tree = course.tree;
-    CHECK(recall(tree, course.seven()).empty());
-    remember(tree, course.seven(), {{"7.1", "passed"}, {"7.2", "wrong"}});
-    remember(tree, course.seven(), {{"7.2", "crashed"}});
-    remember(tree, tree.section("6"), {{"6.1", "passed"}});
+    const Workspace &workspace = course.workspace;
+    CHECK(recall(workspace, course.seven()).empty());
+    remember(workspace, course.seven(), {{"7.1", "passed"}, {"7.2", "wrong"}});
+    remember(workspace, course.seven(), {{"7.2", "crashed"}});
+    remember(workspace, workspace.section("6"), {{"6.1", "passed"}});
 
-    const auto known = recall(tree, course.seven());
+    const auto known = recall(workspace, course.seven());
     REQUIRE(known.size() == 2);
     CHECK(known.at("7.1").state == "passed");
     CHECK(known.at("7.2").state == "crashed");
-    CHECK(known.at("7.2").file == fingerprint(tree.exercise(course.seven())));
+    CHECK(known.at("7.2").file == fingerprint(workspace.exercise(course.seven())));
     CHECK_THAT(known.at("7.1").when, Matches("20\\d\\d-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\dZ"));
 
-    CHECK(take_rung(tree, "7.1", 9) == 0);
-    remember_rungs(tree, "7.1", 2);
-    CHECK(take_rung(tree, "7.1", 9) == 2);
-    CHECK(take_rung(tree, "7.2", 9) == 0);
+    CHECK(take_rung(workspace, "7.1", 9) == 0);
+    remember_rungs(workspace, "7.1", 2);
+    CHECK(take_rung(workspace, "7.1", 9) == 2);
+    CHECK(take_rung(workspace, "7.2", 9) == 0);
 }
 
 TEST_CASE("commands that run at the same time do not lose each other's state") {
@@ -406,14 +429,14 @@ TEST_CASE("commands that run at the same time do not lose each other's state") {
         if (children.back() != 0) continue;
         const std::string own = "7." + std::to_string(10 + command);
         for (unsigned i = 0; i < each; ++i) {
-            take_rung(course.tree, "7.1", 1000);
-            remember(course.tree, course.seven(), {{own, "passed"}});
+            take_rung(course.workspace, "7.1", 1000);
+            remember(course.workspace, course.seven(), {{own, "passed"}});
         }
         ::_exit(0);
     }
     for (const pid_t child : children) ::waitpid(child, nullptr, 0);
-    CHECK(take_rung(course.tree, "7.1", 1000) == commands * each);
-    CHECK(recall(course.tree, course.seven()).size() == commands);
+    CHECK(take_rung(course.workspace, "7.1", 1000) == commands * each);
+    CHECK(recall(course.workspace, course.seven()).size() == commands);
 }
 
 TEST_CASE("a broken state file counts as empty, and is rewritten") {
@@ -425,12 +448,12 @@ TEST_CASE("a broken state file counts as empty, and is rewritten") {
     CAPTURE(broken);
     course.write(".course/progress.json", broken);
     course.write(".course/hints.json", broken);
-    CHECK(recall(course.tree, course.seven()).empty());
+    CHECK(recall(course.workspace, course.seven()).empty());
     CHECK(course({"list"}).code == 0);
     CHECK_THAT(course({"hint", "7.1"}).out, StartsWith("7.1, hint 1 of 2"));
-    remember(course.tree, course.seven(), {{"7.1", "passed"}});
-    CHECK(recall(course.tree, course.seven()).at("7.1").state == "passed");
-    CHECK(take_rung(course.tree, "7.1", 9) == 1);
+    remember(course.workspace, course.seven(), {{"7.1", "passed"}});
+    CHECK(recall(course.workspace, course.seven()).at("7.1").state == "passed");
+    CHECK(take_rung(course.workspace, "7.1", 9) == 1);
 }
 
 TEST_CASE("where state cannot be saved, a command says so and goes on") {
@@ -461,8 +484,8 @@ Next: 6.1, `first_bounce`, in exercises/06_reflection.cpp; then ./course check 6
     course.write("exercises/07_wall_meeting.cpp", "half done");
     CHECK_THAT(course({"list"}).out, ContainsSubstring("6.1   core       first_bounce   not checked"));
 
-    remember(course.tree, course.tree.section("6"), {{"6.1", "passed"}, {"6.2", "passed"}});
-    remember(course.tree, course.seven(), {{"7.1", "passed"}, {"7.2", "too long"}});
+    remember(course.workspace, course.workspace.section("6"), {{"6.1", "passed"}, {"6.2", "passed"}});
+    remember(course.workspace, course.seven(), {{"7.1", "passed"}, {"7.2", "too long"}});
     const std::string listed = course({"list"}).out;
     CHECK_THAT(listed, ContainsSubstring("6 Reflection: 2 of 2 passed")
                            && ContainsSubstring("7 Walls that meet: 1 of 2 passed")
@@ -470,24 +493,36 @@ Next: 6.1, `first_bounce`, in exercises/06_reflection.cpp; then ./course check 6
                            && ContainsSubstring("Next: ./course check 7 (7.2: too long; ./course hint 7.2 helps)"));
     CHECK(listed.find("changed") == std::string::npos);
 
-    remember(course.tree, course.seven(), {{"7.1", "needs 7.2 second"}, {"7.2", "not started"}});
+    remember(course.workspace, course.seven(), {{"7.1", "needs 7.2 second"}, {"7.2", "not started"}});
     CHECK_THAT(course({"list"}).out, ContainsSubstring("Next: 7.2, `second`, in exercises/07_wall_meeting.cpp"));
 
-    remember(course.tree, course.seven(), {{"7.1", "passed"}, {"7.2", "passed"}});
+    remember(course.workspace, course.seven(), {{"7.1", "passed"}, {"7.2", "passed"}});
     CHECK_THAT(course({"list"}).out, ContainsSubstring("All exercises are passed."));
+}
+
+TEST_CASE("list, hint and check go on where the pages do: in the section that was judged last, until it's reset") {
+    const SmallCourse course;
+    course.write("exercises/07_wall_meeting.cpp", "half done");
+    remember(course.workspace, course.seven(), {{"7.1", "passed"}, {"7.2", "wrong"}});
+    CHECK_THAT(course({"list"}).out, ContainsSubstring("Next: ./course check 7 (7.2: wrong;"));
+    CHECK_THAT(course({"hint"}).out, StartsWith("7.2"));
+    CHECK_THAT(progress_script(course.workspace), ContainsSubstring(R"("next":{"number":"7.2")"));
+    course.write("exercises/07_wall_meeting.cpp", course.read(course.workspace.stub(course.seven())));
+    CHECK_THAT(course({"list"}).out, ContainsSubstring("Next: 6.1, `first_bounce`"));
+    CHECK(progress_script(course.workspace).find("next") == std::string::npos);
 }
 
 TEST_CASE("list says when a file has changed since its check, is empty again, or is gone") {
     const SmallCourse course;
-    const fs::path file = course.tree.exercise(course.tree.section("6"));
+    const fs::path file = course.workspace.exercise(course.workspace.section("6"));
     course.write(file, "mine");
-    remember(course.tree, course.tree.section("6"), {{"6.1", "passed"}, {"6.2", "passed"}});
+    remember(course.workspace, course.workspace.section("6"), {{"6.1", "passed"}, {"6.2", "passed"}});
 
     course.write(file, "mine, and better");
     CHECK_THAT(course({"list"}).out, ContainsSubstring("exercises/06_reflection.cpp has changed since the last check.")
                                          && ContainsSubstring("Next: ./course check 6"));
 
-    course.write(file, course.read(course.tree.stub(course.tree.section("6"))));
+    course.write(file, course.read(course.workspace.stub(course.workspace.section("6"))));
     CHECK_THAT(course({"list"}).out, ContainsSubstring("6 Reflection: 0 of 2 passed"));
 
     fs::remove(file);
@@ -499,7 +534,7 @@ TEST_CASE("list says when a file has changed since its check, is empty again, or
 
 TEST_CASE("a section that is not built yet is listed as such, and a broken catalogue is named") {
     const SmallCourse course;
-    fs::remove(course.tree.build / "catalogue" / "06_reflection.json");
+    fs::remove(course.workspace.build / "catalogue" / "06_reflection.json");
     const Finished listed = course({"list"});
     CHECK(listed.code == 0);
     CHECK_THAT(listed.out, StartsWith("6 Reflection: not built yet\n") && ContainsSubstring("7.1   core")
@@ -507,7 +542,7 @@ TEST_CASE("a section that is not built yet is listed as such, and a broken catal
     CHECK_THAT(course({"hint", "6.1"}).err, ContainsSubstring("06_reflection isn't built yet: type ./course"));
     CHECK(course({"hint", "second"}).code == 0);
 
-    course.write(course.tree.build / "catalogue" / "06_reflection.json",
+    course.write(course.workspace.build / "catalogue" / "06_reflection.json",
                  GENERATE("{]", "[]", R"({"exercises": [{"number": 7}]})"));
     const Finished broken = course({"list"});
     CHECK(broken.code == 2);
@@ -543,8 +578,8 @@ TEST_CASE("a solution is its own chunks and the helpers that it uses, ready to c
 TEST_CASE("a hint without an exercise is for the first that is not passed") {
     const SmallCourse course;
     CHECK_THAT(course({"hint"}).out, StartsWith("6.1 has no hints"));
-    course.write(course.tree.exercise(course.tree.section("6")), "// all of it done\n");
-    remember(course.tree, course.tree.section("6"), {{"6.1", "passed"}, {"6.2", "passed"}});
+    course.write(course.workspace.exercise(course.workspace.section("6")), "// all of it done\n");
+    remember(course.workspace, course.workspace.section("6"), {{"6.1", "passed"}, {"6.2", "passed"}});
     CHECK_THAT(course({"hint"}).out, StartsWith("7.1"));
 }
 
@@ -552,8 +587,8 @@ TEST_CASE("a hint without an exercise is for the first that is not passed") {
 
 TEST_CASE("reset keeps a copy of what it replaces, another one each time") {
     const SmallCourse course;
-    const fs::path file = course.tree.exercise(course.seven());
-    const std::string mine{"mine\r\n\0\xFF", 8}, empty = course.read(course.tree.stub(course.seven()));
+    const fs::path file = course.workspace.exercise(course.seven());
+    const std::string mine{"mine\r\n\0\xFF", 8}, empty = course.read(course.workspace.stub(course.seven()));
     course.write(file, mine);
 
     const Finished done = course({"reset", "7", "--yes"});
@@ -576,9 +611,9 @@ TEST_CASE("reset keeps a copy of what it replaces, another one each time") {
 
 TEST_CASE("reset brings a deleted exercise back without a question") {
     const SmallCourse course;
-    fs::remove_all(course.tree.root / "exercises");
+    fs::remove_all(course.workspace.root / "exercises");
     CHECK(course({"reset", "wall"}).code == 0);
-    CHECK(course.read("exercises/07_wall_meeting.cpp") == course.read(course.tree.stub(course.seven())));
+    CHECK(course.read("exercises/07_wall_meeting.cpp") == course.read(course.workspace.stub(course.seven())));
     CHECK(course.kept().empty());
 }
 
@@ -621,14 +656,14 @@ TEST_CASE("Ctrl-C at the question leaves with 130, and all as it was") {
 TEST_CASE("run passes the program's output on unchanged, and says elsewhere where the traces are") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
-    const fs::path program = course.tree.build / "chapters" / "07_wall_meeting";
+    const fs::path program = course.workspace.build / "chapters" / "07_wall_meeting";
     course.write_program(program, "printf 'a  \\r\\n\\tb'; echo $# $1 >&2");
 
     const Finished done = course({"run", "7"}, {path});
     CHECK(done.code == 0);
     CHECK(done.out == "a  \r\n\tb");
-    CHECK_THAT(done.err,
-               StartsWith("2 --out\n") && ContainsSubstring("traces") && ContainsSubstring(course.tree.build.string()));
+    CHECK_THAT(done.err, StartsWith("2 --out\n") && ContainsSubstring("traces")
+                             && ContainsSubstring(course.workspace.build.string()));
 
     course.write_program(program, "echo one; exit 4");
     const Finished broken = course({"run", "7"}, {path});
@@ -641,7 +676,7 @@ TEST_CASE("run hands the name of a part to the program, and an unknown one is an
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
     for (const std::string folder : {"chapters", "mine"}) {
-        course.write_program(course.tree.build / folder / "07_wall_meeting",
+        course.write_program(course.workspace.build / folder / "07_wall_meeting",
                              "[ $1 = walls ] || { echo 'no such part; its parts are walls' >&2; exit 2; }\necho $1 $2");
         std::vector<std::string> run{"run", "7", "walls"}, misspelt{"run", "7", "wals"};
         if (folder == "mine") run.push_back("--mine"), misspelt.push_back("--mine");
@@ -660,7 +695,7 @@ TEST_CASE("run hands the name of a part to the program, and an unknown one is an
 TEST_CASE("a student's program that fails exits with 1: there is something to do") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
-    course.write_program(course.tree.build / "mine" / "07_wall_meeting", "echo 6; kill -SEGV $$");
+    course.write_program(course.workspace.build / "mine" / "07_wall_meeting", "echo 6; kill -SEGV $$");
     const Finished done = course({"run", "7", "--mine"}, {path});
     CHECK(done.code == 1);
     CHECK(done.out == "6\n");
@@ -675,14 +710,14 @@ TEST_CASE("a student's program that fails exits with 1: there is something to do
 TEST_CASE("debug builds the one-process tests and prints the debugger's command") {
     const SmallCourse course;
     const std::string path =
-        course.instead_of("cmake", "echo \"$@\" > '" + (course.tree.root / "asked").string() + "'");
+        course.instead_of("cmake", "echo \"$@\" > '" + (course.workspace.root / "asked").string() + "'");
     course.instead_of("gdb", "exit 0");
-    const std::string program = "'" + (course.tree.build / "debug" / "07_wall_meeting").string() + "'";
+    const std::string program = "'" + (course.workspace.build / "debug" / "07_wall_meeting").string() + "'";
 
     const Finished done = course({"debug", "7"}, {path});
     CHECK(done.code == 0);
     CHECK(done.out == "gdb -q --args " + program + "\n");
-    CHECK(course.read("asked") == "--build " + course.tree.build.string() + " --target 07_wall_meeting_debug\n");
+    CHECK(course.read("asked") == "--build " + course.workspace.build.string() + " --target 07_wall_meeting_debug\n");
     CHECK(course({"debug", "7.2", "--print"}, {path}).out
           == "gdb -q -ex 'break wall_meeting::second' --args " + program + " '[7.2]'\n");
 
@@ -701,8 +736,8 @@ TEST_CASE("on a terminal the debugger is started, and without one it is named") 
                ContainsSubstring("gdb was here: -q --args"));
     CHECK(on_terminal(course.command({"debug", "7", "--print"}, {path}), "").out.find("was here") == std::string::npos);
 
-    const std::string only = "PATH=" + (course.tree.root / "bin").string();
-    fs::remove(course.tree.root / "bin" / "gdb");
+    const std::string only = "PATH=" + (course.workspace.root / "bin").string();
+    fs::remove(course.workspace.root / "bin" / "gdb");
     const std::vector<std::string> line = course.command({"debug", "7"}, {only});
     const Finished none = run(line);
     CHECK(none.code == 2);
@@ -712,7 +747,7 @@ TEST_CASE("on a terminal the debugger is started, and without one it is named") 
 TEST_CASE("a missing exercise is named everywhere, with the way back") {
     const SmallCourse course;
     const std::string path = course.instead_of("cmake", "exit 0");
-    fs::remove(course.tree.exercise(course.seven()));
+    fs::remove(course.workspace.exercise(course.seven()));
     for (const std::vector<std::string> &words : std::vector<std::vector<std::string>>{
              {"debug", "7"}, {"run", "7", "--mine"}, {"check", "7"}, {"plot", "7", "--mine"}}) {
         CAPTURE(words);

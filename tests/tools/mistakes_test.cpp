@@ -1,7 +1,7 @@
-// Mistakes that have a name: a verdict's numbers are looked up among what comes out of tests/wrong.
+// Mistakes that have a name: a verdict's numbers are looked up among what comes out of mutants.
 
-#include "loop/mistakes.hpp"
-#include "verdict/shared/signature.hpp"
+#include "check/mistakes.hpp"
+#include "judge/protocol/signature.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -14,7 +14,7 @@ namespace {
 Verdict red(const std::string &test, const std::string &yours) {
     return {.exercise = "7.2",
             .test = test,
-            .kind = Kind::wrong,
+            .kind = Outcome::wrong,
             .call = Call{"meet", {"first = {start (4, 7) m}", "t = 0.25 s"}, 0, yours},
             .yours = yours};
 }
@@ -41,7 +41,7 @@ TEST_CASE("a mistake is known by what all failing tests saw, in any order") {
 
 TEST_CASE("how a test ended, what it's about and what was accepted belong to what it saw; its file and line don't") {
     const std::vector<std::function<void(Verdict &)>> changes{
-        [](Verdict &v) { v.kind = Kind::crashed; }, [](Verdict &v) { v.label = "speed"; },
+        [](Verdict &v) { v.kind = Outcome::crashed; }, [](Verdict &v) { v.label = "speed"; },
         [](Verdict &v) { v.call->answer = "t = 9"; }, [](Verdict &v) { v.accepted = {"dt < 0"}; }};
     const Verdict before = red("crosses", "t = 0.7");
     for (const auto &change : changes) {
@@ -91,4 +91,26 @@ TEST_CASE("two mistakes that give the same are both named, three are not, and a 
                       two = line(failed, "you begin at the end: where does it start?");
     CHECK(known_mistake(one + two, failed) == "you swap them, or when you begin at the end: where does it start?");
     CHECK(known_mistake(one + two + line(failed, "you guess"), failed).empty());
+}
+
+TEST_CASE("lost digits are told where all that failed has lost them, and not where one number of several is near") {
+    const auto off = [](double part) {
+        Verdict verdict = red("crosses", "t = 0.7");
+        verdict.off = part;
+        return verdict;
+    };
+    const std::string with = "const float half = 0.5f; // double", without = "const double half = 0.5; // no float";
+    CHECK(lost_digits(with, {off(3e-8), green("misses"), off(1e-11)}).ends_with("Write double."));
+    CHECK(lost_digits("const auto half = 1.5f;", {off(3e-8), off(3e-8)}).ends_with("Write double."));
+    CHECK(lost_digits("const Eigen::Vector2f v;", {off(3e-8), off(3e-8)}).ends_with("Write double."));
+    CHECK(lost_digits(without, {off(3e-8), off(3e-8)}).starts_with("Only the last digits are lost"));
+    CHECK(lost_digits(with, {off(3e-8)}).ends_with("Write double.")); // the only test
+    CHECK(lost_digits(with, {off(3e-8), green("misses")}).empty());
+    CHECK(lost_digits(with, {off(3e-8), off(1e-4)}).empty());
+    CHECK(lost_digits(with, {off(3e-8), red("touches", "t = 3")}).empty());
+    CHECK(lost_digits(with, {off(1e-11), off(1e-12)}).empty());
+    CHECK(lost_digits(with, {green("crosses"), green("misses")}).empty());
+    Verdict accepts = off(3e-8);
+    accepts.accepted = {"dt < 0"};
+    CHECK(lost_digits(with, {off(3e-8), accepts}).empty());
 }

@@ -1,6 +1,8 @@
 // `course mytests`: the file that a reader gets, and what is made of tests that are right, too strict, or none at all.
 
-#include "ground/kernel.hpp"
+#include "base/kernel.hpp"
+#include "base/text.hpp"
+#include "check/own_tests.hpp"
 #include "small_course.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -19,27 +21,27 @@ constexpr const char *tests_of_mine = "exercises/07_wall_meeting_tests.cpp";
 
 /// A small course with answers, right and wrong; none of it is built.
 struct WithAnswers : SmallCourse {
-    WithAnswers() { write("tests/wrong/07_wall_meeting.diff", "7.1 one: you return one\n"); }
+    WithAnswers() { write("tests/07_wall_meeting/mutants.diff", "7.1 one: you return one\n"); }
 };
 
 /// The course's own section 7, with its build, and with tests of a reader's in a checkout of their own.
 struct SectionSeven {
     SectionSeven() {
-        tree = {.root = folder.path, .build = COURSE_BUILD};
-        write_file(tree.root / "CMakeLists.txt", "section(07_segment_intersection)\n");
-        for (const char *name : {"solutions/07_segment_intersection.cpp", "tests/wrong/07_segment_intersection.diff"})
-            write_file(tree.root / name, "");
+        workspace = {.root = folder.path, .build = COURSE_BUILD};
+        write_file(workspace.root / "CMakeLists.txt", "section(07_segment_intersection)\n");
+        for (const char *name : {"solutions/07_segment_intersection.cpp", "tests/07_segment_intersection/mutants.diff"})
+            write_file(workspace.root / name, "");
     }
     Finished operator()(const std::string &tests) const {
         if (sanitized) SKIP("with sanitizers there are no wrong answers");
-        write_file(tree.own_tests(tree.section("7")),
+        write_file(workspace.own_tests(workspace.section("7")),
                    "#include \"own_test.hpp\"\n\n#include \"segment_intersection.hpp\"\n"
                    "namespace segment_intersection::subject {\n"
                        + tests + "\n}\n");
-        return run(course_command(tree, {"mytests", "7"}), {.deadline = 300});
+        return run(course_command(workspace, {"mytests", "7"}), {.deadline = 300});
     }
     OwnFolder folder{"my tests XXXXXX"};
-    Tree tree;
+    Workspace workspace;
 };
 
 } // namespace
@@ -76,7 +78,7 @@ TEST_CASE("reset --tests brings the empty test back, and keeps a copy of the rea
     REQUIRE(course.kept().size() == 1);
     CHECK(read_file(course.kept()[0]) == "// mine");
     CHECK_THAT(course.read(tests_of_mine), ContainsSubstring("TEST_CASE("));
-    CHECK_THAT(course.read(course.tree.exercise(course.seven())), ContainsSubstring("nothing done yet"));
+    CHECK_THAT(course.read(course.workspace.exercise(course.seven())), ContainsSubstring("nothing done yet"));
 }
 
 TEST_CASE("tests that are right are told which mistakes they catch, in the exercises that they call") {
@@ -156,4 +158,25 @@ TEST_CASE("tests that can't be compiled or linked are told why, as an exercise i
     INFO(said.out << said.err);
     CHECK(said.code == 1);
     CHECK_THAT(said.out, ContainsSubstring(why));
+}
+
+TEST_CASE("the first test of each section, which a reader is sent to, compiles in the file that mytests makes") {
+    const Workspace workspace{.root = COURSE_ROOT, .build = COURSE_BUILD};
+    const OwnFolder own{"first tests XXXXXX"};
+    const std::string empty = "TEST_CASE(\"say here what must hold\") {\n}\n";
+    for (const Section &section : workspace.sections()) {
+        CAPTURE(section.name);
+        const std::string tests = read_file(workspace.tests(section));
+        const std::size_t first = tests.find("\nTEST_CASE("), end = tests.find("\n}\n", first);
+        REQUIRE(end != tests.npos);
+        std::string text = empty_own_tests(workspace, section);
+        REQUIRE(contains(text, empty));
+        text.replace(text.find(empty), empty.size(), tests.substr(first, end + 3 - first));
+        write_file(own.path / "first.cpp", text);
+        const std::string chapters = workspace.root / "chapters";
+        const auto compiled = run({"g++", "-std=c++20", "-fsyntax-only", "-w", "-I" COURSE_ROOT "/tests",
+                                   "-I" COURSE_ROOT "/tools", "-I" + chapters, "-I" + chapters + '/' + section.name,
+                                   "-isystem", COURSE_EIGEN, (own.path / "first.cpp").string()});
+        CHECK(compiled.err == "");
+    }
 }

@@ -1,10 +1,11 @@
-// `course new`: a section's skeleton, in a small course, and once in a copy of this one, where it is built and judged.
+// `course dev new`: a section's skeleton, in a small course, and once in a copy of this one, where it is built and judged.
 
 #include "small_course.hpp"
 
+#include "base/errors.hpp"
+#include "base/text.hpp"
 #include "book/contents.hpp"
 #include "figures/trace.hpp"
-#include "ground/complaint.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -30,11 +31,12 @@ constexpr const char *a_book =
     "| 8 | Collisions | to come |\n| 12 | Time | to come |\n\n| 8 | a table of its own |\n\n## Glossary\n";
 
 /// What a new section consists of.
-const std::set<std::string> files_of_springs{
-    "chapters/13_springs/README.md",      "chapters/13_springs/main.cpp", "chapters/13_springs/springs.hpp",
-    "exercises/13_springs.cpp",           "plots/13_springs_pull.gp",     "plots/13_springs_pull.svg",
-    "plots/13_springs_pull.tsv",          "solutions/13_springs.cpp",     "tests/13_springs.cpp",
-    "tests/right/13_springs/by_side.cpp", "tests/stubs/13_springs.cpp",   "tests/wrong/13_springs.diff"};
+const std::set<std::string> files_of_springs{"chapters/13_springs/README.md",   "chapters/13_springs/main.cpp",
+                                             "chapters/13_springs/springs.hpp", "exercises/13_springs.cpp",
+                                             "plots/13_springs_pull.gp",        "plots/13_springs_pull.svg",
+                                             "plots/13_springs_pull.tsv",       "solutions/13_springs.cpp",
+                                             "tests/13_springs/tests.cpp",      "tests/13_springs/variants/by_side.cpp",
+                                             "tests/13_springs/stub.cpp",       "tests/13_springs/mutants.diff"};
 
 /// Every file below a folder, and what stands in it.
 std::map<std::string, std::string> snapshot(const fs::path &root) {
@@ -49,8 +51,8 @@ std::map<std::string, std::string> snapshot(const fs::path &root) {
 struct Author : SmallCourse {
     Author() {
         write("book.md", a_book);
-        fs::create_directories(tree.root / "tools");
-        fs::copy(fs::path{COURSE_ROOT} / "tools" / "skeleton", tree.root / "tools" / "skeleton",
+        fs::create_directories(workspace.root / "tools");
+        fs::copy(fs::path{COURSE_ROOT} / "tools" / "skeleton", workspace.root / "tools" / "skeleton",
                  fs::copy_options::recursive);
     }
 };
@@ -60,11 +62,11 @@ struct Author : SmallCourse {
 TEST_CASE("new writes every file of a section, its line and its entry, and changes nothing else") {
     const Author course;
     course.write("tools/skeleton/plots/99_skeleton_pull.svg", "<svg>a point at 99 px</svg>");
-    const auto before = snapshot(course.tree.root);
-    const Finished done = course({"new", "13_springs", "--title", "Springs and so on"});
+    const auto before = snapshot(course.workspace.root);
+    const Finished done = course({"dev", "new", "13_springs", "--title", "Springs and so on"});
     CHECK(done.err.empty());
     REQUIRE(done.code == 0);
-    const auto after = snapshot(course.tree.root);
+    const auto after = snapshot(course.workspace.root);
 
     std::set<std::string> written, changed;
     for (const auto &[file, text] : after) {
@@ -90,21 +92,21 @@ TEST_CASE("new writes every file of a section, its line and its entry, and chang
                ContainsSubstring("namespace springs {")
                    && ContainsSubstring("COURSE_EXERCISE(\"13.1\", core, springs, pull"));
     CHECK(after.at("plots/13_springs_pull.svg") == "<svg>a point at 99 px</svg>"); // a drawing is no text
-    CHECK(after.at("tests/stubs/13_springs.cpp") == after.at("exercises/13_springs.cpp"));
+    CHECK(after.at("tests/13_springs/stub.cpp") == after.at("exercises/13_springs.cpp"));
     for (const std::string &file : written)
         if (!file.ends_with(".svg")) {
             CAPTURE(file);
             CHECK(after.at(file).find("keleton") == std::string::npos);
             CHECK(after.at(file).find("99") == std::string::npos);
         }
-    CHECK(course.tree.section("springs").number() == 13);
+    CHECK(course.workspace.section("springs").number() == 13);
 }
 
 TEST_CASE("without a title a section takes the one that it has to come, or one made from its name") {
     const Author course;
-    CHECK(course({"new", "08_nt_collisions"}).code == 0);
+    CHECK(course({"dev", "new", "08_nt_collisions"}).code == 0);
     CHECK_THAT(course.read("chapters/08_nt_collisions/README.md"), StartsWith("# 8 Collisions\n"));
-    CHECK(course({"new", "13_coupled_springs"}).code == 0);
+    CHECK(course({"dev", "new", "13_coupled_springs"}).code == 0);
     CHECK_THAT(course.read("chapters/13_coupled_springs/README.md"), StartsWith("# 13 Coupled springs\n"));
     CHECK_THAT(
         course.read("book.md"),
@@ -132,66 +134,66 @@ TEST_CASE("new refuses a malformed or taken name, says the right form, and write
         {"13_time", "`time` is a word of C++ or of a library"},
         {"13_course", "`course` is a word"},
     }));
-    const auto before = snapshot(course.tree.root);
-    const Finished said = course({"new", name});
+    const auto before = snapshot(course.workspace.root);
+    const Finished said = course({"dev", "new", name});
     CAPTURE(name, said.err);
     CHECK(said.code == 2);
     CHECK_THAT(said.err, StartsWith("course: ") && ContainsSubstring(says));
-    CHECK(snapshot(course.tree.root) == before);
+    CHECK(snapshot(course.workspace.root) == before);
 }
 
 TEST_CASE("new overwrites nothing: if one file is in its way, it writes none") {
     const Author course;
     const std::string file =
-        GENERATE("exercises/13_springs.cpp", "tests/stubs/13_springs.cpp", "plots/13_springs_pull.svg");
+        GENERATE("exercises/13_springs.cpp", "tests/13_springs/stub.cpp", "plots/13_springs_pull.svg");
     course.write(file, "mine");
-    const auto before = snapshot(course.tree.root);
-    const Finished said = course({"new", "13_springs"});
+    const auto before = snapshot(course.workspace.root);
+    const Finished said = course({"dev", "new", "13_springs"});
     CHECK(said.code == 2);
     CHECK_THAT(said.err, ContainsSubstring(file + " is there already"));
-    CHECK(snapshot(course.tree.root) == before);
+    CHECK(snapshot(course.workspace.root) == before);
 }
 
 TEST_CASE("under a file-size limit, new writes all of a section or none of it") {
     const Author course; // whose longest file has 13 KB
-    const auto before = snapshot(course.tree.root);
+    const auto before = snapshot(course.workspace.root);
     std::vector<std::string> command{"sh", "-c", "ulimit -f 8; exec \"$@\"", "sh"}; // [512 bytes], or kilobytes
-    for (const std::string &word : course.command({"new", "13_springs"})) command.push_back(word);
+    for (const std::string &word : course.command({"dev", "new", "13_springs"})) command.push_back(word);
     const Finished said = run(command);
     CHECK(said.code == 4);
     CHECK_THAT(said.err, ContainsSubstring("the disk is full"));
-    CHECK(snapshot(course.tree.root) == before);
-    CHECK(course({"new", "13_springs"}).code == 0);
+    CHECK(snapshot(course.workspace.root) == before);
+    CHECK(course({"dev", "new", "13_springs"}).code == 0);
 }
 
 TEST_CASE("new leaves no file, folder or row behind when it can't write the last one") {
     const Author course;
-    const fs::path last = course.tree.root / "tests" / "wrong"; // a file where its folder belongs
-    course.write("tests/wrong", "in the way");
-    const auto before = snapshot(course.tree.root);
-    const Finished said = course({"new", "13_springs"});
+    const fs::path last = course.workspace.root / "tests" / "13_springs"; // a file where its folder belongs
+    course.write("tests/13_springs", "in the way");
+    const auto before = snapshot(course.workspace.root);
+    const Finished said = course({"dev", "new", "13_springs"});
     CHECK(said.code == 2);
-    CHECK(snapshot(course.tree.root) == before);
+    CHECK(snapshot(course.workspace.root) == before);
     CHECK_FALSE(course.has("chapters/13_springs"));
     fs::remove(last);
-    CHECK(course({"new", "13_springs"}).code == 0);
+    CHECK(course({"dev", "new", "13_springs"}).code == 0);
 }
 
 TEST_CASE("without a place for it in CMakeLists.txt or book.md, or with a title of two lines, nothing is written") {
     const Author course;
     const auto refuses = [&](const std::vector<std::string> &words, const std::string &says) {
-        const auto before = snapshot(course.tree.root);
+        const auto before = snapshot(course.workspace.root);
         const Finished said = course(words);
         CHECK(said.code == 2);
         CHECK_THAT(said.err, ContainsSubstring(says));
-        CHECK(snapshot(course.tree.root) == before);
+        CHECK(snapshot(course.workspace.root) == before);
     };
-    refuses({"new", "13_springs", "--title", "two\nlines"}, "a title is one line");
+    refuses({"dev", "new", "13_springs", "--title", "two\nlines"}, "a title is one line");
     course.write("book.md", "# no contents\n");
-    refuses({"new", "13_springs"}, "book.md has no contents");
+    refuses({"dev", "new", "13_springs"}, "book.md has no contents");
     course.write("book.md", a_book);
     course.write("CMakeLists.txt", "project(x)\n");
-    refuses({"new", "13_springs"}, "CMakeLists.txt has no line like section(07_segment_intersection)");
+    refuses({"dev", "new", "13_springs"}, "CMakeLists.txt has no line like section(07_segment_intersection)");
 }
 
 TEST_CASE("a section's line comes where its number belongs") {
@@ -221,7 +223,7 @@ TEST_CASE("an entry of the contents comes where its number belongs, and one to c
 TEST_CASE("a new section configures, builds, is drawn, woven and judged, and nothing else has changed",
           "[new][configure]") {
     const SmallCourse place; // for its folder
-    const Tree copy{.root = place.tree.root / "copy", .build = place.tree.root / "copy's build"};
+    const Workspace copy{.root = place.workspace.root / "copy", .build = place.workspace.root / "copy's build"};
     copy_course(copy.root);
     const std::string path = place.instead_of("gdb", "exit 0");
     const auto course = [&](const std::vector<std::string> &words) { return run(course_command(copy, words, {path})); };
@@ -231,7 +233,7 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
     };
 
     const auto before = snapshot(copy.root);
-    succeeds(course({"new", "14_springs"}));
+    succeeds(course({"dev", "new", "14_springs"}));
     const auto after = snapshot(copy.root);
     CHECK(after.size() == before.size() + files_of_springs.size());
     for (const auto &[file, text] : before)
@@ -244,7 +246,7 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
                   "-DCMAKE_CXX_COMPILER=" + settings.at("compiler").get<std::string>()}));
     std::vector<std::string> build{"cmake", "--build", copy.build.string(), "--target"};
     for (const char *target : {"14_springs", "14_springs_loop", "14_springs_subject_solution",
-                               "14_springs_subject_stub", "14_springs_answers"})
+                               "14_springs_subject_stub", "14_springs_author"})
         build.push_back(target);
     const Finished built = run(build);
     succeeds(built);
@@ -284,8 +286,24 @@ TEST_CASE("a new section configures, builds, is drawn, woven and judged, and not
                      trace.string(), "--out", svg.string()}));
     CHECK(rounded(read_trace(trace, "the trace")) == after.at("plots/14_springs_pull.tsv"));
 
-    succeeds(course({"weave", "14"}));
-    succeeds(course({"weave", "--check", "14"}));
+    succeeds(course({"dev", "weave", "14"}));
+    succeeds(course({"dev", "weave", "--check", "14"}));
     CHECK(read_file(copy.chapter(copy.section("14")))
           == after.at("chapters/14_springs/README.md")); // nothing was left to weave
+}
+
+TEST_CASE("what a page says that `new` makes isn't there already") {
+    const std::filesystem::path root = COURSE_ROOT;
+    for (const char *page :
+         {"README.md", "CONTRIBUTING.md", "docs/authors.md", "docs/front.md", "docs/instructors.md"}) {
+        const std::string text = read_file(root / page), command = "./course dev new ";
+        for (std::size_t at = 0; (at = text.find(command, at)) != text.npos;) {
+            at += command.size();
+            CAPTURE(page, text.substr(at, 20));
+            const auto number = leading_number(std::string_view{text}.substr(at));
+            REQUIRE(number);
+            for (const Section &section : Workspace{.root = root, .build = COURSE_BUILD}.sections())
+                CHECK(section.number() != *number);
+        }
+    }
 }

@@ -1,7 +1,7 @@
 // What keeps the differences between a solution and its peer: tests/peers/peer.hpp.
 
 #include "../peers/peer.hpp"
-#include "ground/files.hpp"
+#include "base/files.hpp"
 #include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>

@@ -36,7 +36,7 @@ std::string verdict_on(const std::string &attempt, const std::string &what = "1.
 
 /// The stub of section 1 with code in the place of the `throw` of each of these exercises.
 std::string stub_with(const std::map<std::string, std::string> &answers) {
-    std::string text = course::read_file(root / "tests/stubs/01_motion.cpp");
+    std::string text = course::read_file(root / "tests/01_motion/stub.cpp");
     for (const auto &[number, code] : answers) {
         const std::size_t from = text.find("throw course::NotYet", text.find("// " + number + ' '));
         text.replace(from, text.find("};", from) + 2 - from, code);
@@ -125,7 +125,7 @@ TEST_CASE("the verdicts that chapter 1 shows for the first tries of 1.3 and 1.4 
 TEST_CASE(
     "the counts of tests, and each `yours`, that a chapter names are those of its wrong answers; each ✓ has all") {
     const std::string section = GENERATE(from_range(all_chapters()));
-    const std::string tests = course::read_file(root / "tests" / (section + ".cpp"));
+    const std::string tests = course::read_file(root / "tests" / section / "tests.cpp");
     const auto tests_of = [&](const std::string &exercise) {
         const std::regex tagged{R"("\[)" + exercise + R"(\]")"};
         return std::to_string(std::distance(std::sregex_iterator{tests.begin(), tests.end(), tagged}, {}));
@@ -152,7 +152,7 @@ TEST_CASE(
             if (at->str(1).find_first_of("0123456789") != line.npos) named.insert(exercise + ", yours " + at->str(1));
     }
 
-    const std::string wrong = course::read_file(root / "tests/wrong" / (section + ".diff"));
+    const std::string wrong = course::read_file(root / "tests" / section / "mutants.diff");
     const std::regex head{R"(\n(\d+\.\d+) \w+(?:, (\d+ of \d+))?(?:, (yours [^:\n]+))?: )"};
     for (std::sregex_iterator at{wrong.begin(), wrong.end(), head}, end; at != end; ++at)
         for (const std::size_t part : {2u, 3u})
@@ -169,7 +169,7 @@ TEST_CASE("what a chapter says of its peers in one number is no less than any di
         if (!std::regex_search(chapter, found, says)) continue;
         ++said;
         INFO(section);
-        std::istringstream kept{course::read_file(root / "tests/peers" / (section + ".txt"))};
+        std::istringstream kept{course::read_file(root / "tests" / section / "peer.txt")};
         std::string line;
         std::getline(kept, line); // its title
         while (std::getline(kept, line)) CHECK(std::stod(line) < std::stod(found[1]));

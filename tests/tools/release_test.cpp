@@ -1,4 +1,4 @@
-// `course publish --release`: what is in its archives, and what it's not made of.
+// `course dev release`: what is in its archives, and what it's not made of.
 
 #include "commands/commands.hpp"
 #include "small_course.hpp"
@@ -24,14 +24,14 @@ struct Repository : SmallCourse {
         git({"init", "--quiet"});
         commit();
         write("bin/cmake", "#!/bin/sh\n[ \"$1\" = --build ] || exec /usr/bin/cmake \"$@\"\n");
-        std::filesystem::permissions(tree.root / "bin/cmake", std::filesystem::perms::owner_all);
+        std::filesystem::permissions(workspace.root / "bin/cmake", std::filesystem::perms::owner_all);
         commit();
-        ::setenv("PATH", ((tree.root / "bin").string() + ":" + before).c_str(), 1);
+        ::setenv("PATH", ((workspace.root / "bin").string() + ":" + before).c_str(), 1);
     }
     ~Repository() { ::setenv("PATH", before.c_str(), 1); }
 
     std::string listed(const std::string &archive) const {
-        return run({"/usr/bin/cmake", "-E", "tar", "tf", (tree.build / "release" / archive).string()}).out;
+        return run({"/usr/bin/cmake", "-E", "tar", "tf", (workspace.build / "release" / archive).string()}).out;
     }
     std::string before = std::getenv("PATH");
 };
@@ -40,7 +40,7 @@ struct Repository : SmallCourse {
 
 TEST_CASE("a release has the sources, the site and the stills, and its version in their names") {
     const Repository repository;
-    release(repository.tree);
+    release(repository.workspace);
     const std::string sources = repository.listed("frame-by-frame-1.2.3.tar.gz");
     CHECK_THAT(sources, ContainsSubstring("frame-by-frame-1.2.3/solutions/07_wall_meeting.cpp\n"));
     CHECK_THAT(sources, !ContainsSubstring("build/default"));
@@ -51,9 +51,9 @@ TEST_CASE("a release has the sources, the site and the stills, and its version i
 TEST_CASE("a release of which CHANGELOG says nothing, or with a change that isn't committed, is refused") {
     const Repository repository;
     repository.write("solutions/07_wall_meeting.cpp", "// changed\n");
-    CHECK_THROWS_WITH(release(repository.tree), ContainsSubstring(" M solutions/07_wall"));
+    CHECK_THROWS_WITH(release(repository.workspace), ContainsSubstring(" M solutions/07_wall"));
     repository.write("CMakeLists.txt", "project(x VERSION 1.2.4)\n");
     repository.commit();
-    CHECK_THROWS_WITH(release(repository.tree), ContainsSubstring("\"## 1.2.4\""));
+    CHECK_THROWS_WITH(release(repository.workspace), ContainsSubstring("\"## 1.2.4\""));
     CHECK_FALSE(repository.has("build/default/release"));
 }

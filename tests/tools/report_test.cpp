@@ -1,12 +1,12 @@
 // The instructor's report: what it says of a class made by hand, and that nothing anybody chose becomes a tag. The page
 // is read as XML, so each of its tags is closed.
 
-#include "class/report.hpp"
+#include "grade/report.hpp"
 
-#include "class/report_style.hpp"
-#include "class/statistics.hpp"
-#include "ground/files.hpp"
-#include "ground/text.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "grade/report_style.hpp"
+#include "grade/statistics.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -29,16 +29,16 @@ const std::string stops = "at 6 m/s, losing 2 m/s each second, a puck stops afte
 
 Verdict report_pass(const std::string &test) { return {.test = test}; }
 Verdict report_todo(const std::string &test) {
-    return {.test = test, .kind = Kind::not_started, .sentence = "Nothing's here yet."};
+    return {.test = test, .kind = Outcome::not_started, .sentence = "Nothing's here yet."};
 }
 Verdict report_wrong(const std::string &test, const std::string &yours, const std::string &expected) {
     return {.test = test,
-            .kind = Kind::wrong,
+            .kind = Outcome::wrong,
             .call = Call{"stopping_distance", {"speed = 6", "deceleration = 2"}, 0, yours},
             .yours = yours,
             .expected = expected,
             .tolerance = "1e-12",
-            .file = "tests/05_inclined_planes.cpp",
+            .file = "tests/05_inclined_planes/tests.cpp",
             .line = 31};
 }
 
@@ -106,7 +106,7 @@ GradedClass report_class() {
 
     all.students.push_back(report_student("1007", {report_stop("0", "0"), report_friction("0"), report_normal()}));
     GradedExercise &unbuilt = all.students.back().exercises[1];
-    unbuilt.unbuilt = Verdict{.kind = Kind::does_not_compile, .sentence = "There's a semicolon missing in line 12."};
+    unbuilt.unbuilt = Verdict{.kind = Outcome::does_not_compile, .sentence = "There's a semicolon missing in line 12."};
     unbuilt.passed = 0;
     unbuilt.earned = 0;
     all.students.back().overridden = 6.5;
@@ -181,6 +181,10 @@ TEST_CASE("a report says first what the class is about, and what's in the way", 
     CHECK_THAT(parts,
                Equals(std::vector<std::string>{"trouble", "changes", "class", "missing", "tests", "alike", "others"}));
     CHECK(page.count("//nav/a") == parts.size());
+    CHECK_THAT(facts, !ContainsSubstring("Protection"));
+    GradedClass open = graded;
+    open.warning = "This kernel lacks Landlock.";
+    CHECK_THAT((ReportPage{open}.words("//dl")), ContainsSubstring("This kernel lacks Landlock."));
     CHECK_THAT(page.words("//section[@id='trouble']"), ContainsSubstring("Landlock") && ContainsSubstring("--again"));
     CHECK(page.words("//section[@id='changes']//tbody/tr") == "100256" + stops);
     CHECK(page.words("//section[@id='missing']//li") == "2001 Émilie du Châtelet");
@@ -252,7 +256,7 @@ TEST_CASE("a report says how each test went, and which tell nothing", "[class-re
     for (Graded &student : broken.students)
         for (GradedExercise &exercise : student.exercises)
             for (Verdict &verdict : exercise.verdicts)
-                if (verdict.test == never_back) verdict.kind = Kind::wrong;
+                if (verdict.test == never_back) verdict.kind = Outcome::wrong;
     CHECK_THAT(ReportPage{broken}.test(never_back), ContainsSubstring("nobody passes: is it broken?"));
 }
 
@@ -302,7 +306,7 @@ TEST_CASE("nothing that anybody chose becomes a tag of the report, or hides what
         student.submission.id += evil;
         student.submission.taken = student.why = student.submission.trouble = student.our_trouble = evil;
         student.submission.others = {evil, evil};
-        student.unbuilt = Verdict{.kind = Kind::does_not_compile, .sentence = evil, .printed = {evil}};
+        student.unbuilt = Verdict{.kind = Outcome::does_not_compile, .sentence = evil, .printed = {evil}};
         for (GradedExercise &exercise : student.exercises) {
             exercise.mistake = exercise.exercise.function = evil;
             for (Verdict &verdict : exercise.verdicts) {

@@ -1,15 +1,15 @@
 // The book's site: what becomes of a page of Markdown, and of a whole small course.
 
+#include "site/link_check.hpp"
 #include "site/page_writer.hpp"
 #include "site/progress_script.hpp"
-#include "site/reachable.hpp"
 #include "site/section_map.hpp"
 #include "site/share.hpp"
 #include "small_course.hpp"
 
-#include "ground/complaint.hpp"
-#include "ground/text.hpp"
-#include "loop/memory.hpp"
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "remember_now.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -31,15 +31,15 @@ namespace {
 /// A small course with all that a site needs.
 struct SmallBook : SmallCourse {
     SmallBook() : SmallCourse{"a $(HOME) of \"it's\" & $HOME #1 XXXXXX"} { // each of them once broke something
-        fs::copy(fs::path{COURSE_ROOT} / "docs", tree.root / "docs", fs::copy_options::recursive);
-        for (const Section &section : tree.sections()) {
-            write(tree.header(section),
+        fs::copy(fs::path{COURSE_ROOT} / "docs", workspace.root / "docs", fs::copy_options::recursive);
+        for (const Section &section : workspace.sections()) {
+            write(workspace.header(section),
                   "#pragma once\n\n/// Section " + section.short_number() + ".\nnamespace " + section.slug()
                       + " {\n\n//> A wall\n/// Where it stands.\nstruct Wall {\n    double start; ///< [m]\n};\n\n"
                         "/// How long it is [m].\ndouble length(const Wall &wall);\n//>\n} // namespace\n");
-            write(tree.program(section), "//> Main\nint main() {}\n");
-            write(tree.tests(section), "//> A test\nTEST_CASE(\"x < y & \\\"z\\\"\") {}\n");
-            write(tree.solution(section), "//> Solution: nothing\nint nothing;\n");
+            write(workspace.program(section), "//> Main\nint main() {}\n");
+            write(workspace.tests(section), "//> A test\nTEST_CASE(\"x < y & \\\"z\\\"\") {}\n");
+            write(workspace.solution(section), "//> Solution: nothing\nint nothing;\n");
         }
         write("chapters/course.hpp",
               "#pragma once\n/// What all share.\nnamespace course {\n/// Refuses.\nvoid require(bool holds);\n"
@@ -55,11 +55,11 @@ struct SmallBook : SmallCourse {
         write("book.md", book);
     }
 
-    fs::path chapter_file() const { return tree.chapter(seven()); }
+    fs::path chapter_file() const { return workspace.chapter(seven()); }
 
     /// The chapter's page, unfinished, if it says this below its title.
     std::string page(const std::string &markdown) const {
-        return written_page(Addresses{tree}, chapter_file(), "# 7 Walls\n\n" + markdown, "chapter_07_wall_meeting")
+        return written_page(Addresses{workspace}, chapter_file(), "# 7 Walls\n\n" + markdown, "chapter_07_wall_meeting")
             .html;
     }
 
@@ -69,7 +69,7 @@ struct SmallBook : SmallCourse {
         return (*this)({"make-site", "--doxygen", COURSE_DOXYGEN, "--node", COURSE_NODE, "--katex", COURSE_KATEX,
                         "--lunr", COURSE_LUNR});
     }
-    std::string made(const std::string &file) const { return read(tree.build / "site" / file); }
+    std::string made(const std::string &file) const { return read(workspace.build / "site" / file); }
 
     static constexpr const char *book = R"(# Small
 
@@ -89,6 +89,8 @@ Of $x$, see [what is wrong](#wrong-signs) and [what there is](#contents).
 
 ## Glossary
 
+## Where next
+
 ## Errata
 
 ### Wrong signs
@@ -97,12 +99,11 @@ They are [here](chapters/07_wall_meeting/README.md).
 )";
 };
 
-std::string formula(const std::string &tex, int line, const std::string &plain, bool display = false) {
+std::string formula(const std::string &tex, int line, bool display = false) {
     return "<span class=\"math" + std::string{display ? " display" : ""}
-           + "\" data-from=\"chapters/07_wall_meeting/README.md:" + std::to_string(line) + "\" data-plain=\"" + plain
-           + "\">" + tex + "</span>";
+           + "\" data-from=\"chapters/07_wall_meeting/README.md:" + std::to_string(line) + "\">" + tex + "</span>";
 }
-std::string formula_x(int line) { return formula("x", line, "x"); }
+std::string formula_x(int line) { return formula("x", line); }
 
 } // namespace
 
@@ -110,7 +111,7 @@ std::string formula_x(int line) { return formula("x", line, "x"); }
 
 TEST_CASE("a page has a title, and its text as HTML") {
     const SmallBook book;
-    const SitePage page = written_page(Addresses{book.tree}, book.tree.root / "README.md",
+    const SitePage page = written_page(Addresses{book.workspace}, book.workspace.root / "README.md",
                                        "\xEF\xBB\xBF# \"Read\" `it`\r\n\r\nme\r\n", "readme");
     CHECK(page.title == "“Read” it");
     CHECK(page.html == "<h1>\n“Read” <code>it</code>\n</h1>\n<p>me</p>\n");
@@ -133,20 +134,19 @@ TEST_CASE("words stay words") {
 TEST_CASE("formulas keep every sign, and know their line") {
     const SmallBook book;
     const auto [markdown, html] = GENERATE(table<std::string, std::string>({
-        {"with $\\dot x_1 * y_1 * z$ in it",
-         "with " + formula("\\dot x_1 * y_1 * z", 3, "dot x_1 * y_1 * z") + " in it"},
-        {"first\nthen $a < b$", "then " + formula("a &lt; b", 4, "a &lt; b")},
-        {"$$a\n= b$$", formula("a\n= b", 3, "a = b", true)},
+        {"with $\\dot x_1 * y_1 * z$ in it", "with " + formula("\\dot x_1 * y_1 * z", 3) + " in it"},
+        {"first\nthen $a < b$", "then " + formula("a &lt; b", 4)},
+        {"$$a\n= b$$", formula("a\n= b", 3, true)},
         {"**bold $x$**", "<strong>bold " + formula_x(3) + "</strong>"},
         {"\"$x$\"", "“" + formula_x(3) + "”"},
         {"> quoted $x$", "<p>quoted " + formula_x(3)},
         {"- item $x$", "<li>item " + formula_x(3)},
-        {"| a |\n|:--|\n| $|x|$ |\n| $y$ |", "<td align=\"left\">" + formula("|x|", 5, "|x|")
-                                                 + "</td>\n</tr>\n<tr>\n<td align=\"left\">" + formula("y", 6, "y")},
+        {"| a |\n|:--|\n| $|x|$ |\n| $y$ |",
+         "<td align=\"left\">" + formula("|x|", 5) + "</td>\n</tr>\n<tr>\n<td align=\"left\">" + formula("y", 6)},
         {"<details>\n<summary>7.1: $x$ and `y`</summary>\n\nz\n</details>",
          "<summary>7.1: " + formula_x(3) + " and <code>y</code></summary>"},
-        {"## About $x_1$", "About " + formula("x_1", 3, "x_1")
-                               + "\n<a class=\"anchor\" href=\"#about-x_1\" aria-label=\"Link to About x_1\">"},
+        {"## About $x_1$",
+         "About " + formula("x_1", 3) + "\n<a class=\"anchor\" href=\"#about-x_1\" aria-label=\"Link to About x_1\">"},
     }));
     CHECK_THAT(book.page(markdown + "\n"), ContainsSubstring(html));
 }
@@ -176,21 +176,22 @@ TEST_CASE("what a forge shows in the place of a demo is not on the site") {
     CHECK_THAT(book.page("*Play it* again.\n"), ContainsSubstring("<em>Play it</em> again."));
 }
 
-TEST_CASE("a formula in a picture's words is said in plain ones") {
+TEST_CASE("a picture says what it shows, and leads to the script that draws it; a formula in its words is named") {
     const SmallBook book;
-    const std::string page =
-        book.page("![From $a_x$ to $\\sqrt{2}$](../../plots/07_wall_meeting_room.svg)\n\nand $y$\n");
+    const std::string page = book.page("![From a_x to √2](../../plots/07_wall_meeting_room.svg)\n\nand $y$\n");
     CHECK_THAT(page,
                ContainsSubstring(
                    "<img src=\"plots/07_wall_meeting_room.svg\" alt=\"From a_x to √2\" width=\"640\" height=\"400\">"));
     CHECK_THAT(page, ContainsSubstring("<a class=\"from\" href=\"source_plots_07_wall_meeting_room_gp.html\">"));
-    CHECK_THAT(page, ContainsSubstring("and " + formula("y", 5, "y")));
+    CHECK_THAT(page, ContainsSubstring("and " + formula("y", 5)));
+    CHECK_THROWS_MATCHES(book.page("![From $a_x$](../../plots/07_wall_meeting_room.svg)\n"), UserError,
+                         MessageMatches(StartsWith("chapters/07_wall_meeting/README.md:3: write what the picture ")));
 }
 
 TEST_CASE("a picture that the site cannot have is named") {
     const SmallBook book;
     CHECK_THROWS_MATCHES(
-        book.page("![x](room.gif)\n"), Complaint,
+        book.page("![x](room.gif)\n"), UserError,
         MessageMatches(StartsWith("chapters/07_wall_meeting/README.md:3: the site cannot show the picture room.gif;")));
 }
 
@@ -285,11 +286,11 @@ TEST_CASE("links lead to pages of the site, and stay plain text where there is n
         {"../../book.md", "<a href=\"index.html\">x</a>"},
         {"../../README.md", "<a href=\"readme.html\">x</a>"},
         {"wall_meeting.hpp", "<a href=\"source_chapters_07_wall_meeting_wall_meeting_hpp.html\">x</a>"},
-        {"../../tests/07_wall_meeting.cpp", "<a href=\"source_tests_07_wall_meeting_cpp.html\">x</a>"},
+        {"../../tests/07_wall_meeting/tests.cpp", "<a href=\"source_tests_07_wall_meeting_tests_cpp.html\">x</a>"},
         {"#by-hand", "<a href=\"#by-hand\">x</a>"},
         {"https://example.org/a", "<a href=\"https://example.org/a\">x</a>"},
         {"../../LICENSE", "<span class=\"path\">x</span>"},
-        {"../../tests/wrong", "<span class=\"path\">x</span>"},
+        {"../../tests/play", "<span class=\"path\">x</span>"},
     }));
     CHECK_THAT(book.page("[x](" + url + ")\n"), ContainsSubstring(html));
 }
@@ -346,7 +347,7 @@ TEST_CASE("a link that leads nowhere, a place that is there twice, another host"
     }));
     SiteFiles files{
         {"index.html", html}, {"a.html", "<p id=\"x\">"}, {"s.css", "a { src: url(\"https://example.org/f.woff2\") }"}};
-    CHECK_THROWS_MATCHES(keep_reachable(files), Complaint, MessageMatches(ContainsSubstring("  " + trouble)));
+    CHECK_THROWS_MATCHES(keep_reachable(files), UserError, MessageMatches(ContainsSubstring("  " + trouble)));
 }
 
 TEST_CASE("a link to another host may stand in the text: nothing is fetched until somebody follows it") {
@@ -443,9 +444,10 @@ TEST_CASE("code is coloured, and nothing of it is lost") {
 
 TEST_CASE("names in code lead to their descriptions, but not in comments, strings or other things' members") {
     const SmallBook book;
-    book.write(book.tree.header(book.tree.section("6")), "#pragma once\n/// Six.\nnamespace reflection {\n"
-                                                         "/// A mirror.\nstruct Mirror { int x; ///< where\n };\n"
-                                                         "/// How far.\ndouble length(int x);\n}\n");
+    book.write(book.workspace.header(book.workspace.section("6")),
+               "#pragma once\n/// Six.\nnamespace reflection {\n"
+               "/// A mirror.\nstruct Mirror { int x; ///< where\n };\n"
+               "/// How far.\ndouble length(int x);\n}\n");
     const auto link = [](const std::string &address, const std::string &words) {
         return "<a class=\"code\" href=\"" + address + "\">" + words + "</a>";
     };
@@ -480,11 +482,15 @@ TEST_CASE("names in code lead to their descriptions, but not in comments, string
 
 TEST_CASE("the search's index has each part's words, formulas in plain characters, and names") {
     const SmallBook book;
-    REQUIRE(book.make("With $x^2$ < 3.\n\n<!-- words: parabola -->\n\n## Of $y$ `so`\n\n- One\n- two\n").code == 0);
+    REQUIRE(book.make("With $x^2$ < 3, $v_x\\cdot\\frac{a}{b}$.\n\n<!-- words: parabola -->\n\n## Of $y$ `so`\n\n- "
+                      "One\n- two\n")
+                .code
+            == 0);
     const std::string index = book.made("search-index.js");
-    CHECK_THAT(index,
-               ContainsSubstring(
-                   R"({"page":"7 Walls","part":"","address":"chapter_07_wall_meeting.html","text":"With x² < 3. "})"));
+    CHECK_THAT(
+        index,
+        ContainsSubstring(
+            R"({"page":"7 Walls","part":"","address":"chapter_07_wall_meeting.html","text":"With x² < 3, v_x · a/b. "})"));
     CHECK_THAT(index, ContainsSubstring(
                           R"("part":"Of y so","address":"chapter_07_wall_meeting.html#of-y-so","text":"One two "})"));
     CHECK_THAT(index, ContainsSubstring(R"_("page":"Interface: wall_meeting","part":"length()","address":"namesp)_"));
@@ -522,7 +528,7 @@ TEST_CASE("each part of book.md but its contents is a page, in the contents and 
     CHECK_THAT(errata, ContainsSubstring("<h2 id=\"wrong-signs\">")
                            && ContainsSubstring("<a href=\"chapter_07_wall_meeting.html\">here</a>"));
     CHECK(errata.find("rel=\"next\"") == errata.npos);
-    CHECK_FALSE(book.has(book.tree.build / "site" / "contents.html"));
+    CHECK_FALSE(book.has(book.workspace.build / "site" / "contents.html"));
     const auto at = [&](const char *page) { return errata.find("<li><a href=\"" + std::string{page} + ".html\""); };
     CHECK((at("index") < at("preface") && at("preface") < at("chapter_06_reflection")));
     CHECK((at("chapter_07_wall_meeting") < at("glossary") && at("glossary") < at("namespacecourse")));
@@ -539,7 +545,7 @@ TEST_CASE("a formula that cannot be read in a part of book.md is named with its 
 TEST_CASE("unchanged pages keep their date, and pages without a source are removed") {
     const SmallBook book;
     REQUIRE(book.make("One.\n").code == 0);
-    const fs::path site = book.tree.build / "site";
+    const fs::path site = book.workspace.build / "site";
     const auto date = fs::last_write_time(site / "index.html");
     book.write(site / "old.html", "");
     REQUIRE(book.make("Two.\n").code == 0);
@@ -565,8 +571,9 @@ TEST_CASE("an error is named with its place, and the earlier site stays") {
 
 TEST_CASE("a comment that Doxygen warns of fails the site, and is named") {
     const SmallBook book;
-    book.write(book.tree.header(book.seven()), "#pragma once\n/// Section 7.\nnamespace wall_meeting {\n/// Long.\n/// "
-                                               "@param wal  it\ndouble length(double wall);\n}\n");
+    book.write(book.workspace.header(book.seven()),
+               "#pragma once\n/// Section 7.\nnamespace wall_meeting {\n/// Long.\n/// "
+               "@param wal  it\ndouble length(double wall);\n}\n");
     const Finished made = book.make();
     CHECK(made.code == 2);
     CHECK_THAT(made.err, ContainsSubstring("chapters/07_wall_meeting/wall_meeting.hpp:")
@@ -603,7 +610,7 @@ TEST_CASE("open hands the front page or a chapter to the desktop, and does not w
         {{"open", "7"}, "chapter_07_wall_meeting.html"},
         {{"open", "wall"}, "chapter_07_wall_meeting.html"},
     }));
-    const std::string file = (book.tree.build / "site" / page).string();
+    const std::string file = (book.workspace.build / "site" / page).string();
     const auto began = std::chrono::steady_clock::now();
     const Finished opened = book(words, {path, "DISPLAY=:0"});
     CHECK(opened.out == "Opening " + file + "\n");
@@ -619,7 +626,7 @@ TEST_CASE("without a screen, open says which file") {
     const Finished opened = book({"open", "7"}, {path, "DISPLAY=", "WAYLAND_DISPLAY="});
     CHECK(opened.code == 0);
     CHECK(opened.out
-          == "Open this file in your browser: " + (book.tree.build / "site/chapter_07_wall_meeting.html").string()
+          == "Open this file in your browser: " + (book.workspace.build / "site/chapter_07_wall_meeting.html").string()
                  + "\n");
     CHECK(book({"open", "9"}, {path}).code == 2);
 }
@@ -630,7 +637,7 @@ TEST_CASE("pages with a demo have its scripts, and one page has all demos") {
     CHECK(plain_page.find("play.js") == std::string::npos);
     CHECK(plain_page.find("og:image") == std::string::npos);
     CHECK(book.made("index.html").find("play.html") == std::string::npos);
-    CHECK_FALSE(fs::exists(book.tree.build / "site" / "play.html"));
+    CHECK_FALSE(fs::exists(book.workspace.build / "site" / "play.html"));
 
     book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
     const Finished made = book.make("<!-- demo: room | Throw the ball. -->\n");
@@ -671,26 +678,28 @@ TEST_CASE("a shared demo is one page that asks for nothing else, with ours and t
     const SmallBook book;
     book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': 'ours'};\n");
     REQUIRE(book.make("<!-- demo: room | Throw. -->\n").code == 0);
-    write_file(book.tree.build / "play" / "07_wall_meeting_mine.js",
+    write_file(book.workspace.build / "play" / "07_wall_meeting_mine.js",
                "self.playable['07_wall_meeting/mine'] = 'yours';\n");
     DemoMark mark;
     mark.start = "size: 1 & 2";
-    const std::string page = shared_page(book.tree, demos(book.tree).front(), mark, false);
+    const std::string page = shared_page(book.workspace, demos(book.workspace).front(), mark, false);
     CHECK_THAT(page, ContainsSubstring("data-demo=\"07_wall_meeting\" data-mine data-start=\"size: 1 &amp; 2\""));
     CHECK_THAT(page, ContainsSubstring("'ours'") && ContainsSubstring("'yours'") && ContainsSubstring("demoPicture"));
     for (const char *outside : {"src=\"", "href=\"", "url(fonts"}) CHECK(page.find(outside) == std::string::npos);
     CHECK(page.find("self.progress = ") == std::string::npos);
-    CHECK_THAT(shared_page(book.tree, demos(book.tree).front(), mark, true), ContainsSubstring("self.progress = "));
+    CHECK_THAT(shared_page(book.workspace, demos(book.workspace).front(), mark, true),
+               ContainsSubstring("self.progress = "));
 }
 
 TEST_CASE("a demo with a bug in it is such a page, too, and names the file in the place of the student") {
     const SmallBook book;
     book.write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': 'ours'};\n");
     REQUIRE(book.make("<!-- demo: room | Throw. -->\n").code == 0);
-    write_file(book.tree.build / "play" / "07_wall_meeting_bug.js", "self.playable['07_wall_meeting/mine'] = 'bug';\n");
+    write_file(book.workspace.build / "play" / "07_wall_meeting_bug.js",
+               "self.playable['07_wall_meeting/mine'] = 'bug';\n");
     DemoMark mark;
     mark.start = "size: 1";
-    const std::string page = page_with_bug(book.tree, demos(book.tree).front(), mark);
+    const std::string page = page_with_bug(book.workspace, demos(book.workspace).front(), mark);
     CHECK_THAT(page, ContainsSubstring("<figure data-yours=\"07_bug.cpp\" class=\"play\"")
                          && ContainsSubstring("data-demo=\"07_wall_meeting\" data-mine data-start=\"size: 1\""));
     CHECK_THAT(page, ContainsSubstring("'ours'") && ContainsSubstring("'bug'") && ContainsSubstring("demoPicture"));
@@ -754,15 +763,15 @@ esac)");
 
 TEST_CASE("the map has a box for each section, links to those that stand, and says each need once") {
     const SmallBook book;
-    fs::create_directories(book.tree.build);
+    fs::create_directories(book.workspace.build);
     const auto entry = [](int number, const std::string &title, const std::string &needs,
                           const std::string &chapter = "") {
         return Entry{0, number, title, chapter, "", "", needs, 5};
     };
     const std::string map =
-        section_map(book.tree, {entry(6, "Reflection", "", "chapters/06_reflection/README.md"),
-                                entry(7, "Walls & floors", "6", "chapters/07_wall_meeting/README.md"),
-                                entry(8, "Springs", "6, 7 for 8.2"), entry(9, "Ropes", "6, 7")});
+        section_map(book.workspace, {entry(6, "Reflection", "", "chapters/06_reflection/README.md"),
+                                     entry(7, "Walls & floors", "6", "chapters/07_wall_meeting/README.md"),
+                                     entry(8, "Springs", "6, 7 for 8.2"), entry(9, "Ropes", "6, 7")});
     const auto count = [&](const std::string &what) {
         const std::regex pattern{what};
         return std::distance(std::sregex_iterator{map.begin(), map.end(), pattern}, {});
@@ -775,20 +784,20 @@ TEST_CASE("the map has a box for each section, links to those that stand, and sa
                         && ContainsSubstring("<title>8 Springs, to come: needs 6, 7 for 8.2</title>"));
     CHECK(count("class=\"edge\"") == 3); // 6 to 7, 6 to 8, 7 to 9: from 6 to 9 it's by way of 7
     CHECK(count("class=\"edge in-part\"") == 1);
-    CHECK(section_map(book.tree, {entry(6, "Reflection", ""), entry(7, "Walls", "")}).empty());
+    CHECK(section_map(book.workspace, {entry(6, "Reflection", ""), entry(7, "Walls", "")}).empty());
 }
 
 // What is done
 
 TEST_CASE("the pages know what is done, and where to go on: in the section that was judged last") {
     const SmallBook book;
-    const auto progress = [&] { return progress_script(book.tree); };
+    const auto progress = [&] { return progress_script(book.workspace); };
     CHECK_THAT(progress(), ContainsSubstring(R"({"number":"7","page":"chapter_07_wall_meeting.html","exercises":[)"
                                              R"({"number":"7.1","function":"first","done":false},)"));
     CHECK(progress().find("next") == std::string::npos);
 
-    for (const Section &section : book.tree.sections()) book.write(book.tree.exercise(section), "begun");
-    remember(book.tree, book.tree.section("6"), {{"6.1", "passed"}});
+    for (const Section &section : book.workspace.sections()) book.write(book.workspace.exercise(section), "begun");
+    remember(book.workspace, book.workspace.section("6"), {{"6.1", "passed"}});
     CHECK_THAT(progress(), ContainsSubstring(R"("next":{"number":"6.2","function":"second_bounce",)"
                                              R"("address":"chapter_06_reflection.html#exercise-6.2"})"));
     book.write(".course/progress.json",
@@ -796,35 +805,35 @@ TEST_CASE("the pages know what is done, and where to go on: in the section that 
         "07_wall_meeting": {"7.1": {"state": "passed", "when": "2026-11-21T10:00:00Z"}}})");
     CHECK_THAT(progress(), ContainsSubstring(R"({"number":"7.1","function":"first","done":true})")
                                && ContainsSubstring(R"("next":{"number":"7.2")"));
-    remember(book.tree, book.seven(), {{"7.2", "passed"}});
+    remember(book.workspace, book.seven(), {{"7.2", "passed"}});
     CHECK_THAT(progress(), ContainsSubstring(R"("next":{"number":"6.2")")); // all of section 7 is done
-    remember(book.tree, book.seven(), {{"7.1", "crashed"}});
+    remember(book.workspace, book.seven(), {{"7.1", "crashed"}});
     CHECK_THAT(progress(), ContainsSubstring(R"({"number":"7.1","function":"first","done":false})"));
 }
 
 TEST_CASE("a site is told what is done when it is made, and by check and reset") {
     const SmallBook book;
-    book.write(book.tree.exercise(book.seven()), "begun");
-    remember(book.tree, book.seven(), {{"7.1", "passed"}});
+    book.write(book.workspace.exercise(book.seven()), "begun");
+    remember(book.workspace, book.seven(), {{"7.1", "passed"}});
     CHECK(book({"check", "7"}).code != 0); // without a site nothing is told
-    CHECK_FALSE(fs::exists(book.tree.build / "site"));
+    CHECK_FALSE(fs::exists(book.workspace.build / "site"));
 
-    remember(book.tree, book.seven(), {{"7.1", "passed"}});
+    remember(book.workspace, book.seven(), {{"7.1", "passed"}});
     REQUIRE(book.make().code == 0);
     const std::string first = R"("number":"7.1","function":"first","done":)";
     CHECK_THAT(book.made("progress.js"), ContainsSubstring(first + "true"));
     CHECK_THAT(book.made("index.html"),
                ContainsSubstring("<script src=\"progress.js\"></script>\n<script src=\"done.js\"></script>"));
 
-    book.write(book.tree.exercise(book.seven()), "");
+    book.write(book.workspace.exercise(book.seven()), "");
     CHECK_THAT(book({"check", "7"}).out, ContainsSubstring("is empty"));
     CHECK_THAT(book.made("progress.js"), ContainsSubstring(first + "false"));
 
-    remember(book.tree, book.seven(), {{"7.1", "passed"}});
-    book.write(book.tree.build / "mine" / "site" / "progress.js", "");
+    remember(book.workspace, book.seven(), {{"7.1", "passed"}});
+    book.write(book.workspace.build / "mine" / "site" / "progress.js", "");
     CHECK(book({"reset", "7", "--yes"}).code == 0);
     for (const char *site : {"site/progress.js", "mine/site/progress.js"})
-        CHECK_THAT(book.read(book.tree.build / site), ContainsSubstring(first + "false"));
+        CHECK_THAT(book.read(book.workspace.build / site), ContainsSubstring(first + "false"));
 }
 
 // The student's own site
@@ -840,10 +849,10 @@ struct OwnBook : SmallBook {
               "#> Figure: a room\nload 'style.gp'\nset output ARG2\nset xrange [0:4]; set yrange [0:5]\n"
               "yours = with_yours(\"ARG3 using 1:2 with lines lt 2 title 'yours'\")\n"
               "plot ARG1 using 1:2 with lines title 'ours', @yours\n");
-        write(tree.build / "traces/07_wall_meeting" / (figure + ".tsv"), "# t[s]\tx[m]\n0\t1\n2\t3\n");
+        write(workspace.build / "traces/07_wall_meeting" / (figure + ".tsv"), "# t[s]\tx[m]\n0\t1\n2\t3\n");
         write("demos/07_wall_meeting.js", "self.playable = {'07_wall_meeting': ''};\n");
-        write(tree.build / "play/07_wall_meeting_mine.js", "self.playable['07_wall_meeting/mine'] = '';\n");
-        write(tree.exercise(seven()), "begun");
+        write(workspace.build / "play/07_wall_meeting_mine.js", "self.playable['07_wall_meeting/mine'] = '';\n");
+        write(workspace.exercise(seven()), "begun");
         const Finished made = make("![Room](../../plots/07_wall_meeting_room.svg)\n\n<!-- demo: room | Throw. -->\n");
         if (made.code != 0) throw std::runtime_error{made.err};
     }
@@ -852,11 +861,11 @@ struct OwnBook : SmallBook {
     Finished with(const std::vector<std::string> &words, const std::string &build,
                   const std::string &program = "exit 0") const {
         write("build/default/mine/07_wall_meeting", "#!/bin/sh\n" + program + '\n');
-        fs::permissions(tree.build / "mine/07_wall_meeting", fs::perms::all);
+        fs::permissions(workspace.build / "mine/07_wall_meeting", fs::perms::all);
         return (*this)(words, {instead_of("cmake", build), "DISPLAY=", "WAYLAND_DISPLAY="});
     }
-    void can_compile_for_pages() const { write(tree.build / "play/can_compile", ""); }
-    std::string own(const std::string &file) const { return read(tree.build / "mine/site" / file); }
+    void can_compile_for_pages() const { write(workspace.build / "play/can_compile", ""); }
+    std::string own(const std::string &file) const { return read(workspace.build / "mine/site" / file); }
 
     static constexpr const char *chapter = "chapter_07_wall_meeting.html", *room = "plots/07_wall_meeting_room.svg",
                                 *own_demo = "demos/07_wall_meeting_mine.js";
@@ -889,9 +898,9 @@ TEST_CASE("the student's own site has figures with their curve, demos that begin
 
     CHECK(book.made(OwnBook::room) == book.read("plots/07_wall_meeting_room.svg")); // the plain site stays ours
     CHECK(book.made(OwnBook::chapter).find("own") == std::string::npos);
-    CHECK_FALSE(fs::exists(book.tree.build / "site" / OwnBook::own_demo));
+    CHECK_FALSE(fs::exists(book.workspace.build / "site" / OwnBook::own_demo));
 
-    book.write(book.tree.exercise(book.seven()), book.read(book.tree.stub(book.seven())));
+    book.write(book.workspace.exercise(book.seven()), book.read(book.workspace.stub(book.seven())));
     CHECK_THAT(book.with({"site", "--mine"}, "exit 0").out, ContainsSubstring("Section 7: not started"));
     CHECK(book.own(OwnBook::room) == book.made(OwnBook::room));
     CHECK(book.own(OwnBook::own_demo).empty());
@@ -900,7 +909,7 @@ TEST_CASE("the student's own site has figures with their curve, demos that begin
 TEST_CASE("whatever is wrong with a student's file, their site is made, says so in one sentence, and keeps ours") {
     const OwnBook book;
     book.can_compile_for_pages();
-    book.write(book.tree.build / "plots/mine/07_wall_meeting_room.svg", "of yesterday");
+    book.write(book.workspace.build / "plots/mine/07_wall_meeting_room.svg", "of yesterday");
     const std::string no_compiling = "case \"$*\" in *07_wall_meeting_mine) echo "
                                      "'exercises/07_wall_meeting.cpp:1:1: error: expected a wall'; exit 1;; esac";
     const std::string no_demo = "case \"$*\" in *_play_mine) echo "
@@ -932,7 +941,7 @@ TEST_CASE("without the student's file, or a compiler for pages, their site says 
                              && ContainsSubstring("The demos run on our code, since this machine has no compiler for "
                                                   "pages; ./course play 7 --mine offers to install one\n"));
     CHECK(book.own(OwnBook::own_demo).empty());
-    fs::remove(book.tree.exercise(book.seven()));
+    fs::remove(book.workspace.exercise(book.seven()));
     CHECK_THAT(book.with({"site", "--mine"}, "exit 0").out,
                ContainsSubstring("exercises/07_wall_meeting.cpp is not there, so all stays ours; `./course reset 7`"));
     CHECK_THAT(book.own(OwnBook::chapter), ContainsSubstring("<code class=\"long\">./course reset 7</code>"));
@@ -942,9 +951,9 @@ TEST_CASE("open --mine leads into the student's own site, and the plain one is n
     const OwnBook book;
     CHECK_THAT(book.with({"open", "7", "--mine"}, "exit 0").out,
                ContainsSubstring("Open this file in your browser: "
-                                 + (book.tree.build / "mine/site/chapter_07_wall_meeting.html").string() + '\n'));
+                                 + (book.workspace.build / "mine/site/chapter_07_wall_meeting.html").string() + '\n'));
     CHECK_THAT(book.with({"open", "7"}, "exit 0").out,
-               StartsWith("Open this file in your browser: " + (book.tree.build / "site/chapter_07").string()));
+               StartsWith("Open this file in your browser: " + (book.workspace.build / "site/chapter_07").string()));
 }
 
 TEST_CASE("play opens a chapter's first demo, and play --mine the first that begins with the student's code") {
@@ -989,7 +998,7 @@ TEST_CASE("play --watch compiles at once and at each save, and not in between") 
     const std::string path = book.instead_of("cmake", "exit 0");
     std::string script = "{ sleep 2; touch -d '+1 minute' \"$1\"; sleep 2; touch -d '+2 minutes' \"$1\"; } & shift; "
                          "exec timeout -s INT 6 \"$@\"";
-    std::vector<std::string> line{"sh", "-c", script, "sh", book.tree.exercise(book.seven()).string()};
+    std::vector<std::string> line{"sh", "-c", script, "sh", book.workspace.exercise(book.seven()).string()};
     for (const std::string &word :
          book.command({"play", "7", "--mine", "--watch"}, {path, "DISPLAY=", "WAYLAND_DISPLAY="}))
         line.push_back(word);

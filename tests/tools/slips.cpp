@@ -63,7 +63,15 @@ std::optional<double> bare_return(double t) {
     return t;
 }
 double section_with_a_dot(double t) {
-    return std.abs(t);                         // If a section's name is before the dot, write two colons: name::function(…).
+    return std.abs(t);                         // Behind std come two colons: std::sqrt(x).
+}
+double misspelt(double t) {
+    t = squrt(t);                              // nothing
+    retrun t;                                  // Write return, in these letters.
+}
+int without_header(const std::vector<int> &numbers) {
+    for (int i : numbers | std::views::reverse) return i; // Write #include <ranges> at the top of your file.
+    return 0;
 }
 int whole_number(double fraction, int shades) {
     int shade = fraction * shades;             // An int has no digits after the decimal point: to keep them, write double; to drop them, int(…).
@@ -478,4 +486,8 @@ double sticks_and_pairs(const std::vector<Stick> &sticks, const std::vector<Vec2
     a = (stick.length, 0.0);                   // Two numbers make a vector in braces: Vec2{a, b}, not (a, b).
     a = Vec2{std::cosinus(b), 1};              // Cosine and sine are std::cos(…) and std::sin(…).
     return 2 * hand.x();                       // A field needs its struct, as in start.velocity; a variable is known below the line that declares it, inside the same braces.
+}
+const Vec2 &gone(double t) {
+    const Vec2 v{t, 1};
+    return v;                                  // What this refers to is gone when the function ends: return a copy, Vec2 instead of const Vec2 &.
 }

@@ -2,9 +2,9 @@
 // For the tests of the `course` program: a course of two small sections, made anew for each test and never built, and
 // the program run in it.
 
-#include "ground/files.hpp"
-#include "ground/process.hpp"
-#include "ground/tree.hpp"
+#include "base/files.hpp"
+#include "base/process.hpp"
+#include "base/workspace.hpp"
 #include "own_folder.hpp"
 
 #include <cstdlib>
@@ -17,15 +17,15 @@
 namespace course {
 
 /// The command `./course words` for this tree. `environment` is more of it, as {"NO_COLOR=1"}.
-inline std::vector<std::string> course_command(const Tree &tree, const std::vector<std::string> &words,
+inline std::vector<std::string> course_command(const Workspace &workspace, const std::vector<std::string> &words,
                                                const std::vector<std::string> &environment = {}) {
     std::vector<std::string> line{"env",
                                   "-u",
                                   "COURSE_LOCKED",
                                   "-u",
                                   "NO_COLOR",
-                                  "COURSE_ROOT=" + tree.root.string(),
-                                  "COURSE_BUILD=" + tree.build.string()};
+                                  "COURSE_ROOT=" + workspace.root.string(),
+                                  "COURSE_BUILD=" + workspace.build.string()};
     line.insert(line.end(), environment.begin(), environment.end());
     line.push_back(COURSE_TOOL);
     line.insert(line.end(), words.begin(), words.end());
@@ -52,13 +52,13 @@ struct OnlyPath {
 
 struct SmallCourse {
     explicit SmallCourse(const std::string &like = "a course XXXXXX") : folder{like} {
-        tree.root = folder.path;
-        tree.build = tree.root / "build" / "default";
+        workspace.root = folder.path;
+        workspace.build = workspace.root / "build" / "default";
         write("CMakeLists.txt", "project(x)\nsection(06_reflection)\nsection(07_wall_meeting)\n");
-        for (const Section &section : tree.sections()) {
-            write(tree.stub(section), "// " + section.name + ", nothing done yet\n");
-            write(tree.exercise(section), "// " + section.name + ", nothing done yet\n");
-            write(tree.build / "catalogue" / (section.name + ".json"),
+        for (const Section &section : workspace.sections()) {
+            write(workspace.stub(section), "// " + section.name + ", nothing done yet\n");
+            write(workspace.exercise(section), "// " + section.name + ", nothing done yet\n");
+            write(workspace.build / "catalogue" / (section.name + ".json"),
                   R"({"exercises": [)" + exercise(section, "1", "core", "first") + ", "
                       + exercise(section, "2", "stretch", "second") + "]}");
         }
@@ -77,28 +77,30 @@ struct SmallCourse {
 
     std::vector<std::string> command(const std::vector<std::string> &words,
                                      const std::vector<std::string> &environment = {}) const {
-        return course_command(tree, words, environment);
+        return course_command(workspace, words, environment);
     }
 
-    void write(const std::filesystem::path &file, const std::string &text) const { write_file(tree.root / file, text); }
-    std::string read(const std::filesystem::path &file) const { return read_file(tree.root / file); }
-    bool has(const std::filesystem::path &file) const { return std::filesystem::exists(tree.root / file); }
+    void write(const std::filesystem::path &file, const std::string &text) const {
+        write_file(workspace.root / file, text);
+    }
+    std::string read(const std::filesystem::path &file) const { return read_file(workspace.root / file); }
+    bool has(const std::filesystem::path &file) const { return std::filesystem::exists(workspace.root / file); }
 
     /// Writes a program, which is a shell script.
     void write_program(const std::filesystem::path &file, const std::string &script) const {
         write(file, "#!/bin/sh\n" + script + '\n');
-        std::filesystem::permissions(tree.root / file, std::filesystem::perms::all);
+        std::filesystem::permissions(workspace.root / file, std::filesystem::perms::all);
     }
 
     /// Puts a shell script in the place of a program, and returns the environment in which it is found.
     std::string instead_of(const std::string &program, const std::string &script) const {
         write_program("bin/" + program, script);
-        return "PATH=" + (tree.root / "bin").string() + ":" + std::getenv("PATH");
+        return "PATH=" + (workspace.root / "bin").string() + ":" + std::getenv("PATH");
     }
 
     /// Git in this course, which must not fail.
     void git(std::vector<std::string> words) const {
-        words.insert(words.begin(), {"git", "-C", tree.root.string(), "-c", "user.name=x", "-c", "user.email=x"});
+        words.insert(words.begin(), {"git", "-C", workspace.root.string(), "-c", "user.name=x", "-c", "user.email=x"});
         if (const Finished done = run(words); done.code != 0) throw std::runtime_error{"git failed: " + done.err};
     }
     void commit(const std::string &message = "all of it") const {
@@ -109,15 +111,15 @@ struct SmallCourse {
     std::vector<std::filesystem::path> kept() const {
         std::vector<std::filesystem::path> copies;
         if (has(".course/kept"))
-            for (const auto &entry : std::filesystem::directory_iterator{tree.root / ".course" / "kept"})
+            for (const auto &entry : std::filesystem::directory_iterator{workspace.root / ".course" / "kept"})
                 copies.push_back(entry.path());
         return copies;
     }
 
-    Section seven() const { return tree.section("7"); }
+    Section seven() const { return workspace.section("7"); }
 
     OwnFolder folder;
-    Tree tree;
+    Workspace workspace;
 
   private:
     static std::string exercise(const Section &section, const std::string &n, const std::string &tier,

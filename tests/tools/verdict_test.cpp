@@ -1,17 +1,17 @@
 // The wire, and the session that owns the verdict, against processes that lie.
 
-#include "ground/lines.hpp"
-#include "ground/plain.hpp"
+#include "base/lines.hpp"
+#include "base/plain.hpp"
+#include "check/advice.hpp"
+#include "check/answer.hpp"
+#include "check/diagnosis.hpp"
+#include "check/junit.hpp"
 #include "interface.hpp"
-#include "loop/advice_rules.hpp"
-#include "loop/answer.hpp"
-#include "loop/diagnosis.hpp"
-#include "loop/junit.hpp"
-#include "verdict/shared/wire.hpp"
-#include "verdict/tests/describe.hpp"
-#include "verdict/tests/mismatch.hpp"
-#include "verdict/tests/refusals.hpp"
-#include "verdict/tests/session.hpp"
+#include "judge/protocol/wire.hpp"
+#include "judge/runner/describe.hpp"
+#include "judge/runner/mismatch.hpp"
+#include "judge/runner/refusals.hpp"
+#include "judge/runner/session.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -93,6 +93,25 @@ TEST_CASE("a bool is 0 or 1, and a length is no longer than what is there") {
     CHECK_FALSE(text.ok());
 }
 
+TEST_CASE("lists that take far more memory than bytes are refused, each and all together") {
+    const auto empty_places = [](std::uint32_t count) { return bytes_of(count) + std::string(count, '\0'); };
+    using AllowedPaths = std::vector<std::optional<double>>; // 16 bytes each, instead of 1
+    const std::string million = empty_places(1'000'000), more = empty_places(1'100'000);
+    wire::Reader reader{million}, refused{more};
+    CHECK(reader.take<AllowedPaths>().size() == 1'000'000);
+    CHECK(reader.finished());
+    CHECK(refused.take<AllowedPaths>().empty());
+    CHECK((refused.too_large() && !refused.ok()));
+
+    const std::string two = bytes_of(std::uint32_t{2}) + million + million;
+    wire::Reader both{two};
+    CHECK(both.take<std::vector<AllowedPaths>>().size() == 2);
+    CHECK(both.too_large());
+    wire::Reader short_of{std::string_view{two}.substr(0, 9)};
+    short_of.take<std::vector<AllowedPaths>>();
+    CHECK_FALSE(short_of.too_large());
+}
+
 TEST_CASE("values are described as a student reads them") {
     CHECK(describe(0.1) == "0.1");
     CHECK(describe(1.0 / 3, "m", 3) == "0.333 m");
@@ -158,8 +177,8 @@ const ExerciseLine half{"numbers", "1.1", "core", "half", "x [m]", "m", describe
 
 /// A session that the matchers speak to while it lives. Its subject behaves like `mode`: see hostile_subject.cpp.
 struct OwnSession : Session {
-    explicit OwnSession(const std::string &mode, Patience limits = {}, const char *path = HOSTILE)
-        : Session{path, limits, mode} {
+    explicit OwnSession(const std::string &mode, TimeLimits time_limits = {}, const char *path = HOSTILE)
+        : Session{path, time_limits, mode} {
         static const bool once = (exercise_lines().push_back(&half), prepare_for_subjects(cores().front()), true);
         static_cast<void>(once);
         session() = this;
@@ -187,7 +206,7 @@ template <class Check> std::string shown_for(Check check) {
     OwnSession own{"answers"};
     own.begin("1.1", "a claim");
     CHECK_FALSE(check());
-    own.fail(Kind::wrong, "", "", 0);
+    own.fail(Outcome::wrong, "", "", 0);
     return explain(own.end(true), 0);
 }
 
@@ -261,15 +280,15 @@ TEST_CASE("all input that should have been refused is listed in one verdict, wha
     const auto takes = [] {};
     CHECK_FALSE(accepts(refuses, "radius is negative"));
     CHECK(accepts(takes, "dt is negative"));
-    own.fail(Kind::wrong, "bad input was accepted", "a.cpp", 3);
+    own.fail(Outcome::wrong, "bad input was accepted", "a.cpp", 3);
     CHECK(accepts(takes, "start.x", "infinity"));
     CHECK(accepts(takes, "start.x", "not a number"));
     CHECK(accepts(takes, "dt is negative")); // asked once more, with other arguments: said once
     CHECK(accepts(takes, "start.x", "infinity"));
     CHECK(accepts(takes, "start.x", "-infinity"));
-    own.fail(Kind::too_long, "an answer that never came", "a.cpp", 4);
+    own.fail(Outcome::too_long, "an answer that never came", "a.cpp", 4);
     const Verdict verdict = own.end(true);
-    CHECK(verdict.kind == Kind::wrong);
+    CHECK(verdict.kind == Outcome::wrong);
     CHECK(explain(from_line(to_line(verdict)).value(), 0)
           == "Your code accepted input that it must refuse with std::invalid_argument:\n  dt is negative\n"
              "  start.x = infinity, not a number, -infinity\nsee       a.cpp:3\n");
@@ -329,9 +348,9 @@ TEST_CASE("printed text is shown without control characters") {
 }
 
 TEST_CASE("a compiler's output is cut and cleaned before it is parsed") {
-    CHECK(plain_output("a\x1b[2Jb\r\nc\xff\n") == "a?[2Jb\nc?\n");
-    CHECK(plain_output("") == "");
-    CHECK(plain_output(std::string(300'000, 'x')) == std::string(5000, 'x') + "…\n");
+    CHECK(sanitize("a\x1b[2Jb\r\nc\xff\n") == "a?[2Jb\nc?\n");
+    CHECK(sanitize("") == "");
+    CHECK(sanitize(std::string(300'000, 'x')) == std::string(5000, 'x') + "…\n");
     // Too long for what they say, half of a pair, beyond the last character, and one that XML does not have.
     CHECK(plain_line("\xe0\x80\xaf", 9) == "???");
     CHECK(plain_line("\xed\xa0\x80", 9) == "???");
@@ -360,10 +379,10 @@ TEST_CASE("a failed check of a library is said in words, and on one line") {
 TEST_CASE("a value that is not the answer of the last call has to be named") {
     OwnSession own{"answers"};
     const auto kind_for = [&](const std::function<void(double)> &check) { return own.half_of_five(check).kind; };
-    CHECK(kind_for([](double answer) { is_near(answer, answer, 0, {}); }) == Kind::passed);
-    CHECK(kind_for([](double answer) { is_near(answer + 1, answer + 1, 0, {}); }) == Kind::no_verdict);
-    CHECK(kind_for([](double answer) { is_near(answer + 1, answer + 1, 0, {"one more", "m"}); }) == Kind::passed);
-    CHECK(kind_for([](double) { has_size(std::vector{1}, 1, {}); }) == Kind::no_verdict);
+    CHECK(kind_for([](double answer) { is_near(answer, answer, 0, {}); }) == Outcome::passed);
+    CHECK(kind_for([](double answer) { is_near(answer + 1, answer + 1, 0, {}); }) == Outcome::no_verdict);
+    CHECK(kind_for([](double answer) { is_near(answer + 1, answer + 1, 0, {"one more", "m"}); }) == Outcome::passed);
+    CHECK(kind_for([](double) { has_size(std::vector{1}, 1, {}); }) == Outcome::no_verdict);
     own.begin("1.1", "before any call");
     CHECK(is_near(1.0, 1.0, 0, {}));
 }
@@ -387,18 +406,18 @@ TEST_CASE("a function of an earlier section that isn't started is told from one 
 TEST_CASE("a process that answers properly passes") { CHECK(OwnSession{"answers"}.half_of_five().passed()); }
 
 TEST_CASE("a process that breaks the protocol fails that call, and no other") {
-    const auto [mode, kind] = GENERATE(table<std::string, Kind>({
-        {"answers_another_call", Kind::out_of_turn},
-        {"claims_four_gigabytes", Kind::wrong},
-        {"sends_half_a_frame", Kind::too_long},
-        {"sends_too_much", Kind::out_of_turn},
-        {"sends_too_little", Kind::out_of_turn},
-        {"sends_no_frame", Kind::out_of_turn},
-        {"answers_twice", Kind::out_of_turn},
-        {"drips", Kind::too_long},
-        {"dies", Kind::crashed},
-        {"is_mute", Kind::too_long},
-        {"greets_wrongly", Kind::out_of_turn},
+    const auto [mode, kind] = GENERATE(table<std::string, Outcome>({
+        {"answers_another_call", Outcome::out_of_turn},
+        {"claims_four_gigabytes", Outcome::wrong},
+        {"sends_half_a_frame", Outcome::too_long},
+        {"sends_too_much", Outcome::out_of_turn},
+        {"sends_too_little", Outcome::out_of_turn},
+        {"sends_no_frame", Outcome::out_of_turn},
+        {"answers_twice", Outcome::out_of_turn},
+        {"drips", Outcome::too_long},
+        {"dies", Outcome::crashed},
+        {"is_mute", Outcome::too_long},
+        {"greets_wrongly", Outcome::out_of_turn},
     }));
     CAPTURE(mode);
     CHECK(name_of(OwnSession{mode, {0.2, 5, 0.2}}.half_of_five().kind) == name_of(kind));
@@ -468,16 +487,16 @@ TEST_CASE("on a busy machine a verdict waits until the code has had its time of 
     CHECK(std::chrono::duration<double>(Clock::now() - start).count() > 0.25);
 
     OwnSession endless{"computes_for_long", {0.25, 5}};
-    CHECK(endless.half_of_five().kind == Kind::too_long);
+    CHECK(endless.half_of_five().kind == Outcome::too_long);
     CHECK(endless.trouble().empty());
 }
 
 TEST_CASE("code that gets hardly any of the processor is the machine's trouble, and code that sleeps is not") {
     const BusyMachine busy; // half a core at most is left, and half a second of computing to do
-    for (const auto &[mode, silence] : {std::pair{"computes_for_long", Subject::Silence::starved},
-                                        std::pair{"sends_half_a_frame", Subject::Silence::late}}) {
+    for (const auto &[mode, silence] : {std::pair{"computes_for_long", StudentProcess::Silence::starved},
+                                        std::pair{"sends_half_a_frame", StudentProcess::Silence::late}}) {
         CAPTURE(mode);
-        Subject subject{HOSTILE, mode};
+        StudentProcess subject{HOSTILE, mode};
         REQUIRE(subject.receive({5}));
         REQUIRE(subject.send(1, 0, bytes_of(5.0), {5}));
         CHECK_FALSE(subject.receive({.spent = 5, .clock = 0.5}));
@@ -497,7 +516,7 @@ TEST_CASE("an exercise that has hung once gets little time for its other cases, 
         return own.end(true).passed();
     };
     CHECK(passes_in_twice_the_time("1.1"));
-    CHECK(own.half_of_five().kind == Kind::too_long);
+    CHECK(own.half_of_five().kind == Outcome::too_long);
     CHECK_FALSE(passes_in_twice_the_time("1.1"));
     CHECK(passes_in_twice_the_time("1.2"));
 }
@@ -548,7 +567,7 @@ TEST_CASE("starting a subject has an allowance of its own, and all starts togeth
     OwnSession patient{slow, {0.2, 5}}, hasty{slow, {1, 5, 0.05}}, tired{slow, {1, 0.2}};
     CHECK(patient.half_of_five().passed());
     CHECK(patient.trouble().empty());
-    CHECK(hasty.half_of_five().kind == Kind::too_long);
+    CHECK(hasty.half_of_five().kind == Outcome::too_long);
     Verdict verdict = tired.half_of_five();
     CHECK(verdict.passed());
     for (int starts = 1; verdict.passed() && starts < 10; ++starts) verdict = tired.half_of_five();
@@ -557,28 +576,28 @@ TEST_CASE("starting a subject has an allowance of its own, and all starts togeth
 
 TEST_CASE("a program that this machine cannot start is the machine's trouble") {
     OwnSession own{"", {}, "/nowhere"};
-    CHECK(own.half_of_five().kind == Kind::no_verdict);
+    CHECK(own.half_of_five().kind == Outcome::no_verdict);
     CHECK_FALSE(own.trouble().empty());
 }
 
 TEST_CASE("a session notes the first failure of a case, and a case without assertions is one") {
     OwnSession own{"answers"};
     own.begin("1.1", "two failures");
-    own.fail(Kind::wrong, "first", "a.cpp", 1);
-    own.fail(Kind::crashed, "second", "b.cpp", 2);
+    own.fail(Outcome::wrong, "first", "a.cpp", 1);
+    own.fail(Outcome::crashed, "second", "b.cpp", 2);
     const Verdict verdict = own.end(true);
-    CHECK(verdict.kind == Kind::wrong);
+    CHECK(verdict.kind == Outcome::wrong);
     CHECK(verdict.sentence == "first");
     CHECK(verdict.file == "a.cpp");
 
     own.begin("1.1", "nothing asserted");
-    CHECK(own.end(false).kind == Kind::no_verdict);
+    CHECK(own.end(false).kind == Outcome::no_verdict);
 }
 
 TEST_CASE("a verdict survives its way through JSON") {
     Verdict verdict{.exercise = "7.2",
                     .test = "a \"claim\"",
-                    .kind = Kind::left_process,
+                    .kind = Outcome::left_process,
                     .sentence = "what happened",
                     .call = Call{"meet", {"first = 1"}, 3, "{g, h}"},
                     .yours = "g",
@@ -624,7 +643,7 @@ TEST_CASE("a struct of structs that is wider than a screen has a line for each p
 TEST_CASE("JUnit files are XML whatever a student prints, and count what failed") {
     const Verdict passed{.exercise = "7.1", .test = "fine"}, wrong{.exercise = "7.1",
                                                                    .test = "<b> & \"quotes\"",
-                                                                   .kind = Kind::wrong,
+                                                                   .kind = Outcome::wrong,
                                                                    .sentence = "]]> </failure>",
                                                                    .yours = "1",
                                                                    .expected = "2",
@@ -633,10 +652,10 @@ TEST_CASE("JUnit files are XML whatever a student prints, and count what failed"
                                                                    .printed = {"\u00e4"}};
     Verdict ours = wrong;
     ours.test = "ours";
-    ours.kind = Kind::no_verdict;
+    ours.kind = Outcome::no_verdict;
     Verdict later = wrong;
     later.test = "later";
-    later.kind = Kind::not_started;
+    later.kind = Outcome::not_started;
     Verdict computed = wrong;
     computed.test = "computed";
     computed.sentence.clear();
@@ -657,7 +676,8 @@ TEST_CASE("JUnit files are XML whatever a student prints, and count what failed"
 
     const auto read_back = [&] {
         const std::string xml = junit({report});
-        for (const Line &line : lines_of(xml)) CHECK(plain_line(line.text, 100'000) == line.text); // XML's characters
+        for (const Line &line : split_lines(xml))
+            CHECK(plain_line(line.text, 100'000) == line.text); // XML's characters
         pugi::xml_document read;
         REQUIRE(read.load_string(xml.c_str()));
         return read;
@@ -687,7 +707,7 @@ TEST_CASE("JUnit files are XML whatever a student prints, and count what failed"
     CHECK(message("accepts", "failure") == "It accepted: dt < 0; x = ??");
     CHECK(message("forgotten", "error").starts_with("This test has no verdict"));
 
-    report.unbuilt = Verdict{.kind = Kind::does_not_compile, .sentence = "expected ';'", .file = "a.cpp", .line = 3};
+    report.unbuilt = Verdict{.kind = Outcome::does_not_compile, .sentence = "expected ';'", .file = "a.cpp", .line = 3};
     const auto without = read_back();
     CHECK(without.child("testsuites").child("testsuite").attribute("failures").as_int() == 7);
     for (const auto &test : without.child("testsuites").child("testsuite").children("testcase"))
@@ -751,12 +771,11 @@ TEST_CASE("no line is so long, and no byte so strange, that what a compiler or l
     CHECK(said("multiple definition of `" + long_word).line == 3);
     CHECK(diagnose_compiler(long_word + ":" + long_word + ": error: " + long_word, "/x/07.cpp", "07.cpp").line >= 0);
     CHECK(diagnose_linker("s.o: undefined reference to `" + long_word + "'\n", "07.cpp", "7").kind
-          == Kind::does_not_link);
+          == Outcome::does_not_link);
 }
 
 TEST_CASE("an escape code of a compiler's colours is shown as a question mark") {
-    const auto verdict =
-        diagnose_compiler(plain_output("/x/07.cpp:3:5: error: \x1b[31mred\xff\n"), "/x/07.cpp", "07.cpp");
+    const auto verdict = diagnose_compiler(sanitize("/x/07.cpp:3:5: error: \x1b[31mred\xff\n"), "/x/07.cpp", "07.cpp");
     CHECK(verdict.sentence == "?[31mred?");
     CHECK(verdict.line == 3);
 }

@@ -1,14 +1,15 @@
-// `course weave` on a book of one small chapter, made anew for each test and spoilt in one way.
+// `course dev weave` on a book of one small chapter, made anew for each test and spoilt in one way.
 
+#include "base/files.hpp"
+#include "base/renamed.hpp"
+#include "base/text.hpp"
 #include "book/chapter.hpp"
+#include "book/contents.hpp"
 #include "book/glossary.hpp"
 #include "book/links.hpp"
 #include "book/markdown.hpp"
 #include "book/prerequisites.hpp"
 #include "commands/commands.hpp"
-#include "ground/files.hpp"
-#include "ground/renamed.hpp"
-#include "ground/text.hpp"
 #include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -116,7 +117,7 @@ plot ARG1
 <details>
 <summary>7.1, a hint: where to begin</summary>
 
-Pythagoras: $\sqrt{\Delta x^2 + \Delta y^2}$, see `std::hypot` and [the idea](#7-wall).
+Pythagoras: √(Δx² + Δy²), see `std::hypot` and [the idea](#7-wall).
 </details>
 
 <details>
@@ -151,24 +152,26 @@ struct Told {
 class Book {
   public:
     Book() {
-        tree.root = fs::canonical(folder.path);
-        tree.build = tree.root / "build";
+        workspace.root = fs::canonical(folder.path);
+        workspace.build = workspace.root / "build";
         put("CMakeLists.txt", "section(07_wall)\n");
         put("chapters/07_wall/README.md", chapter);
         put("chapters/07_wall/wall.hpp", header);
         put("chapters/07_wall/main.cpp", "#include \"wall.hpp\"\n\n//> Main\nint main() {}\n");
         put("solutions/07_wall.cpp", solution_code);
-        put("tests/07_wall.cpp", "#include \"wall.hpp\"\nconstexpr double not_shown = 0;\n");
+        put("tests/07_wall/tests.cpp", "#include \"wall.hpp\"\nconstexpr double not_shown = 0;\n");
         put("plots/07_wall_path.gp", "#> Figure: a path\nplot ARG1\n");
         put("plots/07_wall_path.svg", "<svg/>");
         program("echo length 5");
     }
 
     void put(const fs::path &file, std::string_view text) const {
-        fs::create_directories((tree.root / file).parent_path());
-        std::ofstream{tree.root / file, std::ios::binary} << text; // unlike write_file, doesn't wait for the disk
+        fs::create_directories((workspace.root / file).parent_path());
+        std::ofstream{workspace.root / file, std::ios::binary} << text; // unlike write_file, doesn't wait for the disk
     }
-    std::string text(const fs::path &file = "chapters/07_wall/README.md") const { return read_file(tree.root / file); }
+    std::string text(const fs::path &file = "chapters/07_wall/README.md") const {
+        return read_file(workspace.root / file);
+    }
 
     /// Replaces the one place where `was` stands.
     void edit(const fs::path &file, const std::string &was, const std::string &is) const {
@@ -190,7 +193,7 @@ class Book {
 
     /// Makes the program newer than its code, as a build leaves it.
     void renew_program() const {
-        const fs::path file = tree.build / "chapters/07_wall";
+        const fs::path file = workspace.build / "chapters/07_wall";
         put(file, script);
         fs::permissions(file, fs::perms::owner_all);
         fs::last_write_time(file, fs::file_time_type::clock::now());
@@ -198,15 +201,15 @@ class Book {
 
     Told weave(const std::string &arguments = "") const {
         CLI::App app;
-        add_weave(app, tree);
+        add_weave(app, workspace);
         std::ostringstream out;
         std::streambuf *const terminal = std::cout.rdbuf(out.rdbuf());
         int code = all_well;
         try {
             app.parse("weave " + arguments);
-        } catch (const Leave &leave) {
+        } catch (const ExitRequest &leave) {
             code = leave.code;
-        } catch (const Complaint &complaint) {
+        } catch (const UserError &complaint) {
             code = bad_input;
             out << complaint.what();
         }
@@ -216,7 +219,7 @@ class Book {
     Told check() const { return weave("--check"); }
 
     OwnFolder folder{"a book XXXXXX"}; // blanks in paths are all right
-    Tree tree;
+    Workspace workspace;
     Section section{"07_wall"};
 
   private:
@@ -235,7 +238,7 @@ constexpr const char *wall_listing =
 
 TEST_CASE("a book that is as the code says passes, and weaving leaves its file alone") {
     const Book book;
-    const auto date = fs::last_write_time(book.tree.chapter(book.section));
+    const auto date = fs::last_write_time(book.workspace.chapter(book.section));
 
     const Told told = book.check();
     CHECK(told.text == "1 chapter, 7 listings, 1 output: as the code says\n");
@@ -243,7 +246,7 @@ TEST_CASE("a book that is as the code says passes, and weaving leaves its file a
     CHECK(book.weave().text == told.text);
     CHECK(book.weave("7").code == all_well);
     CHECK(book.text() == chapter);
-    CHECK(fs::last_write_time(book.tree.chapter(book.section)) == date);
+    CHECK(fs::last_write_time(book.workspace.chapter(book.section)) == date);
 }
 
 TEST_CASE("edited text is found, and woven back") {
@@ -254,7 +257,8 @@ TEST_CASE("edited text is found, and woven back") {
     CHECK(told.code == something_to);
     CHECK(told.text
           == "chapters/07_wall/README.md:7: \"A wall\" differs here from chapters/07_wall/wall.hpp:9.\n"
-             "To keep the code as it is now, type ./course weave, which writes it into the book; to bring back how it "
+             "To keep the code as it is now, type ./course dev weave, which writes it into the book; to bring back how "
+             "it "
              "was, type git restore chapters/07_wall/wall.hpp\n");
     CHECK(book.weave().text == "woven: chapters/07_wall/README.md, 1 block changed\n");
     CHECK(book.text() == chapter);
@@ -289,6 +293,14 @@ TEST_CASE("edited code is found, and woven in") {
     CHECK(book.check().code == all_well);
 }
 
+TEST_CASE("a struct is shown without its COURSE_FIELDS, which beginners needn't read") {
+    const Book book;
+    book.edit("chapters/07_wall/wall.hpp", "    Vec2 end;\n",
+              "    Vec2 end;\n    COURSE_FIELDS(\"m, m\", start, end)\n");
+    CHECK(book.check().code == all_well);
+    CHECK(book.text() == chapter);
+}
+
 TEST_CASE("both ways are told once, whatever was changed, and in how many files") {
     Book book;
     book.edit("chapters/07_wall/wall.hpp", "    Vec2 start;\n", "    Vec2 begin;\n");
@@ -318,11 +330,11 @@ TEST_CASE("header, solution and frame loops must be shown; what prints, tests an
         std::tuple{"chapters/07_wall/wall.hpp", "New", true}, std::tuple{"solutions/07_wall.cpp", "New", true},
         std::tuple{"chapters/07_wall/main.cpp", "The frame loop: new", true},
         std::tuple{"chapters/07_wall/main.cpp", "New", false}, std::tuple{"chapters/07_wall/bench.cpp", "New", false},
-        std::tuple{"tests/07_wall.cpp", "New", false}, std::tuple{"plots/07_wall_path.gp", "New", false},
-        std::tuple{"tests/peers/07_wall.txt", "New", false});
+        std::tuple{"tests/07_wall/tests.cpp", "New", false}, std::tuple{"plots/07_wall_path.gp", "New", false},
+        std::tuple{"tests/07_wall/peer.txt", "New", false});
     const std::string path = file;
     const bool is_code = path.ends_with("pp");
-    book.put(path, (fs::exists(book.tree.root / path) ? book.text(path) : "") + (is_code ? "//> " : "#> ") + title
+    book.put(path, (fs::exists(book.workspace.root / path) ? book.text(path) : "") + (is_code ? "//> " : "#> ") + title
                        + (is_code ? "\nint x;\n" : "\nreset\n"));
     book.renew_program();
 
@@ -517,7 +529,8 @@ TEST_CASE("what a program prints is woven; other commands are left alone") {
 
     CHECK(book.check().text
           == "chapters/07_wall/README.md:29: this output differs here from what ./course run 7 prints.\n"
-             "To keep the code as it is now, type ./course weave, which writes it into the book; if the book is right, "
+             "To keep the code as it is now, type ./course dev weave, which writes it into the book; if the book is "
+             "right, "
              "correct the code.\n");
     CHECK(book.weave().code == all_well);
     CHECK(book.text() == replaced(chapter, "length 5\n", "length 6\n\nwidth 7\n"));
@@ -543,11 +556,11 @@ TEST_CASE("the output of one part is woven from that part alone, also under --mi
 
 TEST_CASE("a program is run with --out, in a folder of the build") {
     Book book;
-    book.program("echo \"$1\"; case \"$2\" in \"" + book.tree.build.string() + "\"/*) pwd >\"$2/trace\" ;; esac");
+    book.program("echo \"$1\"; case \"$2\" in \"" + book.workspace.build.string() + "\"/*) pwd >\"$2/trace\" ;; esac");
 
     CHECK(book.weave().code == all_well);
     CHECK_THAT(book.text(), ContainsSubstring("$ ./course run 7\n--out\n```"));
-    CHECK_THAT(book.text("build/weave/07_wall/trace"), StartsWith(book.tree.build.string()));
+    CHECK_THAT(book.text("build/weave/07_wall/trace"), StartsWith(book.workspace.build.string()));
 }
 
 TEST_CASE("a program that is missing, old or failing is reported with the remedy, and nothing is woven") {
@@ -555,18 +568,18 @@ TEST_CASE("a program that is missing, old or failing is reported with the remedy
     book.edit_chapter("it stands", "it lies");
     const std::string before = book.text();
     SECTION("missing") {
-        fs::remove(book.tree.build / "chapters/07_wall");
+        fs::remove(book.workspace.build / "chapters/07_wall");
         CHECK(book.check().text
               == "the program of 07_wall is not built, so its output cannot be woven; ./course builds it.");
     }
     SECTION("old") {
-        fs::last_write_time(book.tree.solution(book.section),
+        fs::last_write_time(book.workspace.solution(book.section),
                             fs::file_time_type::clock::now() + std::chrono::seconds{5});
         CHECK(book.check().text == "the program of 07_wall is older than solutions/07_wall.cpp; ./course rebuilds it.");
     }
     SECTION("older than its game") {
         book.put("chapters/07_wall/game.hpp", "//>\n");
-        fs::last_write_time(book.tree.root / "chapters/07_wall/game.hpp",
+        fs::last_write_time(book.workspace.root / "chapters/07_wall/game.hpp",
                             fs::file_time_type::clock::now() + std::chrono::seconds{5});
         CHECK(book.check().text
               == "the program of 07_wall is older than chapters/07_wall/game.hpp; ./course rebuilds it.");
@@ -748,10 +761,10 @@ TEST_CASE("the place of a demo is a line of its own, with a name and what to try
 
 TEST_CASE("old names are read from renamed.txt, and each leads to a name of the header") {
     const Book book;
-    CHECK(renamed(book.tree, book.section).empty());
+    CHECK(renamed(book.workspace, book.section).empty());
     book.put("chapters/07_wall/renamed.txt", "# since version 2\nspan length # one\r\n\nBrick Wall\n");
     CHECK(book.check().code == all_well);
-    const auto names = renamed(book.tree, book.section);
+    const auto names = renamed(book.workspace, book.section);
     REQUIRE(names.size() == 2);
     CHECK(names[0].before == "span");
     CHECK(names[0].now == "length");
@@ -777,14 +790,14 @@ TEST_CASE("a solution that `course solution` would not find is told") {
         book.check().text,
         ContainsSubstring(
             "solutions/07_wall.cpp:1: no chunk is the solution of 7.1; write `//> Solution 7.1: ...` above it."));
-    CHECK_THROWS_AS(solution(book.tree, book.section, "7.1"), Complaint);
+    CHECK_THROWS_AS(solution(book.workspace, book.section, "7.1"), UserError);
 }
 
 TEST_CASE("hints come with number, title and a text that a terminal can show") {
     const Book book;
     book.edit_chapter("<details>\n<summary>Our solution</summary>\n",
-                      "<details>\n<summary>7.2, a hint: which $\\mathbf{w}$</summary>\n\nOne.\n\n- `a * b`, "
-                      "**bold**\n- $|\\mathbf{w}| \\le \\frac{1}{2}$ and [a page](wall.hpp)\n\n"
+                      "<details>\n<summary>7.2, a hint: which *w*</summary>\n\nOne.\n\n- `a * b`, "
+                      "**bold**\n- |w| ≤ ½ and [a page](wall.hpp)\n\n"
                       "<details><summary>More</summary>\n\nAn inner fold.\n</details>\n\n```cpp\ndouble "
                       "x;\n```\n</details>\n\n<details>\n<summary>Our solution</summary>\n");
 
@@ -801,9 +814,9 @@ TEST_CASE("hints come with number, title and a text that a terminal can show") {
 
 TEST_CASE("a solution is the exercise's own chunks and the helpers that it uses, in the order of the file") {
     const Book book;
-    REQUIRE(solution(book.tree, book.section, "7.1").size() == 1); // without the square, which it does not use
+    REQUIRE(solution(book.workspace, book.section, "7.1").size() == 1); // without the square, which it does not use
     book.edit("solutions/07_wall.cpp", "(wall.end - wall.start).norm()", "square((wall.end - wall.start).x())");
-    const std::vector<Chunk> chunks = solution(book.tree, book.section, "7.1");
+    const std::vector<Chunk> chunks = solution(book.workspace, book.section, "7.1");
 
     REQUIRE(chunks.size() == 2);
     CHECK(chunks[0].title == "Solution: a helper");
@@ -818,30 +831,39 @@ TEST_CASE("a helper below a solution is not shown with it") {
     const Book book;
     book.edit("solutions/07_wall.cpp", "//> Solution: a helper", "//> Solution 7.1: helped");
     book.edit("solutions/07_wall.cpp", "//> Solution 7.1: a length", "//> Solution: a length");
-    const std::vector<Chunk> chunks = solution(book.tree, book.section, "7.1");
+    const std::vector<Chunk> chunks = solution(book.workspace, book.section, "7.1");
 
     REQUIRE(chunks.size() == 1);
     CHECK(chunks[0].title == "Solution 7.1: helped");
 }
 
-TEST_CASE("formulas are plain in a terminal") {
-    const auto [tex, plain] = GENERATE(
-        std::pair{R"(\mathbf{v}' = \mathbf{v} - 2\,(\mathbf{v}\cdot\mathbf{n})\,\mathbf{n})", "v' = v - 2 (v · n) n"},
-        std::pair{R"(\mathbf{n} = \frac{(-w_y,\; w_x)}{|\mathbf{w}|})", "n = (-w_y, w_x) / |w|"},
-        std::pair{R"(\frac{a + b}{2})", "(a + b) / 2"}, std::pair{R"(\sqrt 2)", "√2"}, std::pair{R"(45^\circ)", "45°"},
-        std::pair{R"(x^2 + e^{-kt} + 10^{-16})", "x² + e^(-kt) + 10⁻¹⁶"}, std::pair{R"(\{1, 2\})", "{1, 2}"},
-        std::pair{R"(2\pi r)", "2πr"}, std::pair{R"(s_{\text{end}} \ne 0)", "s_end ≠ 0"},
-        std::pair{R"(\left|\unknown\right|)", "|unknown|"}, std::pair{R"(a\)", "a\\"}, std::pair{R"({{a)", "a"},
-        std::pair{R"(\frac)", "/"}, std::pair{R"(1 - e\cos E)", "1 - e cos E"},
-        std::pair{R"(a\,(\cos E - e))", "a (cos E - e)"}, std::pair{R"(\varepsilon\sin t)", "ε sin t"});
-    CHECK(plain_formula(tex) == plain);
+TEST_CASE("a hint with a formula is found, since a terminal shows it as well") {
+    const Book book;
+    book.edit_chapter("√(Δx² + Δy²)", "$\\sqrt{\\Delta x^2}$");
+    const Told result = book.check();
+    CHECK(result.code == something_to);
+    CHECK_THAT(result.text,
+               ContainsSubstring("chapters/07_wall/README.md:48: a terminal shows this hint for 7.1 as well;"));
+}
+
+TEST_CASE("a chapter is measured by the script of the course, if it has one") {
+    const Book book;
+    book.put("docs/voice.cjs", read_file(fs::path{COURSE_ROOT} / "docs" / "voice.cjs"));
+    CHECK(book.check().code == all_well);
+    book.edit_chapter("<!-- budget: listings 999, since this is a chapter for tests -->\n", "## Further\n");
+    const Told result = book.check();
+    CHECK(result.code == something_to);
+    CHECK_THAT(
+        result.text,
+        ContainsSubstring("chapters/07_wall/README.md:1: 272 unfolded lines of code for 100 lines of prose, where")
+            && ContainsSubstring("chapters/07_wall/README.md:74: the voice: 1 times a standing heading"));
 }
 
 TEST_CASE("weaving puts a new chapter in the place of the old one, which is never half written") {
     const Book book;
     book.edit_chapter("it stands", "it lies");
     const std::string before = book.text();
-    fs::create_hard_link(book.tree.chapter(book.section), book.tree.root / "before");
+    fs::create_hard_link(book.workspace.chapter(book.section), book.workspace.root / "before");
     CHECK(book.weave().code == all_well);
     CHECK(book.text() == chapter);
     CHECK(book.text("before") == before);
@@ -907,6 +929,24 @@ TEST_CASE("what a chapter needs is in its line \"You need\": links to sections, 
     CHECK(needs("You need " + one + "; 8.3 needs " + one + " again.") == "1");
     CHECK_FALSE(prerequisites("# 8\n\nDo you need it? You need it.\n"));
     for (const char *cell : {"", "1", "1, 7 for 8.2, 9"}) CHECK(needs_cell(read_needs(cell)) == cell);
+}
+
+TEST_CASE("the contents' minutes are added up from a chapter's table: the core, and the rest, to the nearest five") {
+    const std::string head = "| | you write | level | minutes |\n|:--|:--|:--|--:|\n",
+                      core = "| 7.1 | `f`: [a](#b) | core | 12 + 20 |\n",
+                      rest = "| 7.2 | `g` | stretch | 9 + 5 |\n| 7.3 | `h` | challenge | 10 + 39 |\n";
+    CHECK(minutes_cell(head + core + rest + "\n| push | far |\n|:--|:--|\n| 2.5 | 1 |\n") == "30 + 65");
+    CHECK(minutes_cell(head + rest) == "20 + 45"); // without a core: 19 to read, 44 to do
+    CHECK(minutes_cell("| push |\n|:--|\n| 2.5 |\n").empty());
+    const Book book;
+    const std::string contents =
+        "# A book\n\n## Contents\n\n| | section | about | minutes | needs |\n|--:|:--|:--|--:|:--|\n"
+        "| 7 | [Wall](chapters/07_wall/README.md) | walls | ";
+    book.edit_chapter("Plan a minute.\n", "You need vectors.\n\n" + head + core);
+    book.put("book.md", contents + "75 + 80 | |\n\n## Glossary\n");
+    CHECK_THAT(book.check().text, ContainsSubstring("book.md:7: this line is not what"));
+    book.weave();
+    CHECK(book.text("book.md") == contents + "30 + 0 | |\n\n## Glossary\n");
 }
 
 TEST_CASE("the contents' column `needs` is woven from the chapters, and is kept for what is to come") {

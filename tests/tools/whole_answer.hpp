@@ -2,7 +2,7 @@
 // The files of tests/verdicts and tests/hostile hold one exercise, and include rest.hpp for the others. A check allows
 // no headers of one's own, so what is checked has them in the file. And what of a verdict is compared.
 
-#include "ground/files.hpp"
+#include "base/files.hpp"
 
 #include <filesystem>
 #include <regex>
@@ -10,7 +10,7 @@
 
 /// Where a check stands in its file may change, and each libstdc++ has its own lines: the verdict is the same.
 inline std::string without_lines(const std::string &text) {
-    static const std::regex line{R"((see {7}tests/\w+\.cpp|\| [\w.]+(?=:\d+: Assertion)):\d+)"};
+    static const std::regex line{R"((see {7}tests/\w+/tests\.cpp|\| [\w.]+(?=:\d+: Assertion)):\d+)"};
     return std::regex_replace(text, line, "$1:…");
 }
 

@@ -1,9 +1,9 @@
 #include "book/chapter.hpp"
 
+#include "base/files.hpp"
+#include "base/lines.hpp"
+#include "base/text.hpp"
 #include "book/markdown.hpp"
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
-#include "ground/text.hpp"
 
 #include <algorithm>
 #include <regex>
@@ -15,7 +15,7 @@ namespace {
 class FenceReader {
   public:
     FenceReader(std::string_view text, const std::filesystem::path &path, Chapter &result)
-        : file{path}, lines{lines_of(text)}, chapter{result} {}
+        : file{path}, lines{split_lines(text)}, chapter{result} {}
 
     void read(cmark_node *root) {
         each_node(root, [&](cmark_node *node) {
@@ -35,27 +35,27 @@ class FenceReader {
 
     /// Code is in a fence, or indented by four blanks.
     void code(cmark_node *node) {
-        Fence found;
+        Fence fence;
         int length = 0, indent = 0;
-        if (cmark_node_get_fenced(node, &length, &indent, &found.sign) == 0) return lost_in(node);
-        found.length = static_cast<std::size_t>(length);
-        found.line = cmark_node_get_start_line(node);
-        found.column = static_cast<std::size_t>(cmark_node_get_start_column(node) - 1);
-        found.language = cmark_node_get_fence_info(node);
+        if (cmark_node_get_fenced(node, &length, &indent, &fence.sign) == 0) return lost_in(node);
+        fence.length = static_cast<std::size_t>(length);
+        fence.line = cmark_node_get_start_line(node);
+        fence.column = static_cast<std::size_t>(cmark_node_get_start_column(node) - 1);
+        fence.language = cmark_node_get_fence_info(node);
         const std::string code = literal(node);
-        for (const Line &line : lines_of(code)) found.content.emplace_back(line.text);
+        for (const Line &line : split_lines(code)) fence.content.emplace_back(line.text);
 
         // A fence without an end reaches to that of the text or of its quote; or it swallows the next one.
         const int last = cmark_node_get_end_line(node);
-        if (last == found.line + static_cast<int>(found.content.size()) + 1 && closes(last, found)) found.end = last;
-        const int swallowed = opening_inside(found);
-        if (swallowed != 0) found.end = 0;
-        if (found.end == 0)
-            broken(found.line,
+        if (last == fence.line + static_cast<int>(fence.content.size()) + 1 && closes(last, fence)) fence.end = last;
+        const int swallowed = opening_inside(fence);
+        if (swallowed != 0) fence.end = 0;
+        if (fence.end == 0)
+            broken(fence.line,
                    "this fence has no end"
                        + (swallowed != 0 ? " before the next one, in line " + std::to_string(swallowed) : "") + "; put "
-                       + std::string(found.length, found.sign) + " on a line of its own where its code ends.");
-        chapter.fences.push_back(std::move(found));
+                       + std::string(fence.length, fence.sign) + " on a line of its own where its code ends.");
+        chapter.fences.push_back(std::move(fence));
     }
 
     bool closes(int last, const Fence &fence) const {
@@ -76,7 +76,7 @@ class FenceReader {
     void lost_in(cmark_node *node) {
         int line = cmark_node_get_start_line(node);
         const std::string text = literal(node);
-        for (const Line &content : lines_of(text)) {
+        for (const Line &content : split_lines(text)) {
             if (run_of('`', content.text) >= 3 || run_of('~', content.text) >= 3) {
                 broken(line, cmark_node_get_type(node) == CMARK_NODE_HTML_BLOCK
                                  ? "Markdown sees no fence here, but HTML; put an empty line above it."
@@ -130,7 +130,7 @@ std::vector<std::string> defined_in(const Chunk &chunk) {
     static const std::regex definition{R"(^[A-Za-z](?:[^(={]*[ &*])?(\w+)(?:\(| = |\{| \{).*)"};
     std::vector<std::string> names;
     for (const std::string &line : chunk.lines)
-        if (std::smatch found; std::regex_match(line, found, definition)) names.push_back(found[1]);
+        if (std::smatch match; std::regex_match(line, match, definition)) names.push_back(match[1]);
     return names;
 }
 
@@ -145,7 +145,7 @@ bool mentions(const std::vector<Chunk> &chunks, const std::string &name) {
 } // namespace
 
 std::size_t run_of(char sign, std::string_view line) {
-    const std::string_view text = without_blanks(line);
+    const std::string_view text = trim(line);
     return std::min(text.find_first_not_of(sign), text.size());
 }
 
@@ -158,60 +158,40 @@ Chapter read_chapter(std::string_view text, const std::filesystem::path &file) {
     return chapter;
 }
 
-void walk(std::string_view chapter, const std::function<void(std::string_view, int, bool)> &hear,
-          const std::function<void(const Fence &, bool)> &see) {
-    const std::vector<Fence> fences = read_chapter(chapter, {}).fences;
-    const std::vector<Line> lines = lines_of(chapter);
-    auto fence = fences.begin();
-    int folds = 0;
-    for (int number = 1; number <= static_cast<int>(lines.size()); ++number) {
-        if (fence != fences.end() && fence->line == number) {
-            see(*fence, folds > 0);
-            number = fence++->end;
-            continue;
-        }
-        std::string_view line = lines[static_cast<std::size_t>(number) - 1].text;
-        line.remove_prefix(std::min(line.find_first_not_of("> "), line.size()));
-        if (line.starts_with("<details")) ++folds;
-        hear(line, number, folds > 0);
-        if (contains(line, "</details>")) --folds;
-    }
-}
-
 std::vector<Hint> hints(std::string_view whole) {
     static const std::regex summary{R"(<summary>\s*(\d+\.\d+), a hint: ([\s\S]*?)\s*</summary>([\s\S]*))"};
     const std::string_view text = without_byte_order_mark(whole);
-    const std::vector<Line> lines = lines_of(text);
+    const std::vector<Line> lines = split_lines(text);
     const Document document = parse_markdown(text);
 
     std::vector<Hint> result;
     each_node(document.get(), [&](cmark_node *node) {
         const std::string html = is_html(node) ? literal(node) : "";
-        std::smatch found;
-        if (!std::regex_search(html, found, summary)) return;
-        std::string body = found[3]; // text directly below the summary, without an empty line between
+        std::smatch match;
+        if (!std::regex_search(html, match, summary)) return;
+        std::string body = match[3]; // text directly below the summary, without an empty line between
         cmark_node *const end = end_of_fold(node);
         const int last = end ? cmark_node_get_start_line(end) - 1 : static_cast<int>(lines.size());
         for (int line = cmark_node_get_end_line(node); line < last; ++line)
             (body += lines[static_cast<std::size_t>(line)].text) += '\n';
-        std::string title = plain_text(found[2].str());
+        std::string title = plain_text(match[2].str());
         if (title.ends_with('\n')) title.pop_back();
-        result.push_back({found[1], title, plain_text(body)});
+        result.push_back({match[1], title, plain_text(body), cmark_node_get_start_line(node)});
     });
     return result;
 }
 
 std::string exercise_of_box(const std::string &heading) {
     static const std::regex number{R"(^Your turn: (\d+\.\d+))"};
-    std::smatch found;
-    return std::regex_search(heading, found, number) ? found[1].str() : "";
+    std::smatch match;
+    return std::regex_search(heading, match, number) ? match[1].str() : "";
 }
 
 std::optional<DemoMark> demo_mark(const std::string &html) {
     static const std::regex mark{R"(<!-- demo: ([a-z]\w*)( mine)?(?:, ([^|\n]*\S))? \| (\S.*) -->\s*)"};
-    std::smatch found;
-    if (!std::regex_match(html, found, mark)) return {};
-    return DemoMark{.name = found[1], .start = found[3], .task = found[4], .mine = found[2].matched, .exercise = {}};
+    std::smatch match;
+    if (!std::regex_match(html, match, mark)) return {};
+    return DemoMark{.name = match[1], .start = match[3], .task = match[4], .mine = match[2].matched, .exercise = {}};
 }
 
 std::vector<DemoMark> demo_marks(std::string_view chapter) {
@@ -245,21 +225,21 @@ std::vector<Finding> misshapen_demos(std::string_view text, const std::filesyste
     return findings;
 }
 
-std::vector<Chunk> solution(const Tree &tree, const Section &section, std::string_view number) {
+std::vector<Chunk> solution(const Workspace &workspace, const Section &section, std::string_view number) {
     const std::string own = "Solution " + std::string{number};
     const auto is_own = [&](const Chunk &chunk) { return chunk.title == own || chunk.title.starts_with(own + ":"); };
-    std::vector<Chunk> chunks = cut(tree.solution(section));
+    std::vector<Chunk> chunks = cut(workspace.solution(section));
     if (std::ranges::none_of(chunks, is_own))
-        throw Complaint{"solutions/" + section.name + ".cpp has no solution of " + std::string{number}
+        throw UserError{"solutions/" + section.name + ".cpp has no solution of " + std::string{number}
                         + "; a line `//> " + own + ": ...` would begin it"};
     // And the helpers above it that it uses, or that they use: what is for others would give away their solution.
-    std::vector<Chunk> shown;
+    std::vector<Chunk> result;
     for (auto chunk = chunks.rbegin(); chunk != chunks.rend(); ++chunk) {
         const auto names = chunk->title.starts_with("Solution:") ? defined_in(*chunk) : std::vector<std::string>{};
-        const auto used = [&](const std::string &name) { return mentions(shown, name); };
-        if (is_own(*chunk) || std::ranges::any_of(names, used)) shown.insert(shown.begin(), *chunk);
+        const auto used = [&](const std::string &name) { return mentions(result, name); };
+        if (is_own(*chunk) || std::ranges::any_of(names, used)) result.insert(result.begin(), *chunk);
     }
-    return shown;
+    return result;
 }
 
 std::vector<ListedExercise> exercise_table(std::string_view chapter) {
@@ -277,9 +257,9 @@ std::vector<ListedExercise> declared_exercises(std::string_view header) {
     static const std::regex declaration{R"re(COURSE_EXERCISE\(\s*"([^"]*)",\s*(\w+),\s*\w+,\s*(\w+))re"};
     std::vector<ListedExercise> exercises;
     const char *const begin = header.data();
-    for (std::cregex_iterator found{begin, begin + header.size(), declaration}, end; found != end; ++found) {
-        const auto above = std::count(begin, begin + found->position(), '\n');
-        exercises.push_back({(*found)[1], (*found)[3], (*found)[2], 1 + static_cast<int>(above)});
+    for (std::cregex_iterator match{begin, begin + header.size(), declaration}, end; match != end; ++match) {
+        const auto above = std::count(begin, begin + match->position(), '\n');
+        exercises.push_back({(*match)[1], (*match)[3], (*match)[2], 1 + static_cast<int>(above)});
     }
     return exercises;
 }

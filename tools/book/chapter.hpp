@@ -1,9 +1,9 @@
 #pragma once
-// The parts of a chapter: its listings, hints and exercises. The Markdown is parsed by cmark-gfm.
+// The parts of a chapter: listings, hints and exercises. The Markdown is parsed by cmark-gfm.
 
+#include "base/workspace.hpp"
 #include "book/chunks.hpp"
 #include "book/finding.hpp"
-#include "ground/tree.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -18,19 +18,14 @@ namespace course {
 
 /// A fenced block, in a quote or a list as well.
 struct Fence {
-    int line = 0;                     ///< of its opening, from 1
-    int end = 0;                      ///< of its closing; 0 if it has none
-    std::size_t column = 0;           ///< bytes before its opening
+    int line = 0;                     ///< of the opening, from 1
+    int end = 0;                      ///< of the closing; 0 if there is none
+    std::size_t column = 0;           ///< bytes before the opening
     std::size_t length = 3;           ///< of the opening: "```" has 3
     char sign = '`';                  ///< or '~'
     std::string language;             ///< "cpp", "console": the rest of the opening line
     std::vector<std::string> content; ///< without what a quote or a list puts before each line
 };
-
-/// Goes through a chapter: hears each line, without what a quote puts before it, and each listing as a whole, and whether
-/// they are folded away. A fold's first line and its last are.
-void walk(std::string_view chapter, const std::function<void(std::string_view line, int number, bool folded)> &hear,
-          const std::function<void(const Fence &listing, bool folded)> &see);
 
 /// How many of a fence's signs a line begins with, after blanks.
 std::size_t run_of(char sign, std::string_view line);
@@ -48,9 +43,10 @@ struct Hint {
     std::string number; ///< "7.2"
     std::string title;  ///< "where to begin"
     std::string text;   ///< for a terminal, see plain_text
+    int line = 0;       ///< of the chapter
 };
 
-/// All hints of a chapter, in its order: an exercise's rungs one after the other.
+/// All hints of a chapter, in order.
 std::vector<Hint> hints(std::string_view chapter);
 
 /// "7.2" in "Your turn: 7.2 segments_intersect (15 minutes)"; "" if a heading names none.
@@ -62,12 +58,12 @@ struct DemoMark {
     std::string start;    ///< controls that begin with another value than the demo's own: "The game: asks 7.2"
     std::string task;     ///< what to try, and what to watch: Markdown
     bool mine = false;    ///< begins with the reader's code, where there is some
-    std::string exercise; ///< whose box is the last above it: "7.2"; "" above the first
+    std::string exercise; ///< of the last box above it: "7.2"; "" above the first
     int line = 0;         ///< of the chapter
 };
 /// The mark that this line or HTML block is; nothing if it is none.
 std::optional<DemoMark> demo_mark(const std::string &html);
-/// All of a chapter, in its order.
+/// All of a chapter, in order.
 std::vector<DemoMark> demo_marks(std::string_view chapter);
 
 /// Where a demo's place is not written as a DemoMark, on a line of its own.
@@ -75,8 +71,8 @@ std::vector<Finding> misshapen_demos(std::string_view chapter, const std::filesy
 
 /// The chunks of the solution that belong to the exercise: those called `Solution 7.2` or `Solution 7.2: ...`, and the
 /// helpers called `Solution: ...`, which belong to all. In the order of the file, which is one that compiles.
-/// @throws Complaint if the solution cannot be read, or has no chunk for this exercise.
-std::vector<Chunk> solution(const Tree &tree, const Section &section, std::string_view number);
+/// @throws UserError if the solution cannot be read, or has no chunk for this exercise.
+std::vector<Chunk> solution(const Workspace &workspace, const Section &section, std::string_view number);
 
 /// One row of a chapter's exercise table, or one COURSE_EXERCISE line of a header.
 struct ListedExercise {

@@ -1,7 +1,7 @@
 #include "book/chunks.hpp"
 
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
+#include "base/files.hpp"
+#include "base/lines.hpp"
 
 #include <regex>
 
@@ -9,26 +9,26 @@ namespace course {
 namespace fs = std::filesystem;
 
 std::optional<std::string> mark_title(std::string_view line) {
-    line = without_blanks(line);
+    line = trim(line);
     for (const std::string_view mark : {"//>", "#>"})
-        if (line.starts_with(mark)) return std::string{without_blanks(line.substr(mark.size()))};
+        if (line.starts_with(mark)) return std::string{trim(line.substr(mark.size()))};
     return {};
 }
 
 std::vector<Chunk> cut(const fs::path &file) {
     const std::string text = read_file(file);
     std::vector<Chunk> chunks;
-    bool shown = false;
+    bool visible = false;
     int number = 0;
-    for (const Line &line : lines_of(std::string_view{text}.substr(byte_order_mark(text).size()))) {
+    for (const Line &line : split_lines(std::string_view{text}.substr(byte_order_mark(text).size()))) {
         ++number;
         const auto title = mark_title(line.text);
-        if (title) shown = !title->empty();
-        if (title && shown) chunks.push_back({*title, file, number, {}});
-        if (shown) chunks.back().lines.emplace_back(line.text);
+        if (title) visible = !title->empty();
+        if (title && visible) chunks.push_back({*title, file, number, {}});
+        if (visible && !trim(line.text).starts_with("COURSE_FIELDS(")) chunks.back().lines.emplace_back(line.text);
     }
     for (Chunk &chunk : chunks)
-        while (without_blanks(chunk.lines.back()).empty()) chunk.lines.pop_back();
+        while (trim(chunk.lines.back()).empty()) chunk.lines.pop_back();
     return chunks;
 }
 
@@ -41,10 +41,10 @@ std::optional<Finding> unmarked_code(const fs::path &file) {
     const std::string text = read_file(file);
     int number = 0;
     bool in_comment = false; // one of the kind /* ... */
-    for (const Line &line : lines_of(std::string_view{text}.substr(byte_order_mark(text).size()))) {
+    for (const Line &line : split_lines(std::string_view{text}.substr(byte_order_mark(text).size()))) {
         ++number;
         if (mark_title(line.text)) return {};
-        const bool opens = without_blanks(line.text).starts_with("/*");
+        const bool opens = trim(line.text).starts_with("/*");
         in_comment = in_comment || opens;
         if (!in_comment && !std::regex_match(line.text.begin(), line.text.end(), harmless))
             return Finding{file, number,

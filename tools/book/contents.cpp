@@ -1,7 +1,7 @@
 #include "book/contents.hpp"
 
+#include "base/lines.hpp"
 #include "book/markdown.hpp"
-#include "ground/lines.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -31,6 +31,23 @@ std::vector<Entry> contents(std::string_view book) {
     return {};
 }
 
+std::string minutes_cell(std::string_view chapter) {
+    static const std::regex exercise{R"(\d+\.\d+)"}, minutes{R"((\d+) \+ (\d+))"};
+    int core = 0, others = 0, reading = 0;
+    for (const Table &table : tables(chapter))
+        for (const auto &[line, cells] : table) {
+            std::smatch match;
+            if (cells.size() < 4 || !std::regex_match(cells[0].words, exercise)
+                || !std::regex_match(cells[3].words, match, minutes))
+                continue;
+            reading += std::stoi(match[1]);
+            (cells[2].words == "core" ? core : others) += std::stoi(match[1]) + std::stoi(match[2]);
+        }
+    if (core == 0) core = reading, others -= reading;
+    const auto rounded = [](int all) { return (all + 2) / 5 * 5; };
+    return core + others == 0 ? "" : fmt::format("{} + {}", rounded(core), rounded(others));
+}
+
 std::string title_to_come(std::string_view book, int number) {
     for (const Entry &entry : contents(book))
         if (entry.number == number && entry.chapter.empty()) return entry.title;
@@ -40,7 +57,7 @@ std::string title_to_come(std::string_view book, int number) {
 std::string with_entry(const std::string &book, const Section &section, const std::string &title) {
     const std::vector<Entry> entries = contents(book);
     if (entries.empty())
-        throw Complaint{"book.md has no contents: write a table with a row like | 7 | [Segment intersection]"
+        throw UserError{"book.md has no contents: write a table with a row like | 7 | [Segment intersection]"
                         "(chapters/07_segment_intersection/README.md) |"};
     std::vector<std::string> lines = with_line_ends(book);
     const std::string like = lines.at(static_cast<std::size_t>(entries.front().line) - 1);
@@ -68,7 +85,7 @@ std::string with_section(const std::string &cmake_lists, const Section &section)
         if (earlier || !place) place = earlier ? line + 1 : line;
     }
     if (!place)
-        throw Complaint{"CMakeLists.txt has no line like section(07_segment_intersection), so there is no place for "
+        throw UserError{"CMakeLists.txt has no line like section(07_segment_intersection), so there is no place for "
                         "the new one"};
     lines.insert(*place, "section(" + section.name + ")\n");
     return joined(lines);

@@ -1,9 +1,9 @@
 #include "book/demo_places.hpp"
 
+#include "base/files.hpp"
+#include "base/lines.hpp"
+#include "base/text.hpp"
 #include "book/markdown.hpp"
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
-#include "ground/text.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,8 +17,10 @@ namespace {
 
 constexpr std::string_view play_line = "*Play it:* ";
 
-bool is_picture(std::string_view line) { return line.starts_with("![") && contains(line, "](../../demos/"); }
-bool is_command(std::string_view line) { return line.starts_with(play_line); }
+/// Whether the line was woven below a mark: a picture, or a command.
+bool stands_for_a_demo(std::string_view line) {
+    return (line.starts_with("![") && contains(line, "](../../demos/")) || line.starts_with(play_line);
+}
 
 /// The marks of a chapter by their lines, from 1.
 std::map<std::size_t, DemoMark> marks_by_line(std::string_view chapter) {
@@ -48,11 +50,11 @@ std::vector<std::string> demo_starts(const std::vector<DemoMark> &marks) {
 }
 
 std::size_t place_for(const std::vector<DemoMark> &marks, const std::string &exercise, bool mine) {
-    const auto found = std::ranges::find_if(marks, [&](const DemoMark &mark) {
+    const auto below = std::ranges::find_if(marks, [&](const DemoMark &mark) {
         return (mark.mine || !mine)
                && (exercise.empty() || number_in_section(mark.exercise) >= number_in_section(exercise));
     });
-    const auto place = found != marks.end() ? found : exercise.empty() ? marks.begin() : marks.end() - 1;
+    const auto place = below != marks.end() ? below : exercise.empty() ? marks.begin() : marks.end() - 1;
     return static_cast<std::size_t>(place - marks.begin());
 }
 
@@ -67,20 +69,18 @@ std::string picture_title(const fs::path &svg) {
 
 std::string picture_words(const std::string &title, const DemoMark &mark) {
     static const std::regex first_sentence{R"(^.*?[.?!](?= [A-Z]|$))"};
-    std::smatch found;
-    return std::regex_search(mark.task, found, first_sentence) ? title + ' ' + found.str() : title;
+    std::smatch match;
+    return std::regex_search(mark.task, match, first_sentence) ? title + ' ' + match.str() : title;
 }
 
-bool stands_for_a_demo(std::string_view line) { return is_picture(line) || is_command(line); }
-
-std::string weave_demo_places(const Tree &tree, const Section &section, std::string_view text) {
-    const std::vector<Line> lines = lines_of(text);
+std::string weave_demo_places(const Workspace &workspace, const Section &section, std::string_view text) {
+    const std::vector<Line> lines = split_lines(text);
     const std::map<std::size_t, DemoMark> marks = marks_by_line(text.substr(byte_order_mark(text).size()));
-    const bool has_picture = fs::exists(tree.root / demo_picture_file(section));
+    const bool has_picture = fs::exists(workspace.root / demo_picture_file(section));
     std::string woven;
     std::vector<DemoMark> so_far;
     for (std::size_t at = 0; at < lines.size(); ++at) {
-        if (stands_for_a_demo(lines[at].text)) { // it is written anew below its mark, if that is still there
+        if (stands_for_a_demo(lines[at].text)) { // it is written anew below the mark, if that is still there
             if (at + 1 < lines.size() && lines[at + 1].text.empty()) ++at;
             continue;
         }
@@ -92,9 +92,10 @@ std::string weave_demo_places(const Tree &tree, const Section &section, std::str
         so_far.push_back(mark->second);
         if (demo_starts(so_far).size() > known) {
             const std::string file = demo_picture_file(section, known);
-            woven +=
-                end + fmt::format("![{}](../../{})", picture_words(picture_title(tree.root / file), mark->second), file)
-                + end;
+            woven += end
+                     + fmt::format("![{}](../../{})", picture_words(picture_title(workspace.root / file), mark->second),
+                                   file)
+                     + end;
         }
         woven += end + command_that_plays(section, mark->second) + end;
     }

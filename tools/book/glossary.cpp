@@ -1,10 +1,10 @@
 #include "book/glossary.hpp"
 
+#include "base/files.hpp"
+#include "base/lines.hpp"
+#include "base/text.hpp"
 #include "book/links.hpp"
 #include "book/markdown.hpp"
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
-#include "ground/text.hpp"
 
 #include <algorithm>
 #include <map>
@@ -48,11 +48,11 @@ bool is_in_heading_or_box(cmark_node *node) {
 /// `the first`, `second` of `<!-- also: the first, second -->`, if that follows.
 std::vector<std::string> also_called(cmark_node *bold) {
     cmark_node *node = cmark_node_next(bold);
-    if (node && without_blanks(literal(node)).empty()) node = cmark_node_next(node);
+    if (node && trim(literal(node)).empty()) node = cmark_node_next(node);
     const std::string comment = node ? literal(node) : "";
-    const auto listed = between(comment, "<!-- also: ", " -->");
+    const auto inside = between(comment, "<!-- also: ", " -->");
     std::vector<std::string> names;
-    std::istringstream list{std::string{listed.value_or("")}};
+    std::istringstream list{std::string{inside.value_or("")}};
     for (std::string name; std::getline(list >> std::ws, name, ',');) names.push_back(name);
     return names;
 }
@@ -85,7 +85,7 @@ std::vector<std::string> rows_of(const std::vector<Term> &terms) {
 /// Where the glossary is in book.md, as lines from 1.
 struct Place {
     int heading = 0;        ///< 0 if there is none
-    int table = 0, end = 0; ///< first and last line of its table; 0 without one
+    int table = 0, end = 0; ///< first and last line of the table; 0 without one
     int behind = 0;         ///< the line of the next heading, or that behind the last line
 };
 
@@ -105,7 +105,7 @@ Place place_in(std::string_view book) {
             place.end = cmark_node_get_end_line(node);
         }
     }
-    place.behind = static_cast<int>(lines_of(book).size()) + 1;
+    place.behind = static_cast<int>(split_lines(book).size()) + 1;
     return place;
 }
 
@@ -137,11 +137,11 @@ std::vector<Term> terms_of(std::string_view chapter, int section, const std::str
     return terms;
 }
 
-std::vector<Term> terms_of(const Tree &tree) {
+std::vector<Term> terms_of(const Workspace &workspace) {
     std::vector<Term> terms;
-    for (const Section &section : tree.sections()) {
-        const std::filesystem::path file = tree.chapter(section);
-        for (Term &term : terms_of(read_file(file), section.number(), tree.shown(file), file))
+    for (const Section &section : workspace.sections()) {
+        const std::filesystem::path file = workspace.chapter(section);
+        for (Term &term : terms_of(read_file(file), section.number(), workspace.shown(file), file))
             terms.push_back(std::move(term));
     }
     return terms;
@@ -175,7 +175,7 @@ Glossary weave_glossary(const std::string &book, const std::filesystem::path &fi
 
     // The table comes in the place of the one that is there, or below what stands under the heading.
     std::vector<std::string> lines = with_line_ends(book);
-    const std::string end{lines_of(lines[static_cast<std::size_t>(place.heading) - 1]).front().end};
+    const std::string end{split_lines(lines[static_cast<std::size_t>(place.heading) - 1]).front().end};
     auto at = lines.begin() + (place.table == 0 ? place.behind : place.table) - 1;
     if (place.table != 0) at = lines.erase(at, lines.begin() + place.end);
     else {

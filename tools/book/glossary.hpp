@@ -1,8 +1,8 @@
 #pragma once
 // The glossary of book.md: a row for each term that a chapter has in bold.
 
+#include "base/workspace.hpp"
 #include "book/finding.hpp"
-#include "ground/tree.hpp"
 
 #include <filesystem>
 #include <string>
@@ -22,18 +22,18 @@ struct Term {
     int line = 0;                         ///< from 1
 };
 
-/// The terms of a chapter, in its order.
+/// The terms of a chapter, in order.
 /// @param link  of the chapter, as book.md writes it
 std::vector<Term> terms_of(std::string_view chapter, int section, const std::string &link,
                            const std::filesystem::path &file);
 
 /// The terms of all chapters, in their order.
-/// @throws Complaint if a chapter cannot be read.
-std::vector<Term> terms_of(const Tree &tree);
+/// @throws UserError if a chapter cannot be read.
+std::vector<Term> terms_of(const Workspace &workspace);
 
 /// A text with the glossary that these terms give.
 struct Glossary {
-    std::string book;              ///< book.md with a row for each term below its heading `## Glossary`
+    std::string book;              ///< book.md with a row for each term below the heading `## Glossary`
     std::vector<Finding> findings; ///< what weaving cannot put right: no heading, a term that a chapter has twice
 };
 

@@ -1,8 +1,9 @@
 #include "book/links.hpp"
 
+#include "base/files.hpp"
+#include "base/lines.hpp"
+#include "book/html.hpp"
 #include "book/markdown.hpp"
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
 
 #include <algorithm>
 #include <regex>
@@ -23,14 +24,16 @@ struct Endpoints {
     std::set<std::string> anchors;
 };
 
-/// `id="e7-3"`, `href="book.md"`, `src="figure.svg"` of a piece of HTML.
+/// Reads a piece of HTML, which begins in this line.
 void read_html(const std::string &html, int line, Endpoints &page) {
-    static const std::regex attribute{R"re(\b(id|name|href|src)\s*=\s*"([^"]*)")re"};
-    for (std::sregex_iterator found{html.begin(), html.end(), attribute}; found != std::sregex_iterator{}; ++found) {
-        const auto above = std::count(html.begin(), html.begin() + found->position(), '\n');
-        if ((*found)[1] == "id" || (*found)[1] == "name") page.anchors.insert((*found)[2]);
-        else page.links.push_back({(*found)[2], line + static_cast<int>(above)});
-    }
+    each_tag(html, [&](const Tag &tag) {
+        const auto above = std::count(html.data(), tag.whole.data(), '\n');
+        for (const char *name : {"id", "name"})
+            if (const std::string id = tag.attribute(name); !id.empty()) page.anchors.insert(id);
+        for (const char *name : {"href", "src"})
+            if (const std::string url = tag.attribute(name); !url.empty())
+                page.links.push_back({url, line + static_cast<int>(above)});
+    });
 }
 
 Endpoints read_page(std::string_view text) {

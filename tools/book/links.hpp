@@ -10,16 +10,16 @@
 namespace course {
 
 /// Links and images of a Markdown file that lead nowhere: to a file that is not there, out of the tree, or to a heading
-/// that is not in its file. Addresses on the web are not followed.
+/// that is not in that file. Addresses on the web are not followed.
 /// @param text  of the file
-/// @throws Complaint if another file that it links to cannot be read.
+/// @throws UserError if another file that it links to cannot be read.
 std::vector<Finding> dead_links(const std::filesystem::path &file, std::string_view text,
                                 const std::filesystem::path &root);
 
 /// What a forge calls a heading in a link: "Which way does a wall face?" is `#which-way-does-a-wall-face`.
 std::string anchor_of(std::string_view heading);
 
-/// The anchors of a page's headings, asked for from its first heading to its last: a second one of a name gets a number.
+/// The anchors of the headings of a page, in order: a second one of a name gets a number.
 class Anchors {
   public:
     std::string next(std::string_view heading) {

@@ -1,6 +1,6 @@
 #include "book/markdown.hpp"
 
-#include "ground/lines.hpp"
+#include "base/lines.hpp"
 
 #include <cmark-gfm-core-extensions.h>
 
@@ -21,7 +21,7 @@ std::size_t end_of_span(std::string_view text, std::size_t start, std::size_t fe
     return text.npos;
 }
 
-/// Appends the paragraph without its formulas.
+/// Appends the paragraph without formulas.
 void take_out(std::string_view paragraph, WithoutFormulas &result) {
     for (std::size_t at = 0; at < paragraph.size();) {
         const char c = paragraph[at];
@@ -64,87 +64,6 @@ Table read_table(cmark_node *table) {
     return rows;
 }
 
-/// Writes a document's text into `out`; formulas come back in the order in which they were taken out.
-struct PlainWriter {
-    const std::vector<Formula> &formulas;
-    std::size_t next_formula = 0;
-
-    std::string text(std::string literal) {
-        for (std::size_t at = 0; (at = literal.find(WithoutFormulas::stand_in, at)) != literal.npos;) {
-            const std::string formula = plain_formula(formulas.at(next_formula++).tex);
-            literal.replace(at, WithoutFormulas::stand_in.size(), formula);
-            at += formula.size();
-        }
-        return literal;
-    }
-
-    std::string inlines(cmark_node *parent) {
-        std::string out;
-        for (cmark_node *node = cmark_node_first_child(parent); node; node = cmark_node_next(node)) {
-            switch (cmark_node_get_type(node)) {
-            case CMARK_NODE_TEXT: out += text(literal(node)); break;
-            case CMARK_NODE_CODE: out += literal(node); break;
-            case CMARK_NODE_SOFTBREAK:
-            case CMARK_NODE_LINEBREAK: out += '\n'; break;
-            case CMARK_NODE_HTML_INLINE: break;
-            case CMARK_NODE_LINK: {
-                const std::string words = inlines(node), url = cmark_node_get_url(node);
-                out += url.starts_with('#') || url == words ? words : words + " (" + url + ")";
-                break;
-            }
-            default: out += inlines(node);
-            }
-        }
-        return out;
-    }
-
-    std::string block(cmark_node *node) {
-        switch (cmark_node_get_type(node)) {
-        case CMARK_NODE_PARAGRAPH:
-        case CMARK_NODE_HEADING: return inlines(node) + '\n';
-        case CMARK_NODE_CODE_BLOCK: return indented(literal(node), "    ", "    ");
-        case CMARK_NODE_BLOCK_QUOTE: return indented(blocks(node, "\n"), "  ", "  ");
-        case CMARK_NODE_ITEM: return indented(blocks(node, "\n"), "- ", "  ");
-        case CMARK_NODE_LIST: return blocks(node, "");
-        case CMARK_NODE_HTML_BLOCK: {
-            static const std::regex tag{"<[^>]*>"};
-            const std::string words = std::regex_replace(literal(node), tag, "");
-            return words.find_first_not_of(" \n") == words.npos ? "" : words;
-        }
-        default: return is_table(node) ? table(node) : "";
-        }
-    }
-
-    std::string table(cmark_node *node) {
-        std::string out;
-        for (cmark_node *row = cmark_node_first_child(node); row; row = cmark_node_next(row)) {
-            for (cmark_node *cell = cmark_node_first_child(row); cell; cell = cmark_node_next(cell))
-                out += (cmark_node_previous(cell) ? " | " : "") + inlines(cell);
-            out += '\n';
-        }
-        return out;
-    }
-
-    std::string blocks(cmark_node *parent, std::string_view between) {
-        std::string out;
-        for (cmark_node *node = cmark_node_first_child(parent); node; node = cmark_node_next(node)) {
-            const std::string written = block(node);
-            if (!out.empty() && !written.empty()) out += between;
-            out += written;
-        }
-        return out;
-    }
-
-    static std::string indented(const std::string &text, std::string_view first, std::string_view others) {
-        std::string out;
-        for (const Line &line : lines_of(text)) {
-            if (!line.text.empty()) (out += out.empty() ? first : others) += line.text;
-            out += '\n';
-        }
-        return out;
-    }
-};
-
 } // namespace
 
 Document parse_markdown(std::string_view text, int options) {
@@ -169,7 +88,7 @@ std::vector<Table> tables(std::string_view text) {
 
 WithoutFormulas take_out_formulas(std::string_view text) {
     const Document document = parse_markdown(text);
-    std::vector<std::size_t> paragraph_end(lines_of(text).size() + 1); // 0: no paragraph begins on this line
+    std::vector<std::size_t> paragraph_end(split_lines(text).size() + 1); // 0: no paragraph begins on this line
     each_node(document.get(), [&](cmark_node *node) {
         if (cmark_node_get_type(node) != CMARK_NODE_PARAGRAPH && !is_table(node)) return;
         paragraph_end.at(static_cast<std::size_t>(cmark_node_get_start_line(node)) - 1) =
@@ -177,7 +96,7 @@ WithoutFormulas take_out_formulas(std::string_view text) {
     });
 
     WithoutFormulas result;
-    const std::vector<Line> lines = lines_of(text);
+    const std::vector<Line> lines = split_lines(text);
     for (std::size_t first = 0, next; first < lines.size(); first = next) {
         next = std::max(first + 1, paragraph_end[first]);
         const char *begin = lines[first].text.data();
@@ -199,9 +118,26 @@ std::string words_of(cmark_node *parent) {
 }
 
 std::string plain_text(std::string_view markdown) {
-    const WithoutFormulas taken = take_out_formulas(markdown);
-    const Document document = parse_markdown(taken.text);
-    return PlainWriter{taken.formulas}.blocks(document.get(), "\n");
+    static const std::regex inner_link{R"(\[([^\]]*)\]\(#[^)]*\))"}, link{R"(\[([^\]]*)\]\(([^)]*)\))"},
+        mark{R"(`([^`]*)`|\*+|</?[a-z][^>]*>)"};
+    std::string text;
+    bool in_listing = false;
+    for (const Line &line : split_lines(markdown)) {
+        const bool fence = trim(line.text).starts_with("```");
+        in_listing = in_listing != fence;
+        const bool rule = line.text.starts_with("|:-") || line.text.starts_with("|-"); // below the head of a table
+        if (fence || rule) continue;
+        std::string words = (in_listing && !line.text.empty() ? "    " : "") + std::string{line.text};
+        if (!in_listing) {
+            words = std::regex_replace(words, inner_link, "$1");
+            words = std::regex_replace(words, link, "$1 ($2)");
+            words = std::regex_replace(words, mark, "$1");
+        }
+        const bool second_empty_line = words.empty() && (text.empty() || text.ends_with("\n\n"));
+        if (in_listing || !second_empty_line) text += words + '\n';
+    }
+    while (text.ends_with("\n\n")) text.pop_back();
+    return text;
 }
 
 } // namespace course

@@ -30,7 +30,7 @@ inline std::string literal(cmark_node *node) {
     return text ? text : "";
 }
 
-/// What a heading, a link or a cell of a table says: its words and code, without stars or backticks.
+/// What a heading, a link or a cell of a table says: words and code, without stars or backticks.
 std::string words_of(cmark_node *parent);
 
 bool is_table(cmark_node *node);
@@ -38,25 +38,25 @@ bool is_table(cmark_node *node);
 /// A cell of a table.
 struct Cell {
     std::string words;
-    std::string link; ///< where its first link leads to; "" without one
+    std::string link; ///< where the first link leads to; "" without one
 };
 
 struct Row {
     int line = 0; ///< from 1
     std::vector<Cell> cells;
 };
-using Table = std::vector<Row>; ///< without its head
+using Table = std::vector<Row>; ///< without the head
 
-/// All tables of a text, in its order.
+/// All tables of a text, in order.
 std::vector<Table> tables(std::string_view text);
 
 /// What stood between `$` and `$`, or `$$` and `$$`.
 struct Formula {
     std::string tex;
-    bool display = false; ///< on a line of its own
+    bool display = false; ///< set apart from the text
 };
 
-/// A text whose formulas were taken out: Markdown has none, and would read their backslashes as escapes.
+/// A text without formulas, which Markdown does not know: it would read their backslashes as escapes.
 struct WithoutFormulas {
     static constexpr std::string_view stand_in = "\xEE\x80\x80"; ///< a private character, U+E000, for each formula
     std::string text;                                            ///< with as many lines as before
@@ -64,11 +64,7 @@ struct WithoutFormulas {
 };
 WithoutFormulas take_out_formulas(std::string_view text);
 
-/// A piece of Markdown as it is shown in a terminal: no `$`, backticks, stars or braces, formulas as plain
-/// as can be ("|w| ≤ √2"), one sentence a line as it was written.
+/// A piece of Markdown without formulas, as a terminal shows it: no backticks, stars, tags or fences, and code indented.
 std::string plain_text(std::string_view markdown);
-
-/// What a formula says, in plain characters: `\frac{w_x}{|\mathbf{w}|}` gives "w_x / |w|".
-std::string plain_formula(std::string_view tex);
 
 } // namespace course

@@ -1,8 +1,8 @@
 #include "book/prerequisites.hpp"
 
+#include "base/files.hpp"
+#include "base/lines.hpp"
 #include "book/markdown.hpp"
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
 
 #include <algorithm>
 #include <regex>
@@ -16,8 +16,8 @@ constexpr std::size_t needs_column = 4; // of the contents, from 0
 /// `section` of "../07_segment_intersection/README.md".
 std::optional<int> section_behind(const std::string &link) {
     static const std::regex chapter{R"((?:^|/)(\d\d)_\w+/README\.md)"};
-    std::smatch found;
-    return std::regex_search(link, found, chapter) ? std::optional{std::stoi(found[1])} : std::nullopt;
+    std::smatch match;
+    return std::regex_search(link, match, chapter) ? std::optional{std::stoi(match[1])} : std::nullopt;
 }
 
 void add_need(std::vector<Prerequisite> &all, const Prerequisite &one) {
@@ -26,9 +26,11 @@ void add_need(std::vector<Prerequisite> &all, const Prerequisite &one) {
     else if (one.exercise.empty()) known->exercise.clear();
 }
 
-/// The row with this text as its last cell.
-std::string with_last_cell(std::string row, const std::string &text) {
-    const std::size_t end = row.rfind('|'), start = row.rfind('|', end - 1);
+/// The row with this text in a cell: 0 is the last one, 1 the one before it.
+std::string with_cell(std::string row, int before_last, const std::string &text) {
+    std::size_t end = row.rfind('|');
+    while (before_last-- > 0) end = row.rfind('|', end - 1);
+    const std::size_t start = row.rfind('|', end - 1);
     return row.replace(start + 1, end - start - 1, text.empty() ? " " : ' ' + text + ' ');
 }
 
@@ -36,15 +38,15 @@ std::string with_last_cell(std::string row, const std::string &text) {
 
 std::optional<std::vector<Prerequisite>> prerequisites(std::string_view chapter) {
     static const std::regex link{R"((\d+\.\d+)|\[[^\]]*\]\(([^)]*)\)|[.;]\s)"};
-    for (const Line &each : lines_of(chapter)) {
+    for (const Line &each : split_lines(chapter)) {
         if (!each.text.starts_with(line_of_needs)) continue;
         const std::string line{each.text};
         std::vector<Prerequisite> needed;
         std::string exercise; // the last one since a semicolon or a full stop
-        for (std::sregex_iterator found{line.begin(), line.end(), link}, end; found != end; ++found) {
-            if ((*found)[1].matched) exercise = (*found)[1];
-            else if (!(*found)[2].matched) exercise.clear();
-            else if (const auto section = section_behind((*found)[2])) add_need(needed, {*section, exercise});
+        for (std::sregex_iterator match{line.begin(), line.end(), link}, end; match != end; ++match) {
+            if ((*match)[1].matched) exercise = (*match)[1];
+            else if (!(*match)[2].matched) exercise.clear();
+            else if (const auto section = section_behind((*match)[2])) add_need(needed, {*section, exercise});
         }
         return needed;
     }
@@ -62,18 +64,19 @@ std::vector<Prerequisite> read_needs(std::string_view cell) {
     static const std::regex need{R"((\d+)(?: for (\d+\.\d+))?(?:, |$))"};
     const std::string text{cell};
     std::vector<Prerequisite> needed;
-    for (std::sregex_iterator found{text.begin(), text.end(), need}, end; found != end; ++found)
-        needed.push_back({std::stoi((*found)[1]), (*found)[2]});
+    for (std::sregex_iterator match{text.begin(), text.end(), need}, end; match != end; ++match)
+        needed.push_back({std::stoi((*match)[1]), (*match)[2]});
     return needed;
 }
 
-Needs weave_needs(const Tree &tree, const std::string &book) {
+Needs weave_needs(const Workspace &workspace, const std::string &book) {
     Needs result;
     std::vector<std::string> rows = with_line_ends(book);
     for (const Entry &entry : contents(book)) {
-        const std::filesystem::path chapter = tree.root / entry.chapter;
+        const std::filesystem::path chapter = workspace.root / entry.chapter;
         if (entry.chapter.empty() || entry.columns <= needs_column || !std::filesystem::exists(chapter)) continue;
-        const auto needed = prerequisites(read_file(chapter));
+        const std::string text = read_file(chapter);
+        const auto needed = prerequisites(text);
         if (!needed) {
             result.findings.push_back({chapter, 1,
                                        "say in a line that begins with \"You need\" what a reader must know before, "
@@ -86,7 +89,9 @@ Needs weave_needs(const Tree &tree, const std::string &book) {
                                            "what it needs, in the line \"You need\", is not an earlier section: "
                                                + std::to_string(one.section) + "."});
         std::string &row = rows[static_cast<std::size_t>(entry.line) - 1];
-        if (needs_cell(*needed) != entry.needs) row = with_last_cell(row, needs_cell(*needed));
+        if (needs_cell(*needed) != entry.needs) row = with_cell(row, 0, needs_cell(*needed));
+        if (const std::string minutes = minutes_cell(text); !minutes.empty() && minutes != entry.minutes)
+            row = with_cell(row, 1, minutes);
     }
     result.book = joined(rows);
     return result;

@@ -1,9 +1,9 @@
 #pragma once
 // What a reader must know before a chapter: each chapter says it in one line, which is woven into book.md's contents.
 
+#include "base/workspace.hpp"
 #include "book/contents.hpp"
 #include "book/finding.hpp"
-#include "ground/tree.hpp"
 
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ struct Prerequisite {
     std::string exercise; ///< "11.8" if only that exercise needs it; "" if the whole chapter does
 };
 
-/// What the chapter links to in its line that begins with "You need", once each; a link behind an exercise's number is
+/// What the chapter links to in the line that begins with "You need", once each; a link behind an exercise's number is
 /// for that exercise alone. Nothing if there is no such line.
 std::optional<std::vector<Prerequisite>> prerequisites(std::string_view chapter);
 
@@ -26,11 +26,12 @@ std::optional<std::vector<Prerequisite>> prerequisites(std::string_view chapter)
 std::string needs_cell(const std::vector<Prerequisite> &needed);
 std::vector<Prerequisite> read_needs(std::string_view cell);
 
-/// book.md with what its chapters need in the last column of its contents. What is to come keeps what is written there.
+/// book.md with what chapters need in the last column of the contents, and how long they take in the one before it. What
+/// is to come keeps what is written there, and so does the time of a chapter without a table of exercises.
 struct Needs {
     std::string book;
     std::vector<Finding> findings; ///< chapters that do not say it, or need a later one
 };
-Needs weave_needs(const Tree &tree, const std::string &book);
+Needs weave_needs(const Workspace &workspace, const std::string &book);
 
 } // namespace course

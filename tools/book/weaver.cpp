@@ -1,11 +1,12 @@
 #include "book/weaver.hpp"
 
+#include "base/files.hpp"
+#include "base/lines.hpp"
+#include "base/nearest.hpp"
+#include "base/renamed.hpp"
+#include "base/text.hpp"
 #include "book/chapter.hpp"
 #include "book/chunks.hpp"
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
-#include "ground/nearest.hpp"
-#include "ground/renamed.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -16,22 +17,22 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<fs::path> figures(const Tree &tree, const Section &section) {
-    return files_in(tree.root / "plots", ".gp", section.name + "_");
+std::vector<fs::path> figures(const Workspace &workspace, const Section &section) {
+    return files_in(workspace.root / "plots", ".gp", section.name + "_");
 }
 
 /// What a fence is to hold, and where that comes from.
-struct Wanted {
+struct Expected {
     std::vector<std::string> lines;
     std::string title;                              ///< "the output", "A normal"
     std::optional<fs::path> file;                   ///< of the code, if it is a listing
-    std::function<std::string(std::size_t)> source; ///< where its n-th line comes from: "chapters/.../main.cpp:12"
+    std::function<std::string(std::size_t)> source; ///< where the n-th line comes from: "chapters/.../main.cpp:12"
 };
 
 class Weaver {
   public:
-    Weaver(const Tree &tree_, const Page &page_, std::string_view text_, const Output &output_)
-        : tree{tree_}, page{page_}, text{text_}, output{output_} {}
+    Weaver(const Workspace &tree_, const Page &page_, std::string_view text_, const Output &output_)
+        : workspace{tree_}, page{page_}, text{text_}, output{output_} {}
 
     Woven weave() {
         const Chapter chapter = read_chapter(text, page.file);
@@ -47,24 +48,26 @@ class Weaver {
     }
 
   private:
-    std::string place(const fs::path &file, int line) const { return fmt::format("{}:{}", tree.shown(file), line); }
+    std::string place(const fs::path &file, int line) const {
+        return fmt::format("{}:{}", workspace.shown(file), line);
+    }
     void find(const fs::path &file, int line, std::string message) {
         result.findings.push_back({file, line, std::move(message)});
     }
 
     void weave_into(const Chapter &chapter) {
         const std::size_t mark = byte_order_mark(text).size();
-        const std::vector<Line> lines = lines_of(text.substr(mark));
+        const std::vector<Line> lines = split_lines(text.substr(mark));
         result.text = text.substr(0, mark);
         std::size_t done = 0;
         const auto keep_until = [&](std::size_t line) {
             for (; done < line; ++done) (result.text += lines[done].text) += lines[done].end;
         };
         for (const Fence &fence : chapter.fences) {
-            const auto wanted = wanted_in(fence);
-            if (!wanted) continue;
+            const auto expected = expected_in(fence);
+            if (!expected) continue;
             keep_until(static_cast<std::size_t>(fence.line) - 1);
-            write(fence, *wanted, lines);
+            write(fence, *expected, lines);
             done = static_cast<std::size_t>(fence.end);
         }
         keep_until(lines.size());
@@ -90,16 +93,16 @@ class Weaver {
 
     void find_unshown() {
         for (const auto &[title, chunk] : chunks)
-            if (!shown.contains(title)
-                && (title.starts_with("The frame loop") || std::ranges::count(page.shown, chunk.file) > 0))
+            if (!line_of.contains(title)
+                && (title.starts_with("The frame loop") || std::ranges::count(page.required, chunk.file) > 0))
                 find(chunk.file, chunk.line,
                      fmt::format("the chunk \"{}\" is not shown in {}; put a fence there whose first line is `{}`, or "
                                  "take the title out of the mark if the code is to stay out.",
-                                 title, tree.shown(page.file), chunk.lines.front()));
+                                 title, workspace.shown(page.file), chunk.lines.front()));
     }
 
     /// Nothing if the fence is not woven, or cannot be.
-    std::optional<Wanted> wanted_in(const Fence &fence) {
+    std::optional<Expected> expected_in(const Fence &fence) {
         if (fence.content.empty()) return {};
         if (fence.language == "console") return output_in(fence);
         const auto title = mark_title(fence.content.front());
@@ -108,7 +111,7 @@ class Weaver {
         return chunk_in(fence, *title);
     }
 
-    std::optional<Wanted> chunk_in(const Fence &fence, const std::string &title) {
+    std::optional<Expected> chunk_in(const Fence &fence, const std::string &title) {
         const int line = fence.line + 1;
         if (title.empty())
             return find(page.file, line, "this mark has no title; name the chunk that belongs here."), std::nullopt;
@@ -122,30 +125,30 @@ class Weaver {
                                     title, did_you_mean(title, titles))),
                    std::nullopt;
         }
-        const auto [first, is_new] = shown.try_emplace(title, line);
+        const auto [first, is_new] = line_of.try_emplace(title, line);
         if (!is_new)
             find(page.file, line,
                  fmt::format("the chunk \"{}\" is shown in line {} already; keep one of the two.", title,
                              first->second));
-        const Chunk &found = chunk->second;
-        return Wanted{found.lines, '"' + title + '"', found.file,
-                      [this, found](std::size_t n) { return place(found.file, found.line + static_cast<int>(n)); }};
+        return Expected{
+            chunk->second.lines, '"' + title + '"', chunk->second.file,
+            [this, from = chunk->second](std::size_t n) { return place(from.file, from.line + static_cast<int>(n)); }};
     }
 
-    std::optional<Wanted> output_in(const Fence &fence) {
+    std::optional<Expected> output_in(const Fence &fence) {
         static const std::regex command{R"(\$ \./course run (\S+)( [^-\s]\S*)?( --mine)?\s*)"};
-        std::smatch found;
-        if (!std::regex_match(fence.content.front(), found, command)) return {};
+        std::smatch match;
+        if (!std::regex_match(fence.content.front(), match, command)) return {};
         ++result.outputs;
-        Wanted wanted{
-            {fence.content.front()}, "this output", {}, [name = found[1].str() + found[2].str()](std::size_t) {
+        Expected expected{
+            {fence.content.front()}, "this output", {}, [name = match[1].str() + match[2].str()](std::size_t) {
                 return "what ./course run " + name + " prints";
             }};
-        const std::string part = found[2].matched ? found[2].str().substr(1) : "";
-        const std::string printed = output(tree.section(found[1].str()), part);
-        for (const Line &line : lines_of(printed)) wanted.lines.emplace_back(line.text);
-        while (without_blanks(wanted.lines.back()).empty()) wanted.lines.pop_back();
-        return wanted;
+        const std::string part = match[2].matched ? match[2].str().substr(1) : "";
+        const std::string printed = output(workspace.section(match[1].str()), part);
+        for (const Line &line : split_lines(printed)) expected.lines.emplace_back(line.text);
+        while (trim(expected.lines.back()).empty()) expected.lines.pop_back();
+        return expected;
     }
 
     /// Long enough for its code: a line that looks like a fence must not end it.
@@ -155,30 +158,30 @@ class Weaver {
         return length;
     }
 
-    void write(const Fence &fence, const Wanted &wanted, const std::vector<Line> &lines) {
+    void write(const Fence &fence, const Expected &expected, const std::vector<Line> &lines) {
         const auto opening = static_cast<std::size_t>(fence.line) - 1,
                    closing = static_cast<std::size_t>(fence.end) - 1;
         const std::string_view end = lines[opening].end;
         const std::string_view first = lines[opening + 1].text, inside = fence.content.front();
         if (!first.ends_with(inside))
-            throw Complaint{place(page.file, fence.line + 1)
+            throw UserError{place(page.file, fence.line + 1)
                             + ": write the start of this line with blanks instead of tabs, so that it can be woven."};
         const std::string prefix{first.substr(0, first.size() - inside.size())}; // what a quote or a list wants there
 
-        const std::size_t longer = length_for(fence, wanted.lines) - fence.length;
+        const std::size_t longer = length_for(fence, expected.lines) - fence.length;
         const std::string_view old_closing = without_blanks_behind(lines[closing].text);
         std::vector<std::string> block;
         block.push_back(std::string{lines[opening].text}.insert(fence.column, longer, fence.sign));
-        for (const std::string &line : wanted.lines)
+        for (const std::string &line : expected.lines)
             block.push_back(line.empty() ? std::string{without_blanks_behind(prefix)} : prefix + line);
         block.push_back(std::string{longer == 0 ? lines[closing].text : old_closing}.append(longer, fence.sign));
 
-        compare(fence, wanted, block, lines);
+        compare(fence, expected, block, lines);
         for (std::size_t i = 0; i + 1 < block.size(); ++i) (result.text += block[i]) += end;
         (result.text += block.back()) += lines[closing].end;
     }
 
-    void compare(const Fence &fence, const Wanted &wanted, const std::vector<std::string> &block,
+    void compare(const Fence &fence, const Expected &expected, const std::vector<std::string> &block,
                  const std::vector<Line> &lines) {
         const auto opening = static_cast<std::size_t>(fence.line) - 1;
         const auto old_size = static_cast<std::size_t>(fence.end - fence.line) + 1;
@@ -187,28 +190,28 @@ class Weaver {
             const bool same_end = both && (i + 1 == block.size() || lines[opening + i].end == lines[opening].end);
             if (same_end && lines[opening + i].text == block[i]) continue;
             const std::size_t line = std::min(i, old_size - 1),
-                              in_source = std::clamp<std::size_t>(i, 1, wanted.lines.size()) - 1;
+                              in_source = std::clamp<std::size_t>(i, 1, expected.lines.size()) - 1;
             result.differences.push_back(
                 {page.file, fence.line + static_cast<int>(line),
-                 fmt::format("{} differs here from {}.", wanted.title, wanted.source(in_source))});
-            if (wanted.file) result.code.insert(*wanted.file);
+                 fmt::format("{} differs here from {}.", expected.title, expected.source(in_source))});
+            if (expected.file) result.code.insert(*expected.file);
             return;
         }
     }
 
-    const Tree &tree;
+    const Workspace &workspace;
     const Page &page;
     std::string_view text;
     const Output &output;
     std::map<std::string, Chunk> chunks;
-    std::map<std::string, int> shown; ///< the line of the page where each is
+    std::map<std::string, int> line_of; ///< of the page, for each chunk that it shows
     Woven result;
 };
 
 /// Whether a header's code names this function, type or constant.
 bool names(const std::string &header, const std::string &name) {
     const std::regex word{"\\b" + name + "\\b"};
-    for (const Line &line : lines_of(header)) {
+    for (const Line &line : split_lines(header)) {
         const std::string_view code = line.text.substr(0, line.text.find("//"));
         if (std::regex_search(code.begin(), code.end(), word)) return true;
     }
@@ -217,38 +220,40 @@ bool names(const std::string &header, const std::string &name) {
 
 } // namespace
 
-Page page_of(const Tree &tree, const Section &section) {
-    Page page{tree.chapter(section), {tree.header(section), tree.program(section)}, {}, {tree.header(section)}};
-    if (tree.has_solution(section)) {
-        page.code.push_back(tree.solution(section));
-        page.shown.push_back(tree.solution(section));
+Page page_of(const Workspace &workspace, const Section &section) {
+    Page page{workspace.chapter(section),
+              {workspace.header(section), workspace.program(section)},
+              {},
+              {workspace.header(section)}};
+    if (workspace.has_solution(section)) {
+        page.code.push_back(workspace.solution(section));
+        page.required.push_back(workspace.solution(section));
     }
     for (const fs::path &file : files_in(page.file.parent_path(), "pp")) // a benchmark, and what it measures
         if (std::ranges::find(page.code, file) == page.code.end()) page.code.push_back(file);
-    for (const fs::path &figure : figures(tree, section)) page.code.push_back(figure);
+    for (const fs::path &figure : figures(workspace, section)) page.code.push_back(figure);
     page.whole = page.code;
-    page.code.push_back(tree.tests(section));
-    for (const fs::path &peer :
-         files_in(tree.root / "tests" / "peers", "", section.name + ".")) // how far apart they are
+    page.code.push_back(workspace.tests(section));
+    for (const fs::path &peer : files_in(workspace.tests_folder(section), "", "peer.")) // how far apart they are
         page.code.push_back(peer);
     return page;
 }
 
-Page page_of_book(const Tree &tree) {
-    const std::vector<fs::path> shared = files_in(tree.root / "chapters", ".hpp");
-    return {tree.root / "book.md", shared, {}, shared};
+Page page_of_book(const Workspace &workspace) {
+    const std::vector<fs::path> shared = files_in(workspace.root / "chapters", ".hpp");
+    return {workspace.root / "book.md", shared, {}, shared};
 }
 
-Woven weave(const Tree &tree, const Page &page, std::string_view text, const Output &output) {
-    return Weaver{tree, page, text, output}.weave();
+Woven weave(const Workspace &workspace, const Page &page, std::string_view text, const Output &output) {
+    return Weaver{workspace, page, text, output}.weave();
 }
 
-std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std::string_view text) {
-    const fs::path chapter = tree.chapter(section), header = tree.header(section);
+std::vector<Finding> missing_parts(const Workspace &workspace, const Section &section, std::string_view text) {
+    const fs::path chapter = workspace.chapter(section), header = workspace.header(section);
     const std::string contract = read_file(header);
     const std::vector<ListedExercise> rows = exercise_table(text), declared = declared_exercises(contract);
     const std::vector<Hint> all_hints = hints(text);
-    const std::vector<Chunk> solutions = cut(tree.solution(section));
+    const std::vector<Chunk> solutions = cut(workspace.solution(section));
     std::vector<Finding> missing;
 
     for (const ListedExercise &one : declared) {
@@ -269,26 +274,32 @@ std::vector<Finding> missing_parts(const Tree &tree, const Section &section, std
         if (std::ranges::none_of(solutions,
                                  [&](const Chunk &c) { return c.title == title || c.title.starts_with(title + ":"); }))
             missing.push_back(
-                {tree.solution(section), 1,
+                {workspace.solution(section), 1,
                  fmt::format("no chunk is the solution of {}; write `//> {}: ...` above it.", one.number, title)});
     }
+    for (const Hint &hint : all_hints)
+        if (contains(hint.title + hint.text, "$"))
+            missing.push_back({chapter, hint.line,
+                               fmt::format("a terminal shows this hint for {} as well; write its formulas in plain "
+                                           "characters, without `$`.",
+                                           hint.number)});
     for (const ListedExercise &row : rows)
         if (std::ranges::find(declared, row) == declared.end())
             missing.push_back(
                 {chapter, row.line,
                  "the header declares no exercise like this row; give both the same number, function and tier."});
-    for (const fs::path &figure : figures(tree, section))
+    for (const fs::path &figure : figures(workspace, section))
         if (const std::string svg = figure.stem().string() + ".svg"; text.find("/" + svg + ")") == text.npos)
             missing.push_back(
                 {figure, 1,
                  fmt::format("the chapter does not show this figure; put `![what it shows](../../plots/{})` there.",
                              svg)});
-    for (const Renamed &name : renamed(tree, section))
+    for (const Renamed &name : renamed(workspace, section))
         if (name.now.empty())
-            missing.push_back(
-                {tree.renamed(section), name.line, "a line holds an old name and the new one, with a blank between."});
+            missing.push_back({workspace.renamed(section), name.line,
+                               "a line holds an old name and the new one, with a blank between."});
         else if (!names(contract, name.now))
-            missing.push_back({tree.renamed(section), name.line,
+            missing.push_back({workspace.renamed(section), name.line,
                                fmt::format("the header has nothing called `{}`; write the name that `{}` has now.",
                                            name.now, name.before)});
     return missing;

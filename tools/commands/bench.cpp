@@ -1,9 +1,9 @@
-// `course bench`: what is claimed of the course's speed, measured on this machine, side by side in one run.
+// `course dev bench`: what is claimed of the course's speed, measured on this machine, side by side in one run.
 
+#include "base/files.hpp"
+#include "base/process.hpp"
+#include "check/build_config.hpp"
 #include "commands/commands.hpp"
-#include "ground/files.hpp"
-#include "ground/process.hpp"
-#include "loop/toolbox.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,21 +24,21 @@ double median(std::vector<double> times) {
 double time_of(const std::vector<std::string> &command) {
     const auto start = std::chrono::steady_clock::now();
     if (const auto done = run(command); done.code > 1)
-        throw Complaint{"`" + command.front() + "` failed: " + done.err + done.out};
+        throw UserError{"`" + command.front() + "` failed: " + done.err + done.out};
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// Save to verdict, for a finished solution, against a bare compilation of the same file with the same flags.
-void bench_loop(const Tree &tree, const Section &section, int runs) {
-    tree.require_solution(section, "There's nothing to measure without them");
-    const fs::path object = tree.build / "loop" / "bench.o", solution = tree.solution(section);
-    const std::vector<std::string> check{(tree.root / "course").string(), "check", section.name, "--file",
+void bench_loop(const Workspace &workspace, const Section &section, int runs) {
+    workspace.require_solution(section, "There's nothing to measure without them");
+    const fs::path object = workspace.build / "loop" / "bench.o", solution = workspace.solution(section);
+    const std::vector<std::string> check{(workspace.root / "course").string(), "check", section.name, "--file",
                                          solution.string()};
-    const std::vector<std::string> nothing{(tree.root / "course").string(), "check", "--help"};
-    const Toolbox tools = toolbox(tree, section);
+    const std::vector<std::string> nothing{(workspace.root / "course").string(), "check", "--help"};
+    const BuildConfig tools = build_config(workspace, section);
     Compiler bare = tools.compiler;
     bare.precompiled.clear();
-    const auto by = [&](const Compiler &compiler) { return compiler.command(tree, section, solution, object); };
+    const auto by = [&](const Compiler &compiler) { return compiler.command(workspace, section, solution, object); };
     std::vector<std::pair<const char *, std::vector<std::string>>> commands{
         {"bare compilation", by(bare)}, {"the same, with the precompiled header", by(tools.compiler)}};
     if (tools.quick) commands.emplace_back("by Clang, which is asked first", by(*tools.quick));
@@ -66,33 +66,34 @@ constexpr Benchmark benchmarks[] = {
     {"pairs", "nt_collisions", "All pairs of balls compared, against a grid"},
 };
 
-/// A section's benchmark prints a table, and writes its trace: cmake/Section.cmake knows how it is built and run.
-void bench_program(const Tree &tree, const Section &section) {
-    tree.require_solution(section, "The chapter has our numbers");
+/// A section's benchmark prints a table, and writes a trace: cmake/Section.cmake knows how it is built and run.
+void bench_program(const Workspace &workspace, const Section &section) {
+    workspace.require_solution(section, "The chapter has our numbers");
     std::cout << "This takes about a minute; let the machine do nothing else.\n" << std::flush;
-    if (run({"cmake", "--build", tree.build.string(), "--target", section.name + "_measure"}, {.quiet = false}).code)
-        throw Leave{something_to};
-    std::cout << "The trace is in " << (tree.build / "bench").string() << '\n';
+    if (run({"cmake", "--build", workspace.build.string(), "--target", section.name + "_measure"}, {.quiet = false})
+            .code)
+        throw ExitRequest{something_to};
+    std::cout << "The trace is in " << (workspace.build / "bench").string() << '\n';
 }
 
 } // namespace
 
-void add_bench(CLI::App &app, const Tree &tree) {
+void add_bench(CLI::App &app, const Workspace &workspace) {
     CLI::App *command = app.add_subcommand("bench", "Measure how fast the course is on this machine");
     command->require_subcommand(1);
-    command->footer("Example: ./course bench loop 7");
+    command->footer("Example: ./course dev bench loop 7");
     auto section = std::make_shared<std::string>("7");
     auto runs = std::make_shared<int>(15);
     CLI::App *loop = command->add_subcommand("loop", "From saving a file to its verdict, against a bare compilation");
     loop->add_option("section", *section, "the section whose solution is judged")->capture_default_str();
     loop->add_option("--runs", *runs, "how often")->check(CLI::Range(1, 1000))->capture_default_str();
-    loop->footer("Example: ./course bench loop 7 --runs 31");
-    loop->callback([&tree, section, runs] { bench_loop(tree, tree.section(*section), *runs); });
+    loop->footer("Example: ./course dev bench loop 7 --runs 31");
+    loop->callback([&workspace, section, runs] { bench_loop(workspace, workspace.section(*section), *runs); });
 
     for (const Benchmark &each : benchmarks) {
         CLI::App *program = command->add_subcommand(each.name, each.what);
-        program->footer("Example: ./course bench " + std::string{each.name});
-        program->callback([&tree, each] { bench_program(tree, tree.section(each.section)); });
+        program->footer("Example: ./course dev bench " + std::string{each.name});
+        program->callback([&workspace, each] { bench_program(workspace, workspace.section(each.section)); });
     }
 }
 

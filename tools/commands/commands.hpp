@@ -1,59 +1,66 @@
 #pragma once
 // The commands of `course`, one file each. Every one adds itself: name, help with an example, options, what it does.
-// A command ends with an exit code by throwing `Leave`; if it returns, all is well.
+// A command ends with an exit code by throwing `ExitRequest`; if it returns, all is well.
 
-#include "ground/complaint.hpp"
-#include "ground/tree.hpp"
-#include "verdict/shared/verdict.hpp"
+#include "base/errors.hpp"
+#include "base/workspace.hpp"
+#include "judge/protocol/verdict.hpp"
 
 #include <CLI/CLI.hpp>
 
 namespace course {
 
-/// Ends the program with this exit code; everything has been said.
-struct Leave {
+/// Ends the program with this exit code, when all is printed.
+struct ExitRequest {
     int code;
 };
 
 /// Brings the site up to date by the build; site.cpp has it.
-void bring_up_site(const Tree &tree);
+void bring_up_site(const Workspace &workspace);
+
+/// Draws the figures of all sections, and throws `ExitRequest` unless what's published agrees; publish.cpp has it.
+void require_published(const Workspace &workspace);
 
 /// Makes the archives of a release in the build folder, of what is committed; release.cpp has it.
-void release(const Tree &tree);
+void release(const Workspace &workspace);
 
 /// What `check --file` says of one exercise in a file, but not which mistake gives the same; check.cpp has it.
 /// @return the exit code
-int check_file(const Tree &tree, const std::string &exercise, const std::filesystem::path &file);
+int check_file(const Workspace &workspace, const std::string &exercise, const std::filesystem::path &file);
 /// Says where the compiler or the linker stopped in this file, or what the compiler warns of; check.cpp has both.
 void print_unbuilt(const Verdict &verdict, const std::string &name);
 void print_warnings(const std::vector<std::string> &warnings, bool verbose);
+
+/// For a seed of generated values, as `check` and `grade` take one; check.cpp has it.
+CLI::Validator is_seed();
 
 /// Hands a file, or a place in one ("page.html#here"), to whatever program is meant for it.
 /// @return whether there is one, and a screen to show it on
 bool show(const std::string &address);
 
-void add_check(CLI::App &app, const Tree &tree);
-void add_weave(CLI::App &app, const Tree &tree);
-void add_bug(CLI::App &app, const Tree &tree);
-void add_list(CLI::App &app, const Tree &tree);
-void add_mytests(CLI::App &app, const Tree &tree);
-void add_grade(CLI::App &app, const Tree &tree);
-void add_update(CLI::App &app, const Tree &tree);
-void add_hint(CLI::App &app, const Tree &tree);
-void add_solution(CLI::App &app, const Tree &tree);
-void add_reset(CLI::App &app, const Tree &tree);
-void add_run(CLI::App &app, const Tree &tree);
-void add_plot(CLI::App &app, const Tree &tree);
-void add_debug(CLI::App &app, const Tree &tree);
-void add_new(CLI::App &app, const Tree &tree);
-void add_doctor(CLI::App &app, const Tree &tree);
-void add_export(CLI::App &app, const Tree &tree);
-void add_draw(CLI::App &app, const Tree &tree);
-void add_publish(CLI::App &app, const Tree &tree);
-void add_bench(CLI::App &app, const Tree &tree);
-void add_site(CLI::App &app, const Tree &tree);
-void add_open(CLI::App &app, const Tree &tree);
-void add_make(CLI::App &app, const Tree &tree);
-void add_play(CLI::App &app, const Tree &tree);
+void add_check(CLI::App &app, const Workspace &workspace);
+void add_weave(CLI::App &app, const Workspace &workspace);
+void add_bug(CLI::App &app, const Workspace &workspace);
+void add_list(CLI::App &app, const Workspace &workspace);
+void add_mytests(CLI::App &app, const Workspace &workspace);
+void add_grade(CLI::App &app, const Workspace &workspace);
+void add_update(CLI::App &app, const Workspace &workspace);
+void add_hint(CLI::App &app, const Workspace &workspace);
+void add_solution(CLI::App &app, const Workspace &workspace);
+void add_reset(CLI::App &app, const Workspace &workspace);
+void add_run(CLI::App &app, const Workspace &workspace);
+void add_plot(CLI::App &app, const Workspace &workspace);
+void add_debug(CLI::App &app, const Workspace &workspace);
+void add_new(CLI::App &app, const Workspace &workspace);
+void add_doctor(CLI::App &app, const Workspace &workspace);
+void add_export(CLI::App &app, const Workspace &workspace);
+void add_draw(CLI::App &app, const Workspace &workspace);
+void add_publish(CLI::App &app, const Workspace &workspace);
+void add_release(CLI::App &app, const Workspace &workspace);
+void add_bench(CLI::App &app, const Workspace &workspace);
+void add_site(CLI::App &app, const Workspace &workspace);
+void add_open(CLI::App &app, const Workspace &workspace);
+void add_make(CLI::App &app, const Workspace &workspace);
+void add_play(CLI::App &app, const Workspace &workspace);
 
 } // namespace course

@@ -1,12 +1,12 @@
 // `course debug`: the same tests, with the student's code in the same process, under a debugger.
 
+#include "base/build.hpp"
+#include "base/lab.hpp"
+#include "base/lock.hpp"
+#include "base/process.hpp"
+#include "base/terminal.hpp"
+#include "check/catalogue.hpp"
 #include "commands/commands.hpp"
-#include "ground/build.hpp"
-#include "ground/lab.hpp"
-#include "ground/lock.hpp"
-#include "ground/process.hpp"
-#include "ground/terminal.hpp"
-#include "loop/catalogue.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -30,7 +30,7 @@ std::vector<std::string> debugger(const fs::path &program, const std::string &fu
         if (!function.empty()) command.insert(command.end(), {"-o", "breakpoint set --name " + function});
         command.push_back("--");
     } else {
-        throw Complaint{"there is no debugger here: install gdb (or lldb). The program to debug is "
+        throw UserError{"there is no debugger here: install gdb (or lldb). The program to debug is "
                         + program.string()};
     }
     command.push_back(program.string());
@@ -49,28 +49,28 @@ std::string typed(const std::vector<std::string> &command) {
     return line;
 }
 
-void build(const Tree &tree, const Section &section) {
-    const Lock lock{tree};
-    const Finished built = build_target(tree, section.name + "_debug");
+void build(const Workspace &workspace, const Section &section) {
+    const Lock lock{workspace};
+    const Finished built = build_target(workspace, section.name + "_debug");
     if (built.code == 0) return;
     std::cerr << built.out << built.err
               << "course: this does not compile, so there is nothing to debug yet; ./course check "
               << section.short_number() << " shows the first error\n";
-    throw Leave{something_to};
+    throw ExitRequest{something_to};
 }
 
-void debug(const Tree &tree, const std::string &words, bool print) {
-    require_own_course(tree);
+void debug(const Workspace &workspace, const std::string &words, bool print) {
+    require_own_course(workspace);
     std::string function, tag;
-    Section section = tree.section(words);
+    Section section = workspace.section(words);
     if (is_number_of_exercise(words)) {
-        const Exercise exercise = find_exercise(tree, words).exercise;
+        const Exercise exercise = find_exercise(workspace, words).exercise;
         function = section.slug() + "::" + exercise.function;
         tag = "[" + exercise.number + "]";
     }
-    tree.written_exercise(section);
-    build(tree, section);
-    const auto command = debugger(tree.build / "debug" / section.name, function, tag);
+    workspace.written_exercise(section);
+    build(workspace, section);
+    const auto command = debugger(workspace.build / "debug" / section.name, function, tag);
     if (print || !can_ask() || !is_terminal()) {
         std::cout << typed(command) << '\n';
         return;
@@ -80,12 +80,12 @@ void debug(const Tree &tree, const std::string &words, bool print) {
     for (const std::string &word : command) arguments.push_back(const_cast<char *>(word.c_str()));
     arguments.push_back(nullptr);
     ::execvp(arguments[0], arguments.data());
-    throw Complaint{"cannot start " + command.front() + " (" + std::strerror(errno) + ")"};
+    throw UserError{"cannot start " + command.front() + " (" + std::strerror(errno) + ")"};
 }
 
 } // namespace
 
-void add_debug(CLI::App &app, const Tree &tree) {
+void add_debug(CLI::App &app, const Workspace &workspace) {
     const auto section = std::make_shared<std::string>();
     const auto print = std::make_shared<bool>();
     CLI::App *command =
@@ -93,7 +93,7 @@ void add_debug(CLI::App &app, const Tree &tree) {
     command->add_option("section", *section, "its number, name or file, or one exercise: 7.2")->required();
     command->add_flag("--print", *print, "only print the debugger's command");
     command->footer("Without a terminal the command is printed as well.\n\nExample: ./course debug 7.2");
-    command->callback([&tree, section, print] { debug(tree, *section, *print); });
+    command->callback([&workspace, section, print] { debug(workspace, *section, *print); });
 }
 
 } // namespace course

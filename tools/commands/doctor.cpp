@@ -1,33 +1,47 @@
 // What `course doctor` cannot find out as a script: the script asks here, once this program is built.
 
+#include "check/build_config.hpp"
 #include "commands/commands.hpp"
-#include "loop/toolbox.hpp"
-#include "verdict/tests/shut_in.hpp"
+#include "judge/runner/student_process.hpp"
 
 #include <iostream>
 
 namespace course {
 namespace {
 
-void tell(const Tree &tree) {
-    const Protection here = protection_of_this_kernel();
-    std::cout << "protection      ";
-    if (here.files && here.calls)
-        std::cout << "Landlock and seccomp keep code that is judged from your files, other programs and the network\n";
+/// What keeps code that's judged from what, layer by layer.
+void tell_layers() {
+    const int version = landlock_version();
+    const bool filters = protection_of_this_kernel().calls;
+    std::cout << "Landlock        ";
+    if (version == 0) std::cout << "not in this kernel: code that you judge can read, change and delete your files\n";
     else
-        std::cout << "this kernel lacks " << (here.files ? "" : "Landlock") << (here.files || here.calls ? "" : " and ")
-                  << (here.calls ? "" : "seccomp") << ": judge only code that you trust\n";
+        std::cout << "version " << version << ": code that you judge opens no file but its own"
+                  << (version >= 6   ? ", and signals no other process"
+                      : version >= 3 ? "; signals are left to seccomp"
+                                     : "; signals and emptying files are left to seccomp")
+                  << '\n';
+    std::cout << "seccomp         "
+              << (filters ? "code that you judge starts no process or thread, and doesn't reach the network\n"
+                          : "not in this kernel: code that you judge can start processes, change the modes of your "
+                            "files, and use the network\n")
+              << "limits          " << (memory_limit >> 20) << " MB of memory and " << (print_limit >> 20)
+              << " MB of output for code that you judge, and its own processor time\n";
+}
+
+void tell(const Workspace &workspace) {
+    tell_layers();
     std::cout << "check           "
-              << (toolbox(tree, tree.sections().front()).quick
+              << (build_config(workspace, workspace.sections().front()).quick
                       ? "Clang compiles your answers; GCC those with a mistake, for its messages\n"
                       : "one compiler compiles your answers; on Linux, Clang beside GCC would halve the time\n");
 }
 
 } // namespace
 
-void add_doctor(CLI::App &app, const Tree &tree) {
+void add_doctor(CLI::App &app, const Workspace &workspace) {
     app.add_subcommand("doctor", "Say which tools are installed, and how to get the others")
-        ->callback([&tree] { tell(tree); })
+        ->callback([&workspace] { tell(workspace); })
         ->footer("Example: ./course doctor");
 }
 

@@ -1,6 +1,6 @@
+#include "base/files.hpp"
 #include "commands/commands.hpp"
 #include "figures/figure.hpp"
-#include "ground/files.hpp"
 
 namespace course {
 namespace {
@@ -16,7 +16,7 @@ Example: ./course draw --script plots/07_segment_intersection_room.gp \
 
 } // namespace
 
-void add_draw(CLI::App &app, const Tree &) {
+void add_draw(CLI::App &app, const Workspace &) {
     const auto figure = std::make_shared<Figure>();
     const auto out = std::make_shared<std::filesystem::path>();
     CLI::App *command = app.add_subcommand("draw", "Draw one figure from its trace")->group("")->footer(about_draw);

@@ -1,11 +1,11 @@
 // `course export handout`: the edition without solutions, for students of an instructor who keeps those.
 
-#include "class/handout.hpp"
+#include "base/files.hpp"
+#include "base/process.hpp"
+#include "base/repository.hpp"
+#include "base/text.hpp"
 #include "commands/commands.hpp"
-#include "ground/files.hpp"
-#include "ground/process.hpp"
-#include "ground/repository.hpp"
-#include "ground/text.hpp"
+#include "grade/handout.hpp"
 
 #include <fmt/format.h>
 #include <iostream>
@@ -27,19 +27,19 @@ Example: ./course export handout dist
          ./course export handout --check dist/frame-by-frame/build/default/site)";
 
 /// In an editor's words, as compilers have them.
-void require_no_leaks(const Tree &tree, const fs::path &folder) {
+void require_no_leaks(const Workspace &workspace, const fs::path &folder) {
     std::string all;
-    for (const Finding &leak : leaks(tree, folder))
+    for (const Finding &leak : leaks(workspace, folder))
         all += '\n' + leak.file.lexically_relative(folder).generic_string()
                + (leak.line == 0 ? "" : ':' + std::to_string(leak.line)) + ": " + leak.message;
-    if (!all.empty()) throw Complaint{"a handout mustn't have this in it:" + all};
+    if (!all.empty()) throw UserError{"a handout mustn't have this in it:" + all};
 }
 
 /// What is committed, in a folder.
-void take_committed(const Tree &tree, const fs::path &folder) {
+void take_committed(const Workspace &workspace, const fs::path &folder) {
     const std::string archive = folder.string() + ".tar";
     fs::create_directories(folder);
-    git_in(tree.root, {"archive", "--output=" + archive, "HEAD"});
+    git_in(workspace.root, {"archive", "--output=" + archive, "HEAD"});
     printed_by({"cmake", "-E", "tar", "xf", archive}, folder);
     fs::remove(archive);
 }
@@ -48,9 +48,9 @@ void take_committed(const Tree &tree, const fs::path &folder) {
 void require_handout_or_nothing(const fs::path &repository) {
     if (!fs::exists(repository)) return;
     if (!fs::exists(repository / handout_mark) || !fs::exists(repository / ".git"))
-        throw Complaint{repository.string() + " is there already, and is no handout: name another folder"};
+        throw UserError{repository.string() + " is there already, and is no handout: name another folder"};
     if (!git_in(repository, {"status", "--porcelain"}).empty())
-        throw Complaint{"somebody has changed " + repository.string() + ": commit that there, or name another folder"};
+        throw UserError{"somebody has changed " + repository.string() + ": commit that there, or name another folder"};
 }
 
 void put_into_repository(const fs::path &made, const fs::path &repository, const std::string &version) {
@@ -65,17 +65,17 @@ void put_into_repository(const fs::path &made, const fs::path &repository, const
         git_in(repository, {"commit", "--quiet", "--message", "Frame by Frame " + version});
 }
 
-void export_handout(const Tree &tree, const fs::path &folder) {
-    require_committed(tree, "a handout");
-    const std::string version = version_of(tree);
+void export_handout(const Workspace &workspace, const fs::path &folder) {
+    require_committed(workspace, "a handout");
+    const std::string version = version_of(workspace);
     fs::create_directories(folder);
     const Scratch scratch{fs::absolute(folder) / ".handout"};
-    if (scratch.folder.empty()) throw Complaint{"cannot write in " + folder.string() + "; is it yours?"};
+    if (scratch.folder.empty()) throw UserError{"cannot write in " + folder.string() + "; is it yours?"};
     const fs::path made = scratch.folder / repository_name,
                    zip = folder / fmt::format("frame-by-frame-{}-handout.zip", version);
-    take_committed(tree, made);
+    take_committed(workspace, made);
     make_handout(made);
-    require_no_leaks(tree, made);
+    require_no_leaks(workspace, made);
     put_into_repository(made, folder / repository_name, version);
     printed_by({"cmake", "-E", "tar", "cf", fs::absolute(zip).string(), "--format=zip", repository_name},
                scratch.folder);
@@ -85,7 +85,7 @@ void export_handout(const Tree &tree, const fs::path &folder) {
 
 } // namespace
 
-void add_export(CLI::App &app, const Tree &tree) {
+void add_export(CLI::App &app, const Workspace &workspace) {
     CLI::App *command = app.add_subcommand("export", "Write an edition of the course for others");
     CLI::App *handout =
         command->add_subcommand("handout", "without solutions, for your students")->footer(about_export);
@@ -93,10 +93,10 @@ void add_export(CLI::App &app, const Tree &tree) {
     const auto folder = std::make_shared<std::string>(), looked_at = std::make_shared<std::string>();
     auto *where = handout->add_option("folder", *folder, "where to write it");
     handout->add_option("--check", *looked_at, "write nothing: look for our solutions in this folder")->excludes(where);
-    handout->callback([&tree, folder, looked_at] {
-        if (!looked_at->empty()) return require_no_leaks(tree, *looked_at);
-        if (folder->empty()) throw Complaint{"name a folder to write to: ./course export handout dist"};
-        export_handout(tree, *folder);
+    handout->callback([&workspace, folder, looked_at] {
+        if (!looked_at->empty()) return require_no_leaks(workspace, *looked_at);
+        if (folder->empty()) throw UserError{"name a folder to write to: ./course export handout dist"};
+        export_handout(workspace, *folder);
     });
 }
 

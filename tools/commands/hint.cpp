@@ -1,12 +1,12 @@
-// `course hint`: an exercise's hints, one rung at a time, as its chapter has them.
+// `course hint`: an exercise's hints, one rung at a time, as the chapter has them.
 
+#include "base/files.hpp"
+#include "base/terminal.hpp"
 #include "book/chapter.hpp"
+#include "check/catalogue.hpp"
+#include "check/progress.hpp"
+#include "check/progress_store.hpp"
 #include "commands/commands.hpp"
-#include "ground/files.hpp"
-#include "ground/terminal.hpp"
-#include "loop/catalogue.hpp"
-#include "loop/memory.hpp"
-#include "loop/progress.hpp"
 
 #include <iostream>
 
@@ -18,10 +18,10 @@ struct HintOptions {
     bool all = false, again = false;
 };
 
-std::vector<Hint> rungs_of(const Tree &tree, const FoundExercise &found) {
+std::vector<Hint> rungs_of(const Workspace &workspace, const FoundExercise &exercise) {
     std::vector<Hint> rungs;
-    for (Hint &hint : hints(read_file(tree.chapter(found.section))))
-        if (hint.number == found.exercise.number) rungs.push_back(std::move(hint));
+    for (Hint &hint : hints(read_file(workspace.chapter(exercise.section))))
+        if (hint.number == exercise.exercise.number) rungs.push_back(std::move(hint));
     return rungs;
 }
 
@@ -31,29 +31,31 @@ void print(const Hint &hint, int rung, int rungs) {
     std::cout << painted(Colour::bold, heading) << "\n\n" << hint.text << (hint.text.ends_with('\n') ? "\n" : "\n\n");
 }
 
-/// The first exercise that is not passed yet.
-FoundExercise next_exercise(const Tree &tree) {
-    const auto section = first_unfinished(tree);
-    if (!section) throw Complaint{"all exercises pass; name one to see its hints, as in: ./course hint 1.2"};
-    const Progress known = progress(tree, *section);
-    if (!known.finished()) return {*section, known.first_open()->exercise};
-    throw Complaint{"all of section " + section->short_number() + " passed when it was last checked; check it again"};
+/// The exercise to go on with.
+FoundExercise next_exercise(const Workspace &workspace) {
+    const auto section = section_to_go_on_with(workspace);
+    if (!section) throw UserError{"all exercises pass; name one to see its hints, as in: ./course hint 1.2"};
+    const Progress known = progress(workspace, *section);
+    if (const Standing *next = known.next()) return {*section, next->exercise};
+    throw UserError{"all of section " + section->short_number() + " passed when it was last checked; check it again"};
 }
 
-void show_hint(const Tree &tree, const HintOptions &options) {
-    const FoundExercise found = options.exercise.empty() ? next_exercise(tree) : find_exercise(tree, options.exercise);
-    const std::string &number = found.exercise.number;
-    const std::string solution = tree.has_solution(found.section) ? "`./course solution " + number + "` shows ours."
-                                                                  : "Still stuck? Ask your instructor.";
-    const std::vector<Hint> rungs = rungs_of(tree, found);
+void show_hint(const Workspace &workspace, const HintOptions &options) {
+    const FoundExercise exercise =
+        options.exercise.empty() ? next_exercise(workspace) : find_exercise(workspace, options.exercise);
+    const std::string &number = exercise.exercise.number;
+    const std::string solution = workspace.has_solution(exercise.section)
+                                     ? "`./course solution " + number + "` shows ours."
+                                     : "Still stuck? Ask your instructor.";
+    const std::vector<Hint> rungs = rungs_of(workspace, exercise);
     const int last = static_cast<int>(rungs.size());
     if (last == 0) {
         std::cout << number << " has no hints: all it needs is in its chapter. " << solution << '\n';
         return;
     }
-    if (options.again) remember_rungs(tree, number, 0);
-    if (options.all) remember_rungs(tree, number, last);
-    const int first = options.all ? 0 : take_rung(tree, number, last), until = options.all ? last : first + 1;
+    if (options.again) remember_rungs(workspace, number, 0);
+    if (options.all) remember_rungs(workspace, number, last);
+    const int first = options.all ? 0 : take_rung(workspace, number, last), until = options.all ? last : first + 1;
     if (first == last) {
         std::cout << "You have seen all hints of " << number << "; `./course hint " << number
                   << " --all` shows them again. " << solution << '\n';
@@ -66,7 +68,7 @@ void show_hint(const Tree &tree, const HintOptions &options) {
 
 } // namespace
 
-void add_hint(CLI::App &app, const Tree &tree) {
+void add_hint(CLI::App &app, const Workspace &workspace) {
     const auto options = std::make_shared<HintOptions>();
     CLI::App *command = app.add_subcommand("hint", "Show the next hint for an exercise: each time a little more");
     command->add_option("exercise", options->exercise,
@@ -74,7 +76,7 @@ void add_hint(CLI::App &app, const Tree &tree) {
     command->add_flag("--all", options->all, "all of them at once");
     command->add_flag("--again", options->again, "begin again with the first");
     command->footer("Example: ./course hint 7.2");
-    command->callback([&tree, options] { show_hint(tree, *options); });
+    command->callback([&workspace, options] { show_hint(workspace, *options); });
 }
 
 } // namespace course

@@ -1,10 +1,10 @@
 // `course list`: what there is to do, and how far the student is. Remembered, not run again.
 
+#include "base/files.hpp"
+#include "base/terminal.hpp"
+#include "check/progress.hpp"
+#include "check/progress_store.hpp"
 #include "commands/commands.hpp"
-#include "ground/files.hpp"
-#include "ground/terminal.hpp"
-#include "loop/memory.hpp"
-#include "loop/progress.hpp"
 
 #include <algorithm>
 #include <iomanip>
@@ -13,9 +13,9 @@
 namespace course {
 namespace {
 
-/// The chapter's first line without its mark, "7 Nothing gets through:", or "9 Where's the hand?".
-std::string title(const Tree &tree, const Section &section) {
-    const std::string chapter = read_file(tree.chapter(section)),
+/// The chapter's first line without the mark, "7 Nothing gets through:", or "9 Where's the hand?".
+std::string title(const Workspace &workspace, const Section &section) {
+    const std::string chapter = read_file(workspace.chapter(section)),
                       line = chapter.substr(0, chapter.find_first_of("\r\n"));
     const std::string words = line.starts_with("# ") ? line.substr(2) : section.name;
     return words.ends_with('?') ? words : words + ':';
@@ -26,8 +26,8 @@ Colour colour(const std::string &state) {
     return state == "not started" || state == "not checked" || state.starts_with("needs ") ? Colour::dim : Colour::red;
 }
 
-void print(const Tree &tree, const Section &section, const Progress &progress) {
-    std::cout << painted(Colour::bold, title(tree, section)) << ' ' << progress.passed() << " of "
+void print(const Workspace &workspace, const Section &section, const Progress &progress) {
+    std::cout << painted(Colour::bold, title(workspace, section)) << ' ' << progress.passed() << " of "
               << progress.standings.size() << " passed\n";
     std::size_t longest = 0;
     for (const Standing &s : progress.standings) longest = std::max(longest, s.exercise.function.size());
@@ -40,20 +40,19 @@ void print(const Tree &tree, const Section &section, const Progress &progress) {
     if (!progress.there)
         std::cout << "  " << file << " is not there; `./course reset " << number << "` brings the empty one back.\n";
     if (progress.changed) std::cout << "  " << file << " has changed since the last check.\n";
-    if (const Hunt hunt = recall_hunt(tree, section); !hunt.begun.empty())
+    if (const Hunt hunt = recall_hunt(workspace, section); !hunt.begun.empty())
         std::cout << "  bugs found: " << hunt.found.size() << " (./course bug " << number << ")\n";
 }
 
-/// What to do about the first exercise that is open, or the one that it needs, which is not started.
-std::string next_step(const Section &section, const Progress &progress) {
-    const auto open = progress.first_open(), none = progress.standings.end();
+/// What to do about the exercise to go on with.
+std::string next_step(const Workspace &workspace, const Section &section) {
+    if (!is_built(workspace, section)) return "./course, which builds it";
+    const Progress known = progress(workspace, section);
+    const Standing *next = known.next();
     const std::string number = section.short_number();
-    if (!progress.there) return "./course reset " + number;
-    if (progress.changed || open == none) return "./course check " + number;
-    const auto needed = std::ranges::find_if(progress.standings, [&](const Standing &s) {
-        return open->state == "needs " + s.exercise.number + ' ' + s.exercise.function;
-    });
-    const auto &[exercise, state] = needed == none ? *open : *needed;
+    if (!known.there) return "./course reset " + number;
+    if (known.changed || next == nullptr) return "./course check " + number;
+    const auto &[exercise, state] = *next;
     if (state == "is empty" || state == "can't be read" || state == "does not compile" || state == "does not link")
         return "./course check " + number + " (it " + state + ')';
     if (state != "not started")
@@ -63,28 +62,25 @@ std::string next_step(const Section &section, const Progress &progress) {
            + ".cpp; then ./course check " + number;
 }
 
-void list(const Tree &tree) {
-    std::string next;
-    for (const Section &section : tree.sections()) {
-        if (!is_built(tree, section)) {
-            std::cout << painted(Colour::bold, title(tree, section)) << " not built yet\n\n";
-            if (next.empty()) next = "./course, which builds it";
+void list(const Workspace &workspace) {
+    for (const Section &section : workspace.sections()) {
+        if (!is_built(workspace, section)) {
+            std::cout << painted(Colour::bold, title(workspace, section)) << " not built yet\n\n";
             continue;
         }
-        const Progress so_far = progress(tree, section);
-        print(tree, section, so_far);
+        print(workspace, section, progress(workspace, section));
         std::cout << '\n';
-        if (next.empty() && (!so_far.finished() || so_far.changed || !so_far.there)) next = next_step(section, so_far);
     }
-    std::cout << (next.empty() ? "All exercises are passed.\n" : "Next: " + next + '\n');
+    const auto section = section_to_go_on_with(workspace);
+    std::cout << (section ? "Next: " + next_step(workspace, *section) : "All exercises are passed.") << '\n';
 }
 
 } // namespace
 
-void add_list(CLI::App &app, const Tree &tree) {
+void add_list(CLI::App &app, const Workspace &workspace) {
     app.add_subcommand("list", "Show all sections and exercises, how far you are, and the next step")
         ->footer("Nothing is run: the states are those of the last check.\n\nExample: ./course list")
-        ->callback([&tree] { list(tree); });
+        ->callback([&workspace] { list(workspace); });
 }
 
 } // namespace course

@@ -1,12 +1,12 @@
 // `course mytests`: which mistakes the reader's own tests catch, and whether they accept what's right.
 
+#include "base/files.hpp"
+#include "base/lab.hpp"
+#include "base/terminal.hpp"
+#include "base/text.hpp"
+#include "check/catalogue.hpp"
+#include "check/own_tests.hpp"
 #include "commands/commands.hpp"
-#include "ground/files.hpp"
-#include "ground/lab.hpp"
-#include "ground/terminal.hpp"
-#include "ground/text.hpp"
-#include "loop/catalogue.hpp"
-#include "loop/own_tests.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -15,8 +15,8 @@ namespace course {
 namespace {
 
 /// What a reader can do with an empty file of tests.
-std::string first_step(const Tree &tree, const Section &section) {
-    return "Put a number in it that the chapter works out: call `" + catalogue(tree, section).front().function
+std::string first_step(const Workspace &workspace, const Section &section) {
+    return "Put a number in it that the chapter works out: call `" + catalogue(workspace, section).front().function
            + "` there, and say with CHECK_THAT what must come out. Save, and type ./course mytests "
            + section.short_number() + " again.\n";
 }
@@ -27,7 +27,7 @@ bool calls(const OwnTest &test, const Exercise &exercise) {
 
 /// A verdict on an answer of ours, which is right: it's the test that may be wrong.
 Verdict as_read(Verdict verdict) {
-    if (verdict.kind == Kind::too_long && verdict.call)
+    if (verdict.kind == Outcome::too_long && verdict.call)
         verdict.sentence = "A right answer takes too long for this: is something in it huge, or called very often?";
     if (!verdict.expected.empty())
         verdict.sentence = "Your test wants " + (verdict.label.empty() ? "" : "the " + verdict.label + " to be ")
@@ -50,7 +50,7 @@ bool is_exact(const Verdict &verdict) {
 
 /// What keeps a test from being asked about mistakes.
 void print_trouble(const OwnTest &test, const std::string &place, const std::string &example) {
-    if (test.verdict.kind == Kind::no_verdict || test.verdict.passed()) {
+    if (test.verdict.kind == Outcome::no_verdict || test.verdict.passed()) {
         Verdict none{.sentence = test.verdict.sentence, .file = place, .line = test.line};
         if (test.calls.empty())
             none.sentence = "This test calls none of the section's functions, so it can't catch anything: call "
@@ -62,12 +62,12 @@ void print_trouble(const OwnTest &test, const std::string &place, const std::str
 
 class MyTests {
   public:
-    MyTests(const Tree &tree_, Section section_, bool verbose_)
-        : tree{tree_}, section{std::move(section_)}, verbose{verbose_}, exercises{catalogue(tree, section)} {}
+    MyTests(const Workspace &tree_, Section section_, bool verbose_)
+        : workspace{tree_}, section{std::move(section_)}, verbose{verbose_}, exercises{catalogue(workspace, section)} {}
 
     int run() {
-        const std::string name = tree.shown(tree.own_tests(section));
-        judgement = judge_own_tests(tree, section);
+        const std::string name = workspace.shown(workspace.own_tests(section));
+        judgement = judge_own_tests(workspace, section);
         if (judgement.unbuilt) {
             print_unbuilt(*judgement.unbuilt, name);
             return something_to;
@@ -95,8 +95,8 @@ class MyTests {
     static bool is_fine(const OwnTest &test) { return test.sound && !test.calls.empty(); }
 
     void print_trouble_of(const OwnTest &test, const std::string &name) const {
-        const auto is_its = [&](const Refusal &refusal) { return refusal.verdict.test == test.name; };
-        const auto first = std::ranges::find_if(judgement.refusals, is_its);
+        const auto is_of_test = [&](const Refusal &refusal) { return refusal.verdict.test == test.name; };
+        const auto first = std::ranges::find_if(judgement.refusals, is_of_test);
         if (first == judgement.refusals.end()) return print_trouble(test, name, exercises.front().function);
         print_trouble(test.name, "our solution passes, but another right answer doesn't (" + first->right + ")",
                       first->verdict);
@@ -105,39 +105,39 @@ class MyTests {
                           ? "It's right, and rounds otherwise: allow for that, with IsNear(…, 1e-9) or == Approx(…)."
                           : "It's right, too: does your test want more than the header promises?")
                   << '\n';
-        if (const auto all = std::ranges::count_if(judgement.refusals, is_its); all > 1)
-            std::cout << "    It's the same with " << counted(all - 1, "other right answer") << ".\n";
+        if (const auto all = std::ranges::count_if(judgement.refusals, is_of_test); all > 1)
+            std::cout << "    It's the same with " << pluralize(all - 1, "other right answer") << ".\n";
     }
 
     void print(const Exercise &exercise) const {
         const std::string head = exercise.number + ' ' + exercise.function + ", " + exercise.tier;
         const auto fails = [&](const OwnTest &test) { return calls(test, exercise) && !is_fine(test); };
         const bool well = std::ranges::none_of(judgement.tests, fails);
-        const auto found = judgement.mistakes.find(exercise.number);
-        if (!well && found == judgement.mistakes.end()) {
+        const auto known = judgement.mistakes.find(exercise.number);
+        if (!well && known == judgement.mistakes.end()) {
             std::cout << painted(Colour::red, "✗ " + head) << ": no test of yours accepts all right answers yet\n";
             return;
         }
-        const auto mistakes = found == judgement.mistakes.end() ? std::vector<KnownMistake>{} : found->second;
+        const auto mistakes = known == judgement.mistakes.end() ? std::vector<KnownMistake>{} : known->second;
         const auto caught = static_cast<std::size_t>(std::ranges::count_if(mistakes, &KnownMistake::caught));
         std::cout << (well ? painted(Colour::green, "✓ " + head) : painted(Colour::red, "✗ " + head)) << ": "
-                  << (well
-                          ? "accepts all " + counted(judgement.right.at(exercise.number), "right answer") + ", catches "
-                          : "without what's red above, catches ")
-                  << caught << " of " << counted(mistakes.size(), "mistake") << '\n';
+                  << (well ? "accepts all " + pluralize(judgement.right.at(exercise.number), "right answer")
+                                 + ", catches "
+                           : "without what's red above, catches ")
+                  << caught << " of " << pluralize(mistakes.size(), "mistake") << '\n';
         print_caught(mistakes, caught);
     }
 
     void print_caught(const std::vector<KnownMistake> &mistakes, std::size_t caught) const {
         constexpr std::size_t most = 6;
-        std::size_t shown = 0;
+        std::size_t printed = 0;
         for (const KnownMistake &mistake : mistakes)
-            if (mistake.caught && (verbose || shown < most)) {
+            if (mistake.caught && (verbose || printed < most)) {
                 std::cout << "    " << painted(Colour::green, "✓") << " when " << mistake.what << '\n';
-                ++shown;
+                ++printed;
             }
-        if (caught > shown)
-            std::cout << painted(Colour::dim, "      and " + std::to_string(caught - shown) + " more (-v shows all)")
+        if (caught > printed)
+            std::cout << painted(Colour::dim, "      and " + std::to_string(caught - printed) + " more (-v shows all)")
                       << '\n';
     }
 
@@ -153,12 +153,12 @@ class MyTests {
                 std::ranges::count_if(mistakes, [](const KnownMistake &mistake) { return !mistake.caught; }));
         if (missed == 0) std::cout << painted(Colour::green, "Your tests catch every mistake that we know.") << '\n';
         else
-            std::cout << counted(missed, "mistake") << (missed == 1 ? " gets" : " get")
-                      << " past your tests. What else does " << tree.shown(tree.header(section))
-                      << " promise? Ours are in " << tree.shown(tree.tests(section)) << '\n';
+            std::cout << pluralize(missed, "mistake") << (missed == 1 ? " gets" : " get")
+                      << " past your tests. What else does " << workspace.shown(workspace.header(section))
+                      << " promise? Ours are in " << workspace.shown(workspace.tests(section)) << '\n';
     }
 
-    const Tree &tree;
+    const Workspace &workspace;
     Section section;
     bool verbose;
     std::vector<Exercise> exercises;
@@ -167,36 +167,36 @@ class MyTests {
 
 /// Makes the file if it isn't there.
 /// @return whether it holds anything to run
-bool is_written(const Tree &tree, const Section &section) {
-    const std::filesystem::path file = tree.own_tests(section);
-    const std::string empty = empty_own_tests(tree, section);
+bool is_written(const Workspace &workspace, const Section &section) {
+    const std::filesystem::path file = workspace.own_tests(section);
+    const std::string empty = empty_own_tests(workspace, section);
     if (!std::filesystem::exists(file)) {
         write_file(file, empty);
-        std::cout << tree.shown(file) << " is there now, with one empty test. " << first_step(tree, section);
-        throw Leave{all_well};
+        std::cout << workspace.shown(file) << " is there now, with one empty test. " << first_step(workspace, section);
+        throw ExitRequest{all_well};
     }
     if (read_file(file) != empty) return true;
-    std::cout << tree.shown(file) << " still has its one empty test. " << first_step(tree, section);
+    std::cout << workspace.shown(file) << " still has its one empty test. " << first_step(workspace, section);
     return false;
 }
 
-void my_tests(const Tree &tree, const std::string &words, bool verbose) {
-    require_own_course(tree);
-    const Section section = tree.section(words);
+void my_tests(const Workspace &workspace, const std::string &words, bool verbose) {
+    require_own_course(workspace);
+    const Section section = workspace.section(words);
     if (is_number_of_exercise(words))
-        throw Complaint{"the tests of a section are in one file: ./course mytests " + section.short_number()};
-    require_answers(tree, section);
-    if (!is_written(tree, section)) throw Leave{something_to};
-    if (!are_answers_built(tree, section))
+        throw UserError{"the tests of a section are in one file: ./course mytests " + section.short_number()};
+    require_answers(workspace, section);
+    if (!is_written(workspace, section)) throw ExitRequest{something_to};
+    if (!are_answers_built(workspace, section))
         std::cout << "Compiling our right and wrong answers to section " << section.short_number()
                   << ". That takes up to a minute, this once.\n"
                   << std::flush;
-    if (const int code = MyTests{tree, section, verbose}.run(); code != all_well) throw Leave{code};
+    if (const int code = MyTests{workspace, section, verbose}.run(); code != all_well) throw ExitRequest{code};
 }
 
 } // namespace
 
-void add_mytests(CLI::App &app, const Tree &tree) {
+void add_mytests(CLI::App &app, const Workspace &workspace) {
     const auto section = std::make_shared<std::string>();
     const auto verbose = std::make_shared<bool>();
     CLI::App *command = app.add_subcommand("mytests", "Write tests of your own, and see which mistakes they catch");
@@ -206,7 +206,7 @@ void add_mytests(CLI::App &app, const Tree &tree) {
         "Your tests are in exercises/NN_slug_tests.cpp, which the first call makes. They run against our right "
         "answers, which they must accept, and against wrong ones.\n\nExample: ./course mytests 2\nExits with 0 if your "
         "tests accept what's right, 1 if not.");
-    command->callback([&tree, section, verbose] { my_tests(tree, *section, *verbose); });
+    command->callback([&workspace, section, verbose] { my_tests(workspace, *section, *verbose); });
 }
 
 } // namespace course

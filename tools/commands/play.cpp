@@ -1,21 +1,22 @@
 // `course play`: a chapter's demo in the browser, with our functions or with the student's.
 
+#include "base/build.hpp"
+#include "base/files.hpp"
+#include "base/lock.hpp"
+#include "base/process.hpp"
+#include "base/terminal.hpp"
+#include "base/watch.hpp"
+#include "check/bugs.hpp"
+#include "check/catalogue.hpp"
+#include "check/programs.hpp"
+#include "check/progress_store.hpp"
 #include "commands/commands.hpp"
-#include "ground/build.hpp"
-#include "ground/files.hpp"
-#include "ground/lock.hpp"
-#include "ground/process.hpp"
-#include "ground/terminal.hpp"
-#include "loop/bugs.hpp"
-#include "loop/catalogue.hpp"
-#include "loop/memory.hpp"
-#include "loop/programs.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 #include "site/demos.hpp"
 #include "site/own_site.hpp"
 #include "site/share.hpp"
-#include "site/suspects.hpp"
+#include "site/spot_the_bug.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -25,7 +26,6 @@
 #include <iostream>
 #include <iterator>
 #include <regex>
-#include <thread>
 #include <unistd.h>
 
 namespace course {
@@ -58,15 +58,15 @@ std::string sizes(const std::string &printed) {
     return " (" + download[1].str() + " to download, " + disk[1].str() + " on the disk)";
 }
 
-/// @throws Complaint that says what to do, unless there is a compiler for pages in the end.
-void need_compiler(const Tree &tree, bool yes) {
-    if (can_compile_demos(tree)) return;
-    if (tree.is_shared())
-        throw Complaint{"this course was built without a compiler for pages, so its demos run on our functions alone: "
+/// @throws UserError that says what to do, unless there is a compiler for pages in the end.
+void need_compiler(const Workspace &workspace, bool yes) {
+    if (can_compile_demos(workspace)) return;
+    if (workspace.is_shared())
+        throw UserError{"this course was built without a compiler for pages, so its demos run on our functions alone: "
                         "without --mine they do"};
-    run({"cmake", tree.build.string()}); // it may have been installed since
-    if (can_compile_demos(tree)) return;
-    std::ifstream list{tree.root / "tools" / "setup" / "needs_of_pages"};
+    run({"cmake", workspace.build.string()}); // it may have been installed since
+    if (can_compile_demos(workspace)) return;
+    std::ifstream list{workspace.root / "tools" / "setup" / "needs_of_pages"};
     const std::vector<std::string> packages{std::istream_iterator<std::string>{list}, {}};
     std::vector<std::string> command{"apt-get", "install", "--no-install-recommends"};
     command.insert(command.end(), packages.begin(), packages.end());
@@ -75,7 +75,7 @@ void need_compiler(const Tree &tree, bool yes) {
     trial.push_back("--assume-no");
     const std::string printed = in_path("apt-get") ? run(trial).out : "";
     if (sizes(printed).empty())
-        throw Complaint{why
+        throw UserError{why
                         + "; it is Clang 14 with the packages wasi-libc and libc++-14-dev-wasm32 of Debian 12, "
                           "which are not to be had here. Without --mine the demo runs on ours"};
     if (::geteuid() != 0) command.insert(command.begin(), "sudo");
@@ -83,108 +83,93 @@ void need_compiler(const Tree &tree, bool yes) {
               << fmt::format("{}", fmt::join(command, " ")) << '\n'
               << std::flush;
     if (!yes && !(can_ask() && ask("Install it now?")))
-        throw Complaint{"nothing was installed; type the line above, then ./course play again. Without --mine the demo "
+        throw UserError{"nothing was installed; type the line above, then ./course play again. Without --mine the demo "
                         "runs on ours"};
     command.push_back("--yes");
-    if (run(command, {.quiet = false}).code != 0) throw Complaint{"apt-get could not install it; it says why above"};
-    run({"cmake", tree.build.string()});
-    if (!can_compile_demos(tree))
-        throw Complaint{"the compiler for WebAssembly is installed, but does not work; please report what "
+    if (run(command, {.quiet = false}).code != 0) throw UserError{"apt-get could not install it; it says why above"};
+    run({"cmake", workspace.build.string()});
+    if (!can_compile_demos(workspace))
+        throw UserError{"the compiler for WebAssembly is installed, but does not work; please report what "
                         "clang++-14 --target=wasm32-wasi --version prints"};
 }
 
 // The student's demo
 
 /// What an earlier section's file is compiled to for this section's demo, if that plays the student's of all.
-fs::path earlier_object(const Tree &tree, const Section &section, const Section &earlier) {
-    return tree.work() / "play" / (section.name + '_' + earlier.name + "_mine.o");
+fs::path earlier_object(const Workspace &workspace, const Section &section, const Section &earlier) {
+    return workspace.work() / "play" / (section.name + '_' + earlier.name + "_mine.o");
 }
 
-/// The sections whose files are in this section's demo, once it's built, beside its own.
-std::vector<Section> sections_of_demo(const Tree &tree, const Section &section) {
-    std::vector<Section> all = tree.sections();
-    std::erase_if(all, [&](const Section &each) { return !fs::exists(earlier_object(tree, section, each)); });
+/// The other sections with files in this section's demo, once it's built.
+std::vector<Section> sections_of_demo(const Workspace &workspace, const Section &section) {
+    std::vector<Section> all = workspace.sections();
+    std::erase_if(all, [&](const Section &each) { return !fs::exists(earlier_object(workspace, section, each)); });
     return all;
 }
 
 /// A line for each of them that doesn't compile: tools/play/earlier.cjs has left something in its place.
-std::string about_broken(const Tree &tree, const Section &section) {
-    std::string said;
-    for (const Section &each : sections_of_demo(tree, section))
-        if (read_file(earlier_object(tree, section, each)).find("broken " + each.name) != std::string::npos)
-            said += tree.shown(tree.exercise(each)) + " doesn't compile, so the demo has "
-                    + (tree.has_solution(each) ? "our" : "no") + " functions of section " + each.short_number()
-                    + ": ./course check " + each.short_number() + " says why.\n";
-    return said;
+std::string about_broken(const Workspace &workspace, const Section &section) {
+    std::string lines;
+    for (const Section &each : sections_of_demo(workspace, section))
+        if (read_file(earlier_object(workspace, section, each)).find("broken " + each.name) != std::string::npos)
+            lines += workspace.shown(workspace.exercise(each)) + " doesn't compile, so the demo has "
+                     + (workspace.has_solution(each) ? "our" : "no") + " functions of section " + each.short_number()
+                     + ": ./course check " + each.short_number() + " says why.\n";
+    return lines;
 }
 
 /// Compiles the student's file into the demo; a file that cannot be compiled becomes a sentence, there and here.
 /// @return whether it could be compiled
-bool build_own(const Tree &tree, const Section &section) {
-    const Lock lock{tree};
+bool build_own(const Workspace &workspace, const Section &section) {
+    const Lock lock{workspace};
     const auto began = std::chrono::steady_clock::now();
-    const std::string trouble = build_own_demo(tree, section);
+    const std::string trouble = build_own_demo(workspace, section);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     if (trouble.empty())
-        std::cout << fmt::format("Your code is in the demo ({:.1f} s).\n", took.count()) << about_broken(tree, section)
-                  << std::flush;
+        std::cout << fmt::format("Your code is in the demo ({:.1f} s).\n", took.count())
+                  << about_broken(workspace, section) << std::flush;
     else std::cout << "Your code is not in the demo: " << trouble << '\n' << std::flush;
     return trouble.empty();
 }
 
-/// When these files were saved last, of those that are there.
-std::vector<fs::file_time_type> dates(const std::vector<fs::path> &files) {
-    std::vector<fs::file_time_type> all;
-    for (const fs::path &file : files) {
-        std::error_code missing;
-        if (const auto date = fs::last_write_time(file, missing); !missing) all.push_back(date);
-    }
-    return all;
-}
-
-/// Builds again at each save, until Ctrl-C.
-void watch(const Tree &tree, const Section &section, const std::function<bool()> &build) {
-    std::cout << "Save your file, and " << (tree.is_shared() ? "reload the page" : "the page takes it up")
+/// Builds again at each save.
+void watch(const Workspace &workspace, const Section &section, const std::function<bool()> &build) {
+    std::cout << "Save your file, and " << (workspace.is_shared() ? "reload the page" : "the page takes it up")
               << ". Ctrl-C ends this.\n"
               << std::flush;
-    std::vector<fs::path> files{tree.exercise(section)};
-    for (const Section &each : sections_of_demo(tree, section)) files.push_back(tree.exercise(each));
-    for (auto seen = dates(files);; std::this_thread::sleep_for(std::chrono::milliseconds{100})) {
-        const auto now = dates(files);
-        if (now == seen || now.size() < files.size()) continue; // an editor may be between two versions of a file
-        seen = now;
-        build();
-    }
+    std::vector<fs::path> files{workspace.exercise(section)};
+    for (const Section &each : sections_of_demo(workspace, section)) files.push_back(workspace.exercise(each));
+    for (FileWatch saves{files}; saves.wait();) build();
 }
 
 struct Place {
     DemoMark mark;
-    std::string id; ///< within its page
+    std::string id; ///< within the page
 };
 
 /// See place_for.
-Place place_of_demo(const Tree &tree, const Section &section, const std::string &exercise, bool mine) {
-    const std::vector<DemoMark> marks = demo_marks(read_file(tree.chapter(section)));
+Place place_of_demo(const Workspace &workspace, const Section &section, const std::string &exercise, bool mine) {
+    const std::vector<DemoMark> marks = demo_marks(read_file(workspace.chapter(section)));
     const std::size_t place = place_for(marks, exercise, mine);
     return {marks[place], demo_id(marks[place], place)};
 }
 
-void write_page(const Tree &tree, const Demo &demo, const DemoMark &mark, const fs::path &file) {
-    write_file(file, shared_page(tree, demo, mark, !sections_of_demo(tree, demo.section).empty()));
+void write_page(const Workspace &workspace, const Demo &demo, const DemoMark &mark, const fs::path &file) {
+    write_file(file, shared_page(workspace, demo, mark, !sections_of_demo(workspace, demo.section).empty()));
 }
 
 /// Writes the page that can be sent to a friend.
-void share(const Tree &tree, const Demo &demo, const DemoMark &mark, const fs::path &file) {
-    write_page(tree, demo, mark, file);
+void share(const Workspace &workspace, const Demo &demo, const DemoMark &mark, const fs::path &file) {
+    write_page(workspace, demo, mark, file);
     std::cout << "Written: " << file.string() << ", " << fs::file_size(file) / 1000
               << " kB, with your code in it. Send it to a friend, who opens it with a double click.\n";
 }
 
-/// @throws Complaint if the section has none
-Demo demo_of(const Tree &tree, const Section &section) {
-    for (Demo &demo : demos(tree))
+/// @throws UserError if the section has none
+Demo demo_of(const Workspace &workspace, const Section &section) {
+    for (Demo &demo : demos(workspace))
         if (demo.section.name == section.name) return std::move(demo);
-    throw Complaint{"section " + section.short_number() + " has no demo to play with yet"};
+    throw UserError{"section " + section.short_number() + " has no demo to play with yet"};
 }
 
 void open_page(const fs::path &address) {
@@ -193,80 +178,82 @@ void open_page(const fs::path &address) {
 }
 
 /// Where the bug is seen, as far as is remembered which one it is.
-DemoMark mark_of_bug(const Tree &tree, const Section &section) {
-    const std::string begun = recall_hunt(tree, section).begun;
-    const std::vector<Bug> bugs = bugs_of(tree, section);
+DemoMark mark_of_bug(const Workspace &workspace, const Section &section) {
+    const std::string begun = recall_hunt(workspace, section).begun;
+    const std::vector<Bug> bugs = bugs_of(workspace, section);
     const auto bug = std::ranges::find(bugs, begun, &Bug::name);
-    return bug == bugs.end() ? place_of_demo(tree, section, "", true).mark : place_of_bug(tree, section, *bug);
+    return bug == bugs.end() ? place_of_demo(workspace, section, "", true).mark
+                             : place_of_bug(workspace, section, *bug);
 }
 
-/// Opens a page with the demo alone: the site and its copy know nothing of bugs.
-void play_bug(const Tree &tree, const PlayOptions &options) {
-    if (options.section.empty()) throw Complaint{"--bug needs a section, as in: ./course play 8 --bug"};
-    const Section section = tree.section(options.section);
-    const fs::path file = tree.bug(section), page = tree.work() / "play" / (section.name + "_bug.html");
+/// Opens a page with the demo alone: the site and the student's copy of it know nothing of bugs.
+void play_bug(const Workspace &workspace, const PlayOptions &options) {
+    if (options.section.empty()) throw UserError{"--bug needs a section, as in: ./course play 8 --bug"};
+    const Section section = workspace.section(options.section);
+    const fs::path file = workspace.bug(section), page = workspace.work() / "play" / (section.name + "_bug.html");
     if (!fs::exists(file))
-        throw Complaint{tree.shown(file) + " isn't there yet: ./course bug " + section.short_number()
+        throw UserError{workspace.shown(file) + " isn't there yet: ./course bug " + section.short_number()
                         + " puts a bug into it"};
-    const Demo demo = demo_of(tree, section);
-    const DemoMark mark = mark_of_bug(tree, section);
-    need_compiler(tree, options.yes);
-    bring_up_site(tree);
-    const Lock lock{tree};
-    const Finished built = build_target(tree, section.name + "_play_bug");
+    const Demo demo = demo_of(workspace, section);
+    const DemoMark mark = mark_of_bug(workspace, section);
+    need_compiler(workspace, options.yes);
+    bring_up_site(workspace);
+    const Lock lock{workspace};
+    const Finished built = build_target(workspace, section.name + "_play_bug");
     if (built.code != 0) {
-        std::cout << "There's no demo of it: " << student_error(tree, section, file, built.out + '\n' + built.err)
+        std::cout << "There's no demo of it: " << student_error(workspace, section, file, built.out + '\n' + built.err)
                   << '\n';
-        throw Leave{something_to};
+        throw ExitRequest{something_to};
     }
-    write_file(page, page_with_bug(tree, demo, mark));
+    write_file(page, page_with_bug(workspace, demo, mark));
     open_page(page);
 }
 
-void play(const Tree &tree, const PlayOptions &options) {
-    if (options.bug) return play_bug(tree, options);
+void play(const Workspace &workspace, const PlayOptions &options) {
+    if (options.bug) return play_bug(workspace, options);
     if (options.mine && options.section.empty())
-        throw Complaint{"--mine needs a section, as in: ./course play 7 --mine"};
+        throw UserError{"--mine needs a section, as in: ./course play 7 --mine"};
     if (!options.share.empty() && !options.mine)
-        throw Complaint{"--share is for your own code: ./course play 7 --mine --share ball.html"};
+        throw UserError{"--share is for your own code: ./course play 7 --mine --share ball.html"};
     if (!options.share.empty() && options.share.extension() != ".html")
-        throw Complaint{options.share.string() + " would be a web page: give it a name that ends in .html"};
-    if (options.watch && !options.mine) throw Complaint{"--watch is for your own code: ./course play 7 --mine --watch"};
+        throw UserError{options.share.string() + " would be a web page: give it a name that ends in .html"};
+    if (options.watch && !options.mine) throw UserError{"--watch is for your own code: ./course play 7 --mine --watch"};
     std::optional<Demo> demo;
     std::string page = "play.html", exercise;
     std::optional<Section> section;
     Place place;
     if (!options.section.empty()) {
-        section = tree.section(options.section);
-        if (is_number_of_exercise(options.section)) exercise = find_exercise(tree, options.section).exercise.number;
-        demo = demo_of(tree, *section);
-        place = place_of_demo(tree, *section, exercise, options.mine);
-        page = page_name(tree, tree.chapter(*section)) + ".html#" + place.id;
+        section = workspace.section(options.section);
+        if (is_number_of_exercise(options.section))
+            exercise = find_exercise(workspace, options.section).exercise.number;
+        demo = demo_of(workspace, *section);
+        place = place_of_demo(workspace, *section, exercise, options.mine);
+        page = page_name(workspace, workspace.chapter(*section)) + ".html#" + place.id;
     }
-    if (!options.share.empty() && fingerprint(tree.exercise(*section)) == fingerprint(tree.stub(*section)))
-        throw Complaint{tree.shown(tree.exercise(*section))
+    if (!options.share.empty() && fingerprint(workspace.exercise(*section)) == fingerprint(workspace.stub(*section)))
+        throw UserError{workspace.shown(workspace.exercise(*section))
                         + " is not started, so there is nothing of yours to share yet"};
-    if (options.mine) need_compiler(tree, options.yes);
-    bring_up_site(tree);
-    const bool apart = options.mine && tree.is_shared(); // where there's no room for a copy of the site
-    const fs::path opened = apart ? tree.work() / "play" / (section->name + "_mine.html")
-                                  : (options.mine ? own_site_folder(tree) : site_folder(tree)) / page;
+    if (options.mine) need_compiler(workspace, options.yes);
+    bring_up_site(workspace);
+    const bool apart = options.mine && workspace.is_shared(); // where there's no room for a copy of the site
+    const fs::path opened = apart ? workspace.work() / "play" / (section->name + "_mine.html")
+                                  : (options.mine ? own_site_folder(workspace) : site_folder(workspace)) / page;
     const auto build = [&] {
-        const bool compiled = build_own(tree, *section);
-        if (compiled && apart) write_page(tree, *demo, place.mark, opened);
+        const bool compiled = build_own(workspace, *section);
+        if (compiled && apart) write_page(workspace, *demo, place.mark, opened);
         return compiled;
     };
-    if (options.mine && !apart) copy_own_site(tree);
+    if (options.mine && !apart) copy_own_site(workspace);
     const bool fine = !options.mine || build();
-    if (fine && !options.share.empty()) return share(tree, *demo, place.mark, options.share);
+    if (fine && !options.share.empty()) return share(workspace, *demo, place.mark, options.share);
     if (fine || !apart) open_page(opened);
-    if (options.watch) watch(tree, *section, build);
-    if (!fine) throw Leave{something_to};
+    if (options.watch) watch(workspace, *section, build);
+    if (!fine) throw ExitRequest{something_to};
 }
 
 } // namespace
 
-void add_play(CLI::App &app, const Tree &tree) {
+void add_play(CLI::App &app, const Workspace &workspace) {
     const auto options = std::make_shared<PlayOptions>();
     CLI::App *command = app.add_subcommand("play", "Open a chapter's demo in your browser, with our code or yours");
     command->add_option("section", options->section,
@@ -283,7 +270,7 @@ void add_play(CLI::App &app, const Tree &tree) {
     command->add_flag("--yes", options->yes,
                       "with --mine: install a compiler for pages without asking, if there is none");
     command->footer(about_play);
-    command->callback([&tree, options] { play(tree, *options); });
+    command->callback([&workspace, options] { play(workspace, *options); });
 }
 
 } // namespace course

@@ -1,10 +1,11 @@
-// `course publish --release`: what somebody can take who has no use for a repository.
+// `course dev release`: what somebody can take who has no use for a repository.
 
+#include "base/files.hpp"
+#include "base/repository.hpp"
+#include "base/text.hpp"
 #include "commands/commands.hpp"
-#include "ground/files.hpp"
-#include "ground/repository.hpp"
-#include "ground/text.hpp"
 #include "site/addresses.hpp"
+#include "site/build.hpp"
 
 #include <fmt/format.h>
 #include <iostream>
@@ -14,33 +15,46 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Whoever takes it must be able to say what they have, and to read what's new in it.
-void require_ready(const Tree &tree, const std::string &version) {
-    if (!contains(read_file(tree.root / "CHANGELOG.md"), "\n## " + version + '\n'))
-        throw Complaint{"CHANGELOG.md has no heading \"## " + version
+void require_ready(const Workspace &workspace, const std::string &version) {
+    if (!contains(read_file(workspace.root / "CHANGELOG.md"), "\n## " + version + '\n'))
+        throw UserError{"CHANGELOG.md has no heading \"## " + version
                         + "\": say what a reader gets, or change the version in CMakeLists.txt"};
-    require_committed(tree, "a release");
+    require_committed(workspace, "a release");
 }
 
 } // namespace
 
-void release(const Tree &tree) {
-    const std::string version = version_of(tree), name = "frame-by-frame-" + version;
-    require_ready(tree, version);
-    bring_up_site(tree);
+void release(const Workspace &workspace) {
+    const std::string version = version_of(workspace), name = "frame-by-frame-" + version;
+    require_ready(workspace, version);
+    bring_up_site(workspace);
 
-    const fs::path folder = tree.build / "release";
+    const fs::path folder = workspace.build / "release";
     fs::remove_all(folder);
     fs::create_directories(folder);
     const auto file = [&](const char *rest) { return (folder / (name + rest)).string(); };
-    git_in(tree.root, {"archive", "--prefix=" + name + '/', "--output=" + file(".tar.gz"), "HEAD"});
-    printed_by({"cmake", "-E", "tar", "cf", file("-site.zip"), "--format=zip", site_folder(tree).filename().string()},
-               site_folder(tree).parent_path());
+    git_in(workspace.root, {"archive", "--prefix=" + name + '/', "--output=" + file(".tar.gz"), "HEAD"});
+    printed_by(
+        {"cmake", "-E", "tar", "cf", file("-site.zip"), "--format=zip", site_folder(workspace).filename().string()},
+        site_folder(workspace).parent_path());
     std::vector<std::string> stills{"cmake", "-E", "tar", "cf", file("-stills.zip"), "--format=zip"};
-    for (const fs::directory_entry &each : fs::directory_iterator{tree.root / "demos"})
+    for (const fs::directory_entry &each : fs::directory_iterator{workspace.root / "demos"})
         if (each.path().extension() == ".svg") stills.push_back("demos/" + each.path().filename().string());
-    printed_by(stills, tree.root);
+    printed_by(stills, workspace.root);
     for (const char *rest : {".tar.gz", "-site.zip", "-stills.zip"})
-        std::cout << fmt::format("{}, {:.1f} MB\n", tree.shown(file(rest)), double(fs::file_size(file(rest))) / 1e6);
+        std::cout << fmt::format("{}, {:.1f} MB\n", workspace.shown(file(rest)),
+                                 double(fs::file_size(file(rest))) / 1e6);
+}
+
+void add_release(CLI::App &app, const Workspace &workspace) {
+    CLI::App *command =
+        app.add_subcommand("release", "Make a release's archives, if all that's published is up to date");
+    command->footer("In build/default/release there will be the sources, the site, and the stills of the demos. Their "
+                    "names have the version\nthat ./course --version shows.\n\nExample: ./course dev release");
+    command->callback([&workspace] {
+        require_published(workspace);
+        release(workspace);
+    });
 }
 
 } // namespace course

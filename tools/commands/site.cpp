@@ -1,9 +1,9 @@
 // `course site` and `course open`; and, for the build alone, `course make-site`.
 
+#include "base/build.hpp"
+#include "base/lab.hpp"
+#include "base/lock.hpp"
 #include "commands/commands.hpp"
-#include "ground/build.hpp"
-#include "ground/lab.hpp"
-#include "ground/lock.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 #include "site/demos.hpp"
@@ -15,15 +15,15 @@
 namespace course {
 namespace fs = std::filesystem;
 
-void bring_up_site(const Tree &tree) {
-    const Lock lock{tree};
-    const Finished built = build_target(tree, "site");
+void bring_up_site(const Workspace &workspace) {
+    const Lock lock{workspace};
+    const Finished built = build_target(workspace, "site");
     if (built.code == 0) return;
     const std::string printed = built.out + built.err;
-    const auto said = printed.find("course: ");
-    throw Complaint{said == printed.npos
-                        ? "the site cannot be built; see cmake --build " + tree.build.string() + " --target site"
-                        : printed.substr(said + 8, printed.find("\nninja: ", said) - said - 8)};
+    const auto start = printed.find("course: ");
+    throw UserError{start == printed.npos
+                        ? "the site cannot be built; see cmake --build " + workspace.build.string() + " --target site"
+                        : printed.substr(start + 8, printed.find("\nninja: ", start) - start - 8)};
 }
 
 bool show(const std::string &address) {
@@ -47,55 +47,57 @@ beside the plain site; nothing publishes it.
 Example: )";
 
 /// Brings the student's own copy up to date, and says what is theirs in it.
-void bring_up_own_site(const Tree &tree) {
+void bring_up_own_site(const Workspace &workspace) {
     {
-        const Lock lock{tree};
-        for (const Section &section : tree.sections())
-            std::cout << "Section " << section.short_number() << ": " << renew_own_section(tree, section) << std::endl;
+        const Lock lock{workspace};
+        for (const Section &section : workspace.sections())
+            std::cout << "Section " << section.short_number() << ": " << renew_own_section(workspace, section)
+                      << std::endl;
     }
-    if (!can_compile_demos(tree) && !demos(tree).empty())
+    if (!can_compile_demos(workspace) && !demos(workspace).empty())
         std::cout << "The demos run on our code, since this machine has no compiler for pages; ./course play "
-                  << demos(tree).front().section.short_number() << " --mine offers to install one\n";
-    copy_own_site(tree);
+                  << demos(workspace).front().section.short_number() << " --mine offers to install one\n";
+    copy_own_site(workspace);
 }
 
 /// Makes the site, or the student's own copy of it; returns its folder.
-fs::path bring_up(const Tree &tree, bool mine) {
-    if (mine) require_own_course(tree);
-    bring_up_site(tree);
-    if (mine) bring_up_own_site(tree);
-    tell_pages(tree);
-    return mine ? own_site_folder(tree) : site_folder(tree);
+fs::path bring_up(const Workspace &workspace, bool mine) {
+    if (mine) require_own_course(workspace);
+    bring_up_site(workspace);
+    if (mine) bring_up_own_site(workspace);
+    write_progress_script(workspace);
+    return mine ? own_site_folder(workspace) : site_folder(workspace);
 }
 
 void open_file(const fs::path &file) {
     std::cout << (show(file) ? "Opening " : "Open this file in your browser: ") << file.string() << '\n';
 }
 
-void open(const Tree &tree, const std::string &section, bool mine) {
+void open(const Workspace &workspace, const std::string &section, bool mine) {
     if (const fs::path report = fs::path{section} / "report.html"; !section.empty() && fs::exists(report))
         return open_file(fs::absolute(report));
-    const fs::path chapter = section.empty() ? tree.root / "book.md" : tree.chapter(tree.section(section));
-    open_file(bring_up(tree, mine) / (page_name(tree, chapter) + ".html"));
+    const fs::path chapter =
+        section.empty() ? workspace.root / "book.md" : workspace.chapter(workspace.section(section));
+    open_file(bring_up(workspace, mine) / (page_name(workspace, chapter) + ".html"));
 }
 
 } // namespace
 
-void add_site(CLI::App &app, const Tree &tree) {
+void add_site(CLI::App &app, const Workspace &workspace) {
     const auto mine = std::make_shared<bool>(false);
     CLI::App *command =
         app.add_subcommand("site", "Build the book as a site, to be read in a browser without a network");
     command->add_flag("--mine", *mine, "your own copy: your figures, your code in the demos");
     command->footer(std::string{about_mine} + "./course site");
-    command->callback([&tree, mine] {
+    command->callback([&workspace, mine] {
         const std::string option = *mine ? " --mine" : "";
-        const fs::path folder = bring_up(tree, *mine); // which says something, too
-        std::cout << (*mine ? "Your copy of the book is " : "The book is ") << tree.shown(folder / "index.html")
+        const fs::path folder = bring_up(workspace, *mine); // which says something, too
+        std::cout << (*mine ? "Your copy of the book is " : "The book is ") << workspace.shown(folder / "index.html")
                   << "\nType ./course open" << option << ", or ./course open 7" << option << " for a section\n";
     });
 }
 
-void add_open(CLI::App &app, const Tree &tree) {
+void add_open(CLI::App &app, const Workspace &workspace) {
     const auto section = std::make_shared<std::string>();
     const auto mine = std::make_shared<bool>(false);
     CLI::App *command = app.add_subcommand("open", "Open the book, or a chapter, in your browser");
@@ -103,17 +105,17 @@ void add_open(CLI::App &app, const Tree &tree) {
                         "its number, name or file, or a folder of `grade`; the front page without it");
     command->add_flag("--mine", *mine, "your own copy: your figures, your code in the demos");
     command->footer(std::string{about_mine} + "./course open 7");
-    command->callback([&tree, section, mine] { open(tree, *section, *mine); });
+    command->callback([&workspace, section, mine] { open(workspace, *section, *mine); });
 }
 
-void add_make(CLI::App &app, const Tree &tree) {
+void add_make(CLI::App &app, const Workspace &workspace) {
     const auto tools = std::make_shared<SiteTools>();
     CLI::App *command = app.add_subcommand("make-site", "Make the site; the build knows with which tools")->group("");
     command->add_option("--doxygen", tools->doxygen)->required();
     command->add_option("--node", tools->node)->required();
     command->add_option("--katex", tools->katex)->required();
     command->add_option("--lunr", tools->lunr)->required();
-    command->callback([&tree, tools] { build_site(tree, *tools); });
+    command->callback([&workspace, tools] { build_site(workspace, *tools); });
 }
 
 } // namespace course

@@ -2,7 +2,7 @@
 // A figure: a gnuplot script, the trace that it draws, and perhaps a student's trace over it. And from gnuplot's SVG to a
 // published one: two colour schemes, a title, and nothing that differs from run to run.
 
-#include "ground/complaint.hpp"
+#include "base/errors.hpp"
 
 #include <filesystem>
 #include <map>
@@ -20,8 +20,8 @@ struct Figure {
     bool is_measured() const { return name().find("_measured_") != std::string::npos; } ///< no program writes its trace
 };
 
-/// What a figure shows, as its script says it in the line "#> Figure: ...".
-/// @throws Complaint if there is no such line
+/// What a figure shows, as the script says in the line "#> Figure: ...".
+/// @throws UserError if there is no such line
 std::string figure_title(const std::filesystem::path &script);
 
 /// Whether the script draws a student's trace, ARG3, when it is given one.
@@ -29,22 +29,22 @@ bool draws_student(const std::filesystem::path &script);
 
 /// Draws with gnuplot. The SVG is the same on every run, and follows the reader's colour scheme.
 /// @throws TraceFault for a trace; FigureFault for a blank curve, a column that isn't there, or any word from gnuplot;
-///         Complaint if gnuplot is missing
+///         UserError if gnuplot is missing
 std::string draw(const Figure &figure);
 
-/// A figure that cannot be drawn although its traces are sound.
-struct FigureFault : Complaint {
-    using Complaint::Complaint;
+/// A figure that cannot be drawn although the traces are sound.
+struct FigureFault : UserError {
+    using UserError::UserError;
 };
 
 /// The colours of plots/style.gp, as "#rrggbb".
 struct Colours {
     std::string ink;                         ///< what gnuplot draws in black if a script names no colour
-    std::map<std::string, std::string> dark; ///< for each colour its twin for dark pages
+    std::map<std::string, std::string> dark; ///< for each colour the twin for dark pages
 };
 
-/// Reads the lines of style.gp that name a colour and, behind "dark:", its twin.
-/// @throws Complaint naming the line of a colour that has none, or if INK is missing
+/// Reads the lines of style.gp that name a colour and, behind "dark:", the twin.
+/// @throws UserError naming the line of a colour that has none, or if INK is missing
 Colours read_colours(std::string_view style);
 
 /// The figure with `title` for those who cannot see it, and with a style sheet inside that follows the reader's colour

@@ -1,8 +1,8 @@
 #include "figures/own_figures.hpp"
 
+#include "base/files.hpp"
 #include "figures/section_figures.hpp"
 #include "figures/trace.hpp"
-#include "ground/files.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -10,8 +10,8 @@ namespace {
 
 /// Why a student's trace cannot be drawn, for the student.
 std::string in_student_words(const TraceFault &fault, const Ran &ran, const Figure &figure) {
-    const std::string said = said_of(ran.finished, figure.trace.filename().string());
-    if (said.starts_with("error: ")) return "one of your functions threw: " + said.substr(7);
+    const std::string words = said_of(ran.finished, figure.trace.filename().string());
+    if (words.starts_with("error: ")) return "one of your functions threw: " + words.substr(7);
     if (fault.kind == TraceFault::not_finite)
         return "your functions gave " + fault.value.substr(fault.value.find_first_not_of('-')) + " where "
                + fault.column + " should stand";
@@ -21,35 +21,35 @@ std::string in_student_words(const TraceFault &fault, const Ran &ran, const Figu
 }
 
 /// Draws one figure with the student's curve; returns why not, or "".
-std::string draw_mine(const Tree &tree, const Figure &figure, const Ran &ran) {
+std::string draw_mine(const Workspace &workspace, const Figure &figure, const Ran &ran) {
     try {
         read_trace(figure.student, "your trace " + figure.student.filename().string());
-        write_file(own_drawing(tree, figure), draw(figure));
+        write_file(own_drawing(workspace, figure), draw(figure));
         return "";
     } catch (const TraceFault &fault) {
         return in_student_words(fault, ran, figure);
     } catch (const FigureFault &) {
-        return "your values lie outside the axes, or cannot be drawn; they are in " + tree.shown(figure.student);
+        return "your values lie outside the axes, or cannot be drawn; they are in " + workspace.shown(figure.student);
     }
 }
 
 } // namespace
 
-fs::path own_drawing(const Tree &tree, const Figure &figure) {
-    return tree.work() / "plots" / "mine" / (figure.name() + ".svg");
+fs::path own_drawing(const Workspace &workspace, const Figure &figure) {
+    return workspace.work() / "plots" / "mine" / (figure.name() + ".svg");
 }
 
-OwnFigures draw_own_figures(const Tree &tree, const Section &section) {
+OwnFigures draw_own_figures(const Workspace &workspace, const Section &section) {
     OwnFigures own;
-    own.ran = run_program(tree, section, Whose::student, student_traces(tree, section));
-    for (Figure &figure : figures_of(tree, section)) {
+    own.ran = run_program(workspace, section, Whose::student, student_traces(workspace, section));
+    for (Figure &figure : figures_of(workspace, section)) {
         if (figure.is_measured() || !draws_student(figure.script)) continue; // nothing in it is the student's
-        fs::remove(own_drawing(tree, figure));                               // an older one would be taken for today's
+        fs::remove(own_drawing(workspace, figure));                          // an older one would be taken for today's
         if (!own.ran.started) continue;
-        figure.student = student_traces(tree, section) / figure.trace.filename();
+        figure.student = student_traces(workspace, section) / figure.trace.filename();
         const bool not_started =
             said_of(own.ran.finished, figure.trace.filename().string()).starts_with("not started: ");
-        own.figures.push_back({figure, not_started, not_started ? "" : draw_mine(tree, figure, own.ran)});
+        own.figures.push_back({figure, not_started, not_started ? "" : draw_mine(workspace, figure, own.ran)});
     }
     return own;
 }

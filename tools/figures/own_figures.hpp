@@ -1,9 +1,9 @@
 #pragma once
 // A section's figures with the student's curve over ours.
 
+#include "base/workspace.hpp"
+#include "check/programs.hpp"
 #include "figures/figure.hpp"
-#include "ground/tree.hpp"
-#include "loop/programs.hpp"
 
 #include <filesystem>
 #include <string>
@@ -26,11 +26,11 @@ struct OwnFigures {
 };
 
 /// Where a figure is drawn with the student's curve.
-std::filesystem::path own_drawing(const Tree &tree, const Figure &figure);
+std::filesystem::path own_drawing(const Workspace &workspace, const Figure &figure);
 
 /// Runs the student's program and draws what it can; older drawings are gone. The reference's traces must be there, and
 /// the caller holds the Lock.
-/// @throws Complaint if the student's file is not there
-OwnFigures draw_own_figures(const Tree &tree, const Section &section);
+/// @throws UserError if the student's file is not there
+OwnFigures draw_own_figures(const Workspace &workspace, const Section &section);
 
 } // namespace course

@@ -11,13 +11,13 @@
 namespace course {
 namespace {
 
-using Used = std::set<std::pair<std::string, std::string>>; // an attribute and its colour
+using Used = std::set<std::pair<std::string, std::string>>; // attribute and colour
 
 bool is(pugi::xml_node node, std::initializer_list<std::string_view> names) {
     return std::ranges::find(names, node.name()) != names.end();
 }
 
-/// gnuplot opens a group for every change of its pen, and leaves most of them empty.
+/// gnuplot opens a group for every change of the pen, and leaves most of them empty.
 void drop_empty_groups(pugi::xml_node svg) {
     for (pugi::xpath_node_set empty; !(empty = svg.select_nodes(".//g[not(*)]")).empty();)
         for (const pugi::xpath_node &group : empty) group.parent().remove_child(group.node());
@@ -26,10 +26,10 @@ void drop_empty_groups(pugi::xml_node svg) {
 /// "rgb( 59, 130, 246)" as "#3b82f6"; anything else stays as it is.
 std::string as_hex(const std::string &colour) {
     static const std::regex triple{R"(rgb\(\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\))"};
-    std::smatch found;
-    if (!std::regex_match(colour, found, triple)) return colour;
-    return fmt::format("#{:02x}{:02x}{:02x}", std::stoi(found[1]) & 255, std::stoi(found[2]) & 255,
-                       std::stoi(found[3]) & 255);
+    std::smatch match;
+    if (!std::regex_match(colour, match, triple)) return colour;
+    return fmt::format("#{:02x}{:02x}{:02x}", std::stoi(match[1]) & 255, std::stoi(match[2]) & 255,
+                       std::stoi(match[3]) & 255);
 }
 
 /// Brings one painting attribute to "#rrggbb" and notes it; black is ink.
@@ -44,7 +44,7 @@ void recolour(pugi::xml_attribute paint, const Colours &colours, const std::stri
     used.emplace(paint.name(), colour);
 }
 
-/// Every group says `color`, but only a point symbol, or a shape whose stroke is "currentColor", is drawn in it.
+/// Every group says `color`, but only a point symbol, or a shape with the stroke "currentColor", is drawn in it.
 bool draws_in_color(pugi::xml_node node, std::string_view stroke) {
     if (const pugi::xml_attribute own = node.attribute("stroke")) stroke = own.value();
     if (is(node, {"use"}) || node.attribute("fill").value() == std::string_view{"currentColor"}) return true;
@@ -81,12 +81,12 @@ Colours read_colours(std::string_view style) {
         std::smatch light, dark;
         if (!std::regex_search(line, light, colour)) continue;
         if (!std::regex_search(line, dark, twin))
-            throw Complaint{"plots/style.gp, line " + std::to_string(number) + ": the colour " + light[1].str()
+            throw UserError{"plots/style.gp, line " + std::to_string(number) + ": the colour " + light[1].str()
                             + " has no twin for dark pages; write \"# dark: #rrggbb\" behind it"};
         colours.dark[light[1]] = dark[1];
         if (line.starts_with("INK")) colours.ink = light[1];
     }
-    if (colours.ink.empty()) throw Complaint{"plots/style.gp names no INK; write INK = \"#rrggbb\" # dark: #rrggbb"};
+    if (colours.ink.empty()) throw UserError{"plots/style.gp names no INK; write INK = \"#rrggbb\" # dark: #rrggbb"};
     return colours;
 }
 

@@ -1,7 +1,7 @@
 #include "figures/trace.hpp"
 
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
+#include "base/files.hpp"
+#include "base/lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,12 +74,12 @@ Trace::Row parse_row(std::string_view line, std::size_t number, const Trace &tra
     return row;
 }
 
-std::string shown(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); } // no negative zero
+std::string six_digits(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); } // no negative zero
 
 /// How far two values of this column may be apart.
 double tolerance(double kept, double largest) {
     const double digit = kept == 0 ? 0 : std::pow(10, std::floor(std::log10(std::abs(kept))) - 5);
-    return std::max(digit, 1e-12 * largest) * (1 + 1e-9); // exactly one unit still passes, whatever its own rounding
+    return std::max(digit, 1e-12 * largest) * (1 + 1e-9); // exactly one unit still passes, however that was rounded
 }
 
 std::vector<double> largest_values(const Trace &trace) {
@@ -92,7 +92,7 @@ std::vector<double> largest_values(const Trace &trace) {
 } // namespace
 
 Trace parse_trace(std::string_view text, const std::string &name) {
-    const std::vector<Line> lines = lines_of(text);
+    const std::vector<Line> lines = split_lines(text);
     if (lines.empty())
         throw TraceFault{TraceFault::empty, name + " is empty; a trace has a header and two rows or more"};
 
@@ -122,7 +122,7 @@ std::string rounded(const Trace &trace) {
     std::string text = fmt::format("# {}\n", fmt::join(trace.columns, "\t"));
     for (const Trace::Row &row : trace.rows) {
         std::vector<std::string> words;
-        for (double value : row.values) words.push_back(shown(value));
+        for (double value : row.values) words.push_back(six_digits(value));
         text += fmt::format("{}\n", fmt::join(words, "\t"));
     }
     return text;
@@ -141,7 +141,7 @@ std::string difference(const Trace &kept, const Trace &now, const std::string &n
             return where + ": it was " + (was.empty() ? "a gap, it is a row" : "a row, it is a gap");
         for (std::size_t i = 0; i < was.size(); ++i)
             if (!(std::abs(was[i] - is[i]) <= tolerance(was[i], largest[i])))
-                return fmt::format("{}, column {}: it was {}, it is {:.9g}", where, kept.columns[i], shown(was[i]),
+                return fmt::format("{}, column {}: it was {}, it is {:.9g}", where, kept.columns[i], six_digits(was[i]),
                                    is[i]);
     }
     if (kept.rows.size() == now.rows.size()) return "";

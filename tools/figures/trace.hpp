@@ -2,7 +2,7 @@
 // What a program writes for a figure: a table of numbers behind one line `# name[unit]<tab>name[unit]`. An empty line
 // is a gap in a curve; every other line has one finite number for each column.
 
-#include "ground/complaint.hpp"
+#include "base/errors.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -22,10 +22,10 @@ struct Trace {
 };
 
 /// A trace that cannot be drawn. what() tells an author of the course; a student is told by `kind` and `value`.
-struct TraceFault : Complaint {
+struct TraceFault : UserError {
     enum Kind { missing, empty, malformed, not_finite };
     TraceFault(Kind of, const std::string &sentence, std::string where = "", std::string what_stands_there = "")
-        : Complaint{sentence}, kind{of}, column{std::move(where)}, value{std::move(what_stands_there)} {}
+        : UserError{sentence}, kind{of}, column{std::move(where)}, value{std::move(what_stands_there)} {}
     Kind kind;
     std::string column, value; ///< of the value that is not finite, and the value as written
 };
@@ -42,8 +42,8 @@ Trace read_trace(const std::filesystem::path &path, const std::string &name);
 std::string rounded(const Trace &trace);
 
 /// Where a kept trace and the program's own of today differ first, in one sentence: file, row, column, was, is. "" if
-/// they are the same: header, rows and gaps equal, and each number within one unit of its sixth digit (half of it is
-/// the rounding) or within 1e-12 of its column's largest (what is left of a zero after thousands of roundings).
+/// they are the same: header, rows and gaps equal, and each number within one unit of the sixth digit (half of it is
+/// the rounding) or within 1e-12 of the largest in the column (what is left of a zero after thousands of roundings).
 std::string difference(const Trace &kept, const Trace &now, const std::string &name);
 
 } // namespace course

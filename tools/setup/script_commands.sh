@@ -17,8 +17,8 @@ Usage: ./course [command]
   COURSE_BUILD=/some/folder ./course    builds there instead of in build/default
 
 Exit codes: 0 all is well; 1 a test is not passed, or a check found a difference; 2 the call, a file or the machine
-needs something, and the message says what; 3 the course itself is at fault; 4 the machine got in the way of a
-check; 130 stopped by Ctrl-C.
+needs something, and the message says what; 3 the course itself is at fault; 4 the machine got in the way, as by a
+full disk; 130 stopped by Ctrl-C.
 END
 }
 
@@ -62,7 +62,7 @@ END
 }
 
 # If the book does not show a chapter's code as it is, a student may have tried something there, as the chapters suggest.
-# That is told at the end, in $unlike, and stops nothing; ./course weave --check is strict.
+# That is told at the end, in $unlike, and stops nothing; ./course dev weave --check is strict.
 check_the_book() {
     unlike=
     try book cmake --build "$build" --target book && return
@@ -78,7 +78,7 @@ run_tests() {
         shift
         wanted=all
         ;;
-    *) set -- --label-exclude '^(slow|thorough|configure)$' --exclude-regex '^tool-tests' "$@" ;;
+    *) set -- --label-exclude '^(slow|thorough|configure|wild)$' --exclude-regex '^tool-tests' "$@" ;;
     esac
     take_build_folder
     configure

@@ -109,7 +109,7 @@ may_we() {
 
 become_root() {
     [ -n "$sudo_if_needed" ] || return 0
-    as_root='Let root type, in this folder: COURSE_BUILD=/tmp/course-setup ./course setup; then type ./course again'
+    as_root='Let root type, in this folder: COURSE_BUILD="$(mktemp -d)" ./course setup; then type ./course again'
     command -v sudo >/dev/null || complain 2 "installing needs root, and there is no sudo here. $as_root"
     if [ -t 0 ]; then sudo -v; else sudo -n true 2>/dev/null; fi ||
         complain 2 "installing needs root, and sudo refuses (or needs a terminal to ask for your password). $as_root"

@@ -82,17 +82,31 @@ must() {
 
 give_up() {
     if grep -q 'No space left on device' "$log"; then
-        complain 2 "the disk is full (seen while writing below $build). Free some space, then type $again"
+        complain 4 "the disk is full (seen while writing below $build). Free some space, then type $again"
     fi
     if lacks=$(grep -o 'missing here: .*' "$log"); then # ninja has configured again, with a list of needs that is newer
         complain 2 "$lacks Type ./course, which installs what is missing"
     fi
     grep -v '^\[[0-9]*/[0-9]*\]' "$log" | tail -n 40 >&2 # without the steps of ninja that went well
+    room=$(df -Pk "$build" 2>/dev/null | awk 'NR == 2 && $4 < 100000 { print int($4 / 1024) }')
+    [ -z "$room" ] || # not every program that a full disk stops says so, and there may be no room for its words
+        complain 4 "\"$step\" failed, as shown above, and only $room MB are free below $build, where a build takes hundreds. Free some space, then type $again; the whole log is $log"
     complain "$1" "\"$step\" failed, as shown above; the whole log is $log"
+}
+
+# CMake, Ninja, JSON and web pages each give up at one of these signs, and say something else.
+require_plain_path() {
+    plain=yes
+    case $root$build in *[\;\\\"\#\[]* | *'
+'*) plain=no ;; esac
+    ! command -v iconv >/dev/null || printf '%s' "$root$build" | iconv -f UTF-8 -t UTF-8 >/dev/null 2>&1 || plain=no
+    [ "$plain" = yes ] ||
+        complain 2 "the path $root has one of ; \\ \" # [ in it, a line break, or letters that aren't UTF-8, and can't be built in. Rename that folder, or move the course, then type $again again"
 }
 
 # The build folder, ready to be written to by us alone until we leave.
 take_build_folder() {
+    require_plain_path
     (mkdir -p "$build/log" && : >>"$build/.lock" && : >>"$build/log/ours") 2>/dev/null ||
         complain 2 "cannot write to the build folder $build. Make it yours, or name another one: COURSE_BUILD=/some/folder $again"
     [ -z "${COURSE_LOCKED-}" ] || return 0 # the process that started us has taken it

@@ -1,9 +1,9 @@
 #include "site/book_parts.hpp"
 
+#include "base/lines.hpp"
 #include "book/contents.hpp"
 #include "book/links.hpp"
 #include "book/markdown.hpp"
-#include "ground/lines.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -19,15 +19,15 @@ struct BookHeading {
 
 std::vector<BookHeading> book_headings(std::string_view book) {
     const Document document = parse_markdown(book);
-    std::vector<BookHeading> found;
+    std::vector<BookHeading> headings;
     Anchors anchors;
     each_node(document.get(), [&](cmark_node *node) {
         if (cmark_node_get_type(node) != CMARK_NODE_HEADING) return;
         const std::string words = words_of(node);
-        found.push_back({static_cast<std::size_t>(cmark_node_get_start_line(node)), cmark_node_get_heading_level(node),
-                         words, anchors.next(words)});
+        headings.push_back({static_cast<std::size_t>(cmark_node_get_start_line(node)),
+                            cmark_node_get_heading_level(node), words, anchors.next(words)});
     });
-    return found;
+    return headings;
 }
 
 std::string name_of_page(std::string anchor) {
@@ -52,7 +52,7 @@ std::string lifted(const std::vector<Line> &lines, const std::vector<BookHeading
 
 std::vector<BookPart> book_parts(std::string_view book) {
     book.remove_prefix(byte_order_mark(book).size());
-    const std::vector<Line> lines = lines_of(book);
+    const std::vector<Line> lines = split_lines(book);
     const std::vector<BookHeading> headings = book_headings(book);
     const std::vector<Entry> rows = contents(book);
     const std::size_t table = rows.empty() ? 0 : static_cast<std::size_t>(rows.front().line);

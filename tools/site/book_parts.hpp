@@ -1,5 +1,5 @@
 #pragma once
-// book.md on the site: its contents are on the front page, and each of its other parts is a page of its own.
+// book.md on the site: the contents are on the front page, and each other part is a page.
 
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@ struct BookPart {
     std::string name;                 ///< of the page, without ".html": "notation_and_units"
     std::string title;                ///< "Notation and units"
     std::string text;                 ///< as Markdown, each line where it is in book.md, headings a level up
-    std::vector<std::string> anchors; ///< of its headings, as links into book.md name them; its own is the first
+    std::vector<std::string> anchors; ///< of its headings, as links into book.md name them; that of the title first
     bool before_contents = false;     ///< as the preface is
 };
 

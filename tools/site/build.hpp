@@ -1,6 +1,6 @@
 #pragma once
-#include "ground/tree.hpp"
-#include "site/reachable.hpp"
+#include "base/workspace.hpp"
+#include "site/link_check.hpp"
 
 #include <filesystem>
 #include <string>
@@ -15,14 +15,14 @@ struct SiteTools {
 };
 
 /// Where the site is.
-inline std::filesystem::path site_folder(const Tree &tree) { return tree.build / "site"; }
+inline std::filesystem::path site_folder(const Workspace &workspace) { return workspace.build / "site"; }
 
 /// Where the student's own site is, which `./course site --mine` makes of it.
-inline std::filesystem::path own_site_folder(const Tree &tree) { return tree.work() / "mine" / "site"; }
+inline std::filesystem::path own_site_folder(const Workspace &workspace) { return workspace.work() / "mine" / "site"; }
 
 /// Makes the whole site anew; files that stay the same keep their date.
-/// @throws Complaint naming what is wrong and where: a formula that cannot be read, a warning of Doxygen's, a dead link.
-void build_site(const Tree &tree, const SiteTools &tools);
+/// @throws UserError naming what is wrong and where: a formula that cannot be read, a warning of Doxygen's, a dead link.
+void build_site(const Workspace &workspace, const SiteTools &tools);
 
 /// Writes what has changed of a site, and removes what is no longer a part of it.
 void write_site(const std::filesystem::path &folder, const SiteFiles &files);

@@ -1,12 +1,12 @@
 #include "site/front.hpp"
 
+#include "base/files.hpp"
+#include "base/text.hpp"
 #include "book/contents.hpp"
-#include "ground/files.hpp"
-#include "ground/text.hpp"
+#include "book/links.hpp"
 #include "site/addresses.hpp"
-#include "site/card.hpp"
 #include "site/demos.hpp"
-#include "site/gaps.hpp"
+#include "site/page_template.hpp"
 #include "site/section_map.hpp"
 
 #include <algorithm>
@@ -15,20 +15,45 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-std::string page_for(const Tree &tree, const Entry &entry) {
-    return page_name(tree, tree.root / entry.chapter) + ".html";
+/// What leads to a section or a demo: a picture, a title, a sentence and a line below. All of it is one link.
+struct Card {
+    std::string address;
+    std::string picture; ///< a file; "" for none
+    std::string number;  ///< "7"; may be ""
+    std::string title;
+    std::string about;
+    std::string foot; ///< HTML; may be ""
+};
+
+std::string as_item(const Card &card) {
+    return "<li class=\"card\">" + (card.picture.empty() ? "" : "<img src=\"" + card.picture + "\" alt=\"\">")
+           + "<div><a href=\"" + card.address + "\">"
+           + (card.number.empty() ? "" : "<span class=\"number\">" + card.number + "</span> ") + escaped(card.title)
+           + "</a>" + (card.about.empty() ? "" : "<p>" + escaped(card.about) + "</p>")
+           + (card.foot.empty() ? "" : "<p class=\"foot\">" + card.foot + "</p>") + "</div></li>\n";
+}
+
+/// Cards side by side, as HTML.
+std::string in_a_row(const std::vector<Card> &cards) {
+    std::string html = "<ol class=\"cards\">\n";
+    for (const Card &card : cards) html += as_item(card);
+    return html + "</ol>";
+}
+
+std::string page_for(const Workspace &workspace, const Entry &entry) {
+    return page_name(workspace, workspace.root / entry.chapter) + ".html";
 }
 
 /// "75 + 155" is 75 minutes for what everybody does.
 std::string core_minutes(const Entry &entry) { return entry.minutes.substr(0, entry.minutes.find(" +")); }
 
-std::string begin_link(const Tree &tree, const std::vector<Entry> &entries) {
+std::string begin_link(const Workspace &workspace, const std::vector<Entry> &entries) {
     const auto first = std::ranges::find_if(entries, [](const Entry &e) { return !e.chapter.empty(); });
     if (first == entries.end()) return "";
     const std::string minutes = core_minutes(*first);
-    return "<a class=\"begin\" href=\"" + page_for(tree, *first) + "\">Begin with " + std::to_string(first->number)
+    return "<a class=\"begin\" href=\"" + page_for(workspace, *first) + "\">Begin with " + std::to_string(first->number)
            + ' ' + escaped(first->title) + (minutes.empty() ? "" : " <small>" + escaped(minutes) + "&nbsp;min</small>")
-           + "</a>" + (demos(tree).empty() ? "" : "\n<a href=\"play.html\">Play all</a>");
+           + "</a>" + (demos(workspace).empty() ? "" : "\n<a href=\"play.html\">Play all</a>");
 }
 
 /// The picture of the section's demo; "" if there is none.
@@ -37,9 +62,9 @@ std::string picture_of(const std::vector<Demo> &all, int number) {
     return demo == all.end() || demo->about.empty() ? "" : demo_picture_file(demo->section);
 }
 
-Card card_of(const Tree &tree, const Entry &entry, const std::vector<Demo> &all) {
+Card card_of(const Workspace &workspace, const Entry &entry, const std::vector<Demo> &all) {
     const std::string number = std::to_string(entry.number);
-    return {.address = page_for(tree, entry),
+    return {.address = page_for(workspace, entry),
             .picture = picture_of(all, entry.number),
             .number = number,
             .title = entry.title,
@@ -48,28 +73,53 @@ Card card_of(const Tree &tree, const Entry &entry, const std::vector<Demo> &all)
                     + "<span data-progress=\"" + number + "\"></span>"};
 }
 
-std::string sections_of(const Tree &tree, const std::vector<Entry> &entries) {
-    const std::vector<Demo> all = demos(tree);
+std::string sections_of(const Workspace &workspace, const std::vector<Entry> &entries) {
+    const std::vector<Demo> all = demos(workspace);
     std::vector<Card> here;
     std::string to_come;
     for (const Entry &entry : entries)
         if (entry.chapter.empty())
             to_come += "<li><span class=\"number\">" + std::to_string(entry.number) + "</span> " + escaped(entry.title)
                        + "</li>\n";
-        else here.push_back(card_of(tree, entry, all));
+        else here.push_back(card_of(workspace, entry, all));
     return in_a_row(here)
            + (to_come.empty() ? "" : "\n<p class=\"coming\">To come</p>\n<ul class=\"coming\">\n" + to_come + "</ul>");
 }
 
 } // namespace
 
-std::string front_page(const Tree &tree) {
-    const std::vector<Entry> entries = contents(read_file(tree.root / "book.md"));
-    return filled(read_file(tree.root / "docs" / "front.md"),
-                  {{"begin", begin_link(tree, entries)},
-                   {"sections", sections_of(tree, entries)},
-                   {"map", section_map(tree, entries)}},
-                  "docs/front.md");
+std::string front_page(const Workspace &workspace) {
+    const std::vector<Entry> entries = contents(read_file(workspace.root / "book.md"));
+    return fill_template(read_file(workspace.root / "docs" / "front.md"),
+                         {{"begin", begin_link(workspace, entries)},
+                          {"sections", sections_of(workspace, entries)},
+                          {"map", section_map(workspace, entries)}},
+                         "docs/front.md");
+}
+
+std::string play_page(const Workspace &workspace) {
+    const std::vector<Demo> all = demos(workspace);
+    if (all.empty()) return "";
+    const std::vector<Entry> rows = contents(read_file(workspace.root / "book.md"));
+    std::vector<Card> shelf;
+    std::string demos;
+    for (const Demo &demo : all) {
+        const auto row = std::ranges::find(rows, demo.section.number(), &Entry::number);
+        const std::string number = demo.section.short_number();
+        const std::string title = row == rows.end() ? demo.section.slug() : row->title;
+        const std::string words = number + ' ' + title;
+        shelf.push_back({.address = '#' + anchor_of(words),
+                         .picture = demo.about.empty() ? "" : demo_picture_file(demo.section),
+                         .number = number,
+                         .title = title,
+                         .about = demo.about,
+                         .foot = ""});
+        demos += "\n## " + words + "\n\n<!-- demo: " + demo.mark.name + " | " + demo.mark.task
+                 + " -->\n\nIts code is yours to write in [section " + number + "](chapters/" + demo.section.name
+                 + "/README.md)" + (row == rows.end() || row->about.empty() ? "" : ": " + row->about) + ".\n";
+    }
+    return "# Play\n\n*All demos of the book in one place. Each runs on code that you will write in its chapter.*\n\n"
+           + in_a_row(shelf) + '\n' + demos;
 }
 
 } // namespace course

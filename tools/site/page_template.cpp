@@ -1,17 +1,17 @@
 #include "site/page_template.hpp"
 
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
 #include "book/contents.hpp"
-#include "ground/files.hpp"
-#include "ground/text.hpp"
 #include "site/demos.hpp"
-#include "site/gaps.hpp"
 
 #include <regex>
 
 namespace course {
 namespace {
 
-/// "75 + 155" as a sentence of its own.
+/// "75 + 155" as a sentence.
 std::string time_for(const std::string &minutes) {
     const auto plus = minutes.find(" + ");
     if (minutes.empty()) return "";
@@ -23,7 +23,7 @@ std::string link(const std::string &address, const std::string &html) {
     return "<a href=\"" + address + "\">" + html + "</a>";
 }
 
-/// The parts of the page, below its entry, and what each has in it.
+/// The parts of the page, and what each has in it.
 std::string outline(const SitePage &page) {
     static const std::regex minutes{R"( \(\d+ minutes?\)$)"};
     std::string parts, inside;
@@ -70,11 +70,11 @@ std::string turn(const Destination &to, const std::string &rel, const std::strin
 
 class Surroundings {
   public:
-    Surroundings(const Addresses &addresses, const std::vector<SitePage> &pages) : tree{addresses.tree} {
+    Surroundings(const Addresses &addresses, const std::vector<SitePage> &pages) : workspace{addresses.workspace} {
         for (const BookPart &part : addresses.parts)
             (part.before_contents ? before : after).push_back({part.name, part.title, "", ""});
-        for (const Entry &row : contents(read_file(tree.root / "book.md")))
-            rows.push_back({row.chapter.empty() ? "" : page_name(tree, tree.root / row.chapter), row.title,
+        for (const Entry &row : contents(read_file(workspace.root / "book.md")))
+            rows.push_back({row.chapter.empty() ? "" : page_name(workspace, workspace.root / row.chapter), row.title,
                             std::to_string(row.number), row.minutes, row.about});
         const auto add_interface = [&](const std::string &space, const std::string &title, const std::string &number) {
             for (const SitePage &page : pages)
@@ -84,7 +84,7 @@ class Surroundings {
         for (const Section &section : sections) add_interface(section.slug(), section.slug(), section.short_number());
         add_interface("course", "course: what all share", "");
         for (const auto &file : addresses.markdown)
-            if (const std::string name = page_name(tree, file); !name.starts_with("chapter_"))
+            if (const std::string name = page_name(workspace, file); !name.starts_with("chapter_"))
                 others.push_back({name, name == "readme" ? "How to build it" : with_capital(name), "", ""});
         order = {{"index", "Frame by Frame", "", ""}};
         for (const auto *places : {&before, &rows, &after})
@@ -95,20 +95,20 @@ class Surroundings {
     std::string around(const SitePage &page) const {
         const bool first = page.name == "index";
         const std::string title = escaped(page.title) + (first ? "" : " · Frame by Frame");
-        return filled(page_template,
-                      {{"title", title},
-                       {"about", about(page, title)},
-                       {"kind", first ? "front" : page.kind},
-                       {"contents", sidebar(page)},
-                       {"above", above(page)},
-                       {"body", page.html},
-                       {"turning", turning(page)},
-                       {"demos", demo_scripts(page.html)}},
-                      "docs/page.html");
+        return fill_template(page_template,
+                             {{"title", title},
+                              {"about", about(page, title)},
+                              {"kind", first ? "front" : page.kind},
+                              {"contents", sidebar(page)},
+                              {"above", above(page)},
+                              {"body", page.html},
+                              {"turning", turning(page)},
+                              {"demos", demo_scripts(page.html)}},
+                             "docs/page.html");
     }
 
   private:
-    /// For a search engine, and for whoever is sent a link: what the page is about, and a picture of its first demo. Its
+    /// For a search engine, and for whoever is sent a link: what the page is about, and a picture of the first demo. The
     /// address is a relative one, and so is the base of 404.html, until tools/site/publish_at knows where the site goes.
     std::string about(const SitePage &page, const std::string &title) const {
         static const std::regex first_demo{R"re(data-demo="(\w+)")re"};
@@ -168,8 +168,9 @@ class Surroundings {
             if (is_interface ? section.slug() != space : !contains(page.name, section.name)) continue;
             return (is_interface ? "Interface of " : "Code of ")
                    + link("chapter_" + section.name + ".html", "section " + section.short_number())
-                   + (is_interface ? ", from " + link(page_name(tree, tree.header(section)) + ".html", space + ".hpp")
-                                   : "");
+                   + (is_interface
+                          ? ", from " + link(page_name(workspace, workspace.header(section)) + ".html", space + ".hpp")
+                          : "");
         }
         return is_interface ? "Interface" : "Code";
     }
@@ -185,14 +186,27 @@ class Surroundings {
         return html.empty() ? "" : "<nav class=\"turning\" aria-label=\"Previous and next\">\n" + html + "</nav>";
     }
 
-    const Tree &tree;
-    const std::string page_template = read_file(tree.root / "docs" / "page.html");
-    const std::vector<Section> sections = tree.sections();
-    const bool has_demos = !demos(tree).empty();
+    const Workspace &workspace;
+    const std::string page_template = read_file(workspace.root / "docs" / "page.html");
+    const std::vector<Section> sections = workspace.sections();
+    const bool has_demos = !demos(workspace).empty();
     std::vector<Destination> before, rows, after, interfaces, others, order;
 };
 
 } // namespace
+
+std::string fill_template(std::string text, const std::map<std::string, std::string> &gaps, const std::string &file) {
+    std::string out;
+    for (std::size_t at; (at = text.find("{{")) != text.npos;) {
+        const std::size_t end = text.find("}}", at);
+        const auto gap = gaps.find(text.substr(at + 2, end - at - 2));
+        if (end == text.npos || gap == gaps.end())
+            throw UserError{file + " has a gap that nothing fills: " + text.substr(at, 20)};
+        out += text.substr(0, at) + gap->second;
+        text.erase(0, end + 2);
+    }
+    return out + text;
+}
 
 void add_pages(SiteFiles &files, const Addresses &addresses, const std::vector<SitePage> &pages) {
     const Surroundings surroundings{addresses, pages};

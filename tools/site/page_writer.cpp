@@ -1,16 +1,16 @@
 #include "site/page_writer.hpp"
 
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/lines.hpp"
+#include "base/text.hpp"
 #include "book/chunks.hpp"
 #include "book/links.hpp"
 #include "book/markdown.hpp"
 #include "book/weaver.hpp"
-#include "ground/complaint.hpp"
-#include "ground/files.hpp"
-#include "ground/lines.hpp"
-#include "ground/text.hpp"
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
-#include "site/suspects.hpp"
+#include "site/spot_the_bug.hpp"
 
 #include <cstdlib>
 #include <map>
@@ -36,11 +36,11 @@ std::string breakable(std::string path) {
 }
 
 /// The chunks that a page may show, by title.
-std::map<std::string, Chunk> chunks_for(const Tree &tree, const fs::path &file) {
+std::map<std::string, Chunk> chunks_for(const Workspace &workspace, const fs::path &file) {
     std::vector<fs::path> code;
-    if (file == tree.root / "book.md") code = page_of_book(tree).code;
-    for (const Section &section : tree.sections())
-        if (file == tree.chapter(section)) code = page_of(tree, section).code;
+    if (file == workspace.root / "book.md") code = page_of_book(workspace).code;
+    for (const Section &section : workspace.sections())
+        if (file == workspace.chapter(section)) code = page_of(workspace, section).code;
     std::map<std::string, Chunk> chunks;
     for (const fs::path &each : code)
         for (Chunk &chunk : cut(each)) chunks.try_emplace(chunk.title, chunk);
@@ -55,7 +55,7 @@ cmark_node *raw_block(const std::string &enter, const std::string &leave = "") {
 }
 
 cmark_node *raw_words(const std::string &html) {
-    cmark_node *node = cmark_node_new(CMARK_NODE_HTML_INLINE); // a cell of a table holds no others of ours
+    cmark_node *node = cmark_node_new(CMARK_NODE_HTML_INLINE); // the only raw kind that a cell of a table holds
     cmark_node_set_literal(node, html.c_str());
     return node;
 }
@@ -89,11 +89,11 @@ class PageWriter {
     }
 
   private:
-    std::string place(int line) const { return tree.shown(file) + ':' + std::to_string(line); }
+    std::string place(int line) const { return workspace.shown(file) + ':' + std::to_string(line); }
 
     std::string formula(const std::string &tex, bool display, int line) const {
-        return "<span class=\"math" + std::string{display ? " display" : ""} + "\" data-from=\"" + place(line)
-               + "\" data-plain=\"" + escaped(plain_formula(tex)) + "\">" + escaped(tex) + "</span>";
+        return "<span class=\"math" + std::string{display ? " display" : ""} + "\" data-from=\"" + place(line) + "\">"
+               + escaped(tex) + "</span>";
     }
 
     void blocks(cmark_node *parent) {
@@ -122,7 +122,8 @@ class PageWriter {
         if (title.empty()) {
             title = words;
         } else {
-            headings.push_back({level, anchor, without_line_end(plain_text(words))});
+            headings.push_back({level, anchor, words});
+            std::erase(headings.back().words, '$');
             begin = "<" + tag + " id=\"" + escaped(anchor) + "\">";
             end = "<a class=\"anchor\" href=\"#" + escaped(anchor) + "\" aria-label=\"Link to "
                   + escaped(headings.back().words) + "\">#</a></" + tag + ">";
@@ -155,11 +156,6 @@ class PageWriter {
                + (before > 0 ? '-' + std::to_string(before + 1) : "") + "\" data-exercise=\"" + exercise + "\">";
     }
 
-    static std::string without_line_end(std::string text) {
-        while (text.ends_with('\n')) text.pop_back();
-        return text;
-    }
-
     /// Of headings no formulas were taken out, since their words are what links name.
     void heading_formulas(cmark_node *heading) {
         static const std::regex dollars{R"(\$([^$]+)\$)"};
@@ -171,9 +167,9 @@ class PageWriter {
         });
         for (cmark_node *node : texts) {
             std::string text = literal(node);
-            for (std::smatch found; std::regex_search(text, found, dollars); text = found.suffix()) {
-                add_text(node, found.prefix());
-                cmark_node_insert_before(node, raw_words(formula(found[1], false, line)));
+            for (std::smatch match; std::regex_search(text, match, dollars); text = match.suffix()) {
+                add_text(node, match.prefix());
+                cmark_node_insert_before(node, raw_words(formula(match[1], false, line)));
             }
             cmark_node_set_literal(node, text.c_str());
         }
@@ -193,7 +189,7 @@ class PageWriter {
         cmark_node *only = cmark_node_first_child(node);
         if (only && cmark_node_next(only)) only = nullptr;
         if (stands_for_a_demo(node)) {
-            inlines(node, first); // its formulas are taken, too
+            inlines(node, first); // the formulas are taken, too
             cmark_node_unlink(node);
             cmark_node_free(node);
         } else if (only && cmark_node_get_type(only) == CMARK_NODE_IMAGE) {
@@ -242,7 +238,7 @@ class PageWriter {
         std::size_t from = 0;
         for (std::size_t at; (at = text.find(WithoutFormulas::stand_in, from)) != text.npos;) {
             add_text(node, text.substr(from, at - from));
-            const auto &[tex, display] = next_formula();
+            const auto &[tex, display] = taken.formulas.at(formulas_back++);
             cmark_node_insert_before(node, raw_words(formula(tex, display, line)));
             from = at + WithoutFormulas::stand_in.size();
         }
@@ -255,9 +251,7 @@ class PageWriter {
         cmark_node_insert_before(before, node);
     }
 
-    const Formula &next_formula() { return taken.formulas.at(formulas_back++); }
-
-    /// A link to what the site does not have becomes its words.
+    /// A link to what the site does not have becomes plain words.
     void link(cmark_node *node) {
         if (const auto to = addresses.of(file, cmark_node_get_url(node))) {
             cmark_node_set_url(node, to->c_str());
@@ -270,14 +264,11 @@ class PageWriter {
 
     // Pictures
 
-    std::string alternative(cmark_node *image) {
-        std::string words;
-        each_node(image, [&](cmark_node *node) {
-            std::string text = cmark_node_get_type(node) == CMARK_NODE_SOFTBREAK ? " " : literal(node);
-            for (std::size_t at; (at = text.find(WithoutFormulas::stand_in)) != text.npos;)
-                text.replace(at, WithoutFormulas::stand_in.size(), plain_formula(next_formula().tex));
-            words += text;
-        });
+    std::string alternative(cmark_node *image) const {
+        const std::string words = words_of(image);
+        if (contains(words, WithoutFormulas::stand_in))
+            throw UserError{place(cmark_node_get_start_line(cmark_node_parent(image)))
+                            + ": write what the picture shows in plain characters, without formulas"};
         return words;
     }
 
@@ -285,21 +276,21 @@ class PageWriter {
         const std::string url = cmark_node_get_url(node);
         const auto to = addresses.of(file, url);
         if (!to || is_on_the_web(url))
-            throw Complaint{place(cmark_node_get_start_line(cmark_node_parent(node)))
+            throw UserError{place(cmark_node_get_start_line(cmark_node_parent(node)))
                             + ": the site cannot show the picture " + url + "; give it as an SVG or PNG of the course"};
-        return "<img src=\"" + escaped(*to) + "\" alt=\"" + escaped(alt) + "\"" + size_of(tree.root / *to) + ">";
+        return "<img src=\"" + escaped(*to) + "\" alt=\"" + escaped(alt) + "\"" + size_of(workspace.root / *to) + ">";
     }
 
     /// Width and height, so that the page knows them before the picture is there.
     static std::string size_of(const fs::path &svg) {
         static const std::regex size{R"re(<svg[^>]*?\swidth="(\d+)"[^>]*?\sheight="(\d+)")re"};
         const std::string head = svg.extension() == ".svg" ? read_file(svg).substr(0, 1000) : "";
-        std::smatch found;
-        if (!std::regex_search(head, found, size)) return "";
-        return " width=\"" + found[1].str() + "\" height=\"" + found[2].str() + "\"";
+        std::smatch match;
+        if (!std::regex_search(head, match, size)) return "";
+        return " width=\"" + match[1].str() + "\" height=\"" + match[2].str() + "\"";
     }
 
-    /// A picture of its own, with what it shows below it, and the script that draws it. (Whoever cannot see it hears the
+    /// A picture with a caption, and the script that draws it. (Whoever cannot see it hears the
     /// words once, from the picture.)
     std::string figure(cmark_node *node) {
         const std::string alt = alternative(node), url = cmark_node_get_url(node);
@@ -323,12 +314,12 @@ class PageWriter {
         replace(node, raw_block("<figure class=\"listing\">" + caption + block_of(language, code) + "</figure>"));
     }
 
-    /// Title, file and line: that of the first line that is shown, below the mark.
+    /// Title, file and line: that of the first line below the mark.
     std::string caption_of(const Chunk &chunk) const {
         const std::string line = std::to_string(chunk.line + 1);
         return "<figcaption><span><span class=\"title\">" + escaped(chunk.title) + "</span> <a class=\"from\" href=\""
-               + page_name(tree, chunk.file) + ".html#L" + line + "\">" + breakable(tree.shown(chunk.file)) + ":" + line
-               + "</a></span></figcaption>";
+               + page_name(workspace, chunk.file) + ".html#L" + line + "\">" + breakable(workspace.shown(chunk.file))
+               + ":" + line + "</a></span></figcaption>";
     }
 
     // Folds
@@ -338,18 +329,18 @@ class PageWriter {
         const std::string text = literal(node);
         std::string out;
         auto from = text.begin();
-        for (std::sregex_iterator found{text.begin(), text.end(), summary}; found != std::sregex_iterator{}; ++found) {
-            out.append(from, text.begin() + found->position(1));
-            out += markdown((*found)[1], cmark_node_get_start_line(node));
-            from = text.begin() + found->position(1) + found->length(1);
+        for (std::sregex_iterator match{text.begin(), text.end(), summary}; match != std::sregex_iterator{}; ++match) {
+            out.append(from, text.begin() + match->position(1));
+            out += markdown((*match)[1], cmark_node_get_start_line(node));
+            from = text.begin() + match->position(1) + match->length(1);
         }
         out.append(from, text.end());
         static const std::regex solution{R"(<details>(\s*<summary>Our solution of ))"},
             hint{R"(<details>(\s*<summary>)(\d+\.\d+), a hint: )"};
         out = std::regex_replace(out, solution, "<details class=\"solution\">$1");
-        for (std::smatch found; std::regex_search(out, found, hint);)
-            out = found.prefix().str() + "<details class=\"hint\">" + found[1].str() + "Hint "
-                  + std::to_string(++hints_so_far[found[2]]) + ": " + found.suffix().str();
+        for (std::smatch match; std::regex_search(out, match, hint);)
+            out = match.prefix().str() + "<details class=\"hint\">" + match[1].str() + "Hint "
+                  + std::to_string(++hints_so_far[match[2]]) + ": " + match.suffix().str();
         if (auto mark = demo_mark(text)) {
             mark->exercise = last_box;
             out = demo(*mark, cmark_node_get_start_line(node));
@@ -360,7 +351,7 @@ class PageWriter {
         cmark_node_set_literal(node, out.c_str());
     }
 
-    /// A demo's place; nothing if its section keeps none in demos/.
+    /// A demo's place; nothing if demos/ has none.
     std::string demo(const DemoMark &mark, int line) {
         for (const Demo &one : known_demos())
             if (one.mark.name == mark.name)
@@ -371,12 +362,12 @@ class PageWriter {
     /// The demo of this chapter twice, once with a bug; nothing if there is none.
     std::string two_suspects() {
         for (const Demo &one : known_demos())
-            if (tree.chapter(one.section) == file) return suspects(tree, one);
+            if (workspace.chapter(one.section) == file) return spot_the_bug(workspace, one);
         return "";
     }
 
     const std::vector<Demo> &known_demos() {
-        if (!all_demos) all_demos = demos(tree);
+        if (!all_demos) all_demos = demos(workspace);
         return *all_demos;
     }
 
@@ -400,7 +391,7 @@ class PageWriter {
     }
 
     const Addresses &addresses;
-    const Tree &tree = addresses.tree;
+    const Workspace &workspace = addresses.workspace;
     const fs::path &file;
     const std::map<std::string, Chunk> chunks;
     const WithoutFormulas taken;
@@ -420,12 +411,12 @@ class PageWriter {
 SitePage written_page(const Addresses &addresses, const fs::path &file, std::string_view text,
                       const std::string &name) {
     text.remove_prefix(byte_order_mark(text).size());
-    return PageWriter{addresses, file, text, chunks_for(addresses.tree, file)}.write(name);
+    return PageWriter{addresses, file, text, chunks_for(addresses.workspace, file)}.write(name);
 }
 
-SitePage source_page(const Tree &tree, const fs::path &file) {
-    const std::string path = tree.shown(file), code = read_file(file);
-    return {page_name(tree, file),
+SitePage source_page(const Workspace &workspace, const fs::path &file) {
+    const std::string path = workspace.shown(file), code = read_file(file);
+    return {page_name(workspace, file),
             path,
             "source",
             "<h1><code>" + breakable(path) + "</code></h1>"

@@ -1,14 +1,12 @@
 #include "site/progress_script.hpp"
 
-#include "ground/files.hpp"
-#include "loop/memory.hpp"
-#include "loop/progress.hpp"
+#include "base/files.hpp"
+#include "check/progress.hpp"
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <iostream>
 
 namespace course {
@@ -17,55 +15,49 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-bool is_done(const Standing &standing) { return standing.state == "passed"; }
-
 OrderedJson exercises_of(const Progress &so_far) {
     OrderedJson exercises = OrderedJson::array();
     for (const Standing &standing : so_far.standings)
         exercises.push_back({{"number", standing.exercise.number},
                              {"function", standing.exercise.function},
-                             {"done", is_done(standing)}});
+                             {"done", standing.state == "passed"}});
     return exercises;
 }
 
-/// When one of the section's exercises was last judged; "" if never.
-std::string last_judged(const Tree &tree, const Section &section) {
-    std::string last;
-    for (const auto &[number, memory] : recall(tree, section)) last = std::max(last, memory.when);
-    return last;
+/// Where to go on: at an exercise, or in a section that has to be checked again.
+OrderedJson place_to_go_on(const Section &section, const Standing *next, const std::string &page) {
+    if (next == nullptr) return {{"number", section.short_number()}, {"address", page}};
+    return {{"number", next->exercise.number},
+            {"function", next->exercise.function},
+            {"address", page + "#exercise-" + next->exercise.number}};
 }
 
 } // namespace
 
-std::string progress_script(const Tree &tree) {
+std::string progress_script(const Workspace &workspace) {
     OrderedJson known{{"sections", OrderedJson::array()}};
-    std::string latest; // of the sections with something left to do: the student works on the last one judged
+    const auto current = section_to_go_on_with(workspace);
     bool begun = false;
     OrderedJson next;
-    for (const Section &section : tree.sections()) {
-        if (!is_built(tree, section)) continue;
-        const Progress so_far = progress(tree, section);
-        const std::string page = page_name(tree, tree.chapter(section)) + ".html", when = last_judged(tree, section);
+    for (const Section &section : workspace.sections()) {
+        if (!is_built(workspace, section)) continue;
+        const Progress so_far = progress(workspace, section);
+        const std::string page = page_name(workspace, workspace.chapter(section)) + ".html";
         known["sections"].push_back(
             {{"number", section.short_number()}, {"page", page}, {"exercises", exercises_of(so_far)}});
-        begun = begun || !when.empty();
-        const auto open = std::ranges::find_if_not(so_far.standings, is_done);
-        if (open == so_far.standings.end() || (!next.is_null() && when <= latest)) continue;
-        latest = when;
-        next = {{"number", open->exercise.number},
-                {"function", open->exercise.function},
-                {"address", page + "#exercise-" + open->exercise.number}};
+        begun = begun || !so_far.judged.empty();
+        if (current && current->name == section.name) next = place_to_go_on(section, so_far.next(), page);
     }
     if (begun && !next.is_null()) known["next"] = next;
     return "// How far the reader is; `./course check` writes it.\nself.progress = " + known.dump() + ";\n";
 }
 
-void tell_pages(const Tree &tree) {
-    if (tree.is_shared()) return; // they're for many
+void write_progress_script(const Workspace &workspace) {
+    if (workspace.is_shared()) return; // they're for many
     try {
-        for (const fs::path &folder : {site_folder(tree), own_site_folder(tree)})
-            if (fs::exists(folder)) write_file(folder / "progress.js", progress_script(tree));
-    } catch (const Complaint &complaint) {
+        for (const fs::path &folder : {site_folder(workspace), own_site_folder(workspace)})
+            if (fs::exists(folder)) write_file(folder / "progress.js", progress_script(workspace));
+    } catch (const UserError &complaint) {
         std::cerr << "course: the pages of the site do not know of this: " << complaint.what() << '\n';
     }
 }

@@ -1,9 +1,9 @@
 #include "site/reference.hpp"
 
-#include "ground/complaint.hpp"
-#include "ground/files.hpp"
-#include "ground/text.hpp"
-#include "site/html.hpp"
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "book/html.hpp"
 
 #include <pugixml.hpp>
 #include <regex>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 nlohmann::json declared_names(const fs::path &tag_file) {
     pugi::xml_document document;
     if (!document.load_file(tag_file.c_str()))
-        throw Complaint{"cannot read " + tag_file.string() + ", which Doxygen should have written"};
+        throw UserError{"cannot read " + tag_file.string() + ", which Doxygen should have written"};
     nlohmann::json names = nlohmann::json::object();
     const auto add = [&](const std::string &space, const std::string &name, const std::string &address, bool function) {
         if (!names[space].contains(name)) // of overloads the first
@@ -47,17 +47,17 @@ std::string without_repetitions(std::string contents) {
 } // namespace
 
 std::vector<SitePage> reference_pages(const fs::path &folder) {
-    static const std::regex wanted{"(namespace|struct|class|union).*"},
+    static const std::regex described{"(namespace|struct|class|union).*"},
         list{"namespaces|namespacemembers.*|classes|.*-members"};
     std::vector<SitePage> pages;
     for (const fs::path &file : files_in(folder, ".html")) {
         const std::string name = file.stem().string();
-        if (!std::regex_match(name, wanted) || std::regex_match(name, list)) continue;
+        if (!std::regex_match(name, described) || std::regex_match(name, list)) continue;
         const std::string page = read_file(file);
         const auto title = between(page, "<div class=\"title\">", " Reference"),
                    contents = between(page, "<div class=\"contents\">", "</div><!-- contents -->");
         if (!title || !contents)
-            throw Complaint{"Doxygen wrote " + name + ".html without contents; is another version at work?"};
+            throw UserError{"Doxygen wrote " + name + ".html without contents; is another version at work?"};
         // "wall::Touch Struct" is Doxygen's, "wall::Touch" ours.
         const std::string words = without_entities(std::string{title->substr(0, title->find_last_of(' '))});
         pages.push_back({name,

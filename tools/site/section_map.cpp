@@ -1,10 +1,10 @@
 #include "site/section_map.hpp"
 
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/process.hpp"
+#include "base/text.hpp"
 #include "book/prerequisites.hpp"
-#include "ground/complaint.hpp"
-#include "ground/files.hpp"
-#include "ground/process.hpp"
-#include "ground/text.hpp"
 #include "site/addresses.hpp"
 
 #include <algorithm>
@@ -35,12 +35,12 @@ std::string in_two_lines(std::string words) {
     return words;
 }
 
-std::string box(const Tree &tree, const Entry &entry) {
+std::string box(const Workspace &workspace, const Entry &entry) {
     std::string lines = quoted(in_two_lines(words_of(entry)));
     replace_all(lines, "\n", "\\n");
     const std::string kind = entry.chapter.empty()
                                  ? "class=\"to-come\""
-                                 : "URL=" + quoted(page_name(tree, tree.root / entry.chapter) + ".html");
+                                 : "URL=" + quoted(page_name(workspace, workspace.root / entry.chapter) + ".html");
     return fmt::format("{} [label={} {}]\n", entry.number, lines, kind);
 }
 
@@ -50,18 +50,19 @@ std::string label_of(const Entry &entry) {
 }
 
 /// For a phone, where the boxes would be too small to read.
-std::string list_item(const Tree &tree, const Entry &entry) {
+std::string list_item(const Workspace &workspace, const Entry &entry) {
     std::string label = label_of(entry);
     const std::string words = escaped(words_of(entry));
     if (!entry.chapter.empty())
         label.replace(0, words.size(),
-                      "<a href=\"" + page_name(tree, tree.root / entry.chapter) + ".html\">" + words + "</a>");
+                      "<a href=\"" + page_name(workspace, workspace.root / entry.chapter) + ".html\">" + words
+                          + "</a>");
     return "<li>" + label + "</li>\n";
 }
 
 /// The graph in Graphviz's language. A line that another way says already is left out; but a way through what only one
 /// exercise needs says nothing of the section.
-std::string graph(const Tree &tree, const std::vector<Entry> &entries) {
+std::string graph(const Workspace &workspace, const std::vector<Entry> &entries) {
     std::map<int, std::set<int>> before; // all that a section needs as a whole
     std::string boxes, lines;
     for (const Entry &entry : entries) {
@@ -69,14 +70,14 @@ std::string graph(const Tree &tree, const std::vector<Entry> &entries) {
         std::set<int> implied;
         for (const auto &[section, exercise] : needed)
             if (exercise.empty()) implied.insert(before[section].begin(), before[section].end());
-        std::set<int> &mine = before[entry.number] = implied;
+        std::set<int> &all = before[entry.number] = implied;
         for (const auto &[section, exercise] : needed) {
-            if (exercise.empty()) mine.insert(section);
+            if (exercise.empty()) all.insert(section);
             if (!implied.contains(section))
                 lines +=
                     fmt::format("{} -> {} [{}]\n", section, entry.number, exercise.empty() ? "" : "class=\"in-part\"");
         }
-        boxes += box(tree, entry);
+        boxes += box(workspace, entry);
     }
     return "digraph {\nnode [shape=box style=rounded fixedsize=true width=2 height=0.62 fontsize=17]\n"
            "edge [arrowhead=none]\nranksep=0.35 nodesep=0.2 bgcolor=transparent\n"
@@ -84,14 +85,14 @@ std::string graph(const Tree &tree, const std::vector<Entry> &entries) {
 }
 
 /// Graphviz's picture, as a part of a page.
-std::string drawn(const Tree &tree, const std::string &graph) {
-    const std::filesystem::path file = tree.build / "map.dot";
+std::string drawn(const Workspace &workspace, const std::string &graph) {
+    const std::filesystem::path file = workspace.build / "map.dot";
     write_file(file, graph);
     const Finished done = run({"dot", "-Tsvg", file.string()}, {.deadline = 60});
     std::smatch size;
     static const std::regex view{R"(viewBox="[^"]*")"};
     if (done.code != 0 || !std::regex_search(done.out, size, view))
-        throw Complaint{"Graphviz didn't draw the map of the sections:\n" + done.err};
+        throw UserError{"Graphviz didn't draw the map of the sections:\n" + done.err};
     std::string svg = done.out.substr(done.out.find('>', static_cast<std::size_t>(size.position())) + 1);
     static const std::regex not_for_readers{
         R"(<!--[^>]*-->\n|<title>[^<]*(%|&gt;)[^<]*</title>\n| xlink:title="[^"]*")"};
@@ -103,12 +104,12 @@ std::string drawn(const Tree &tree, const std::string &graph) {
 
 } // namespace
 
-std::string section_map(const Tree &tree, const std::vector<Entry> &entries) {
+std::string section_map(const Workspace &workspace, const std::vector<Entry> &entries) {
     if (std::ranges::all_of(entries, [](const Entry &e) { return e.needs.empty(); })) return "";
-    std::string map = drawn(tree, graph(tree, entries)), list;
+    std::string map = drawn(workspace, graph(workspace, entries)), list;
     for (const Entry &entry : entries) {
         replace_all(map, fmt::format("<title>{}</title>", entry.number), "<title>" + label_of(entry) + "</title>");
-        list += list_item(tree, entry);
+        list += list_item(workspace, entry);
     }
     return map + "<ul class=\"map-list\">\n" + list + "</ul>";
 }

@@ -1,8 +1,8 @@
 #pragma once
 // The map of the sections: which of them needs which.
 
+#include "base/workspace.hpp"
 #include "book/contents.hpp"
-#include "ground/tree.hpp"
 
 #include <string>
 #include <vector>
@@ -10,6 +10,6 @@
 namespace course {
 
 /// The map as an SVG for the site's pages, in their colours; a section that stands is a link. "" if none needs another.
-std::string section_map(const Tree &tree, const std::vector<Entry> &entries);
+std::string section_map(const Workspace &workspace, const std::vector<Entry> &entries);
 
 } // namespace course

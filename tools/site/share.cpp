@@ -1,8 +1,8 @@
 #include "site/share.hpp"
 
+#include "base/files.hpp"
+#include "base/text.hpp"
 #include "book/markdown.hpp"
-#include "ground/files.hpp"
-#include "ground/text.hpp"
 #include "site/build.hpp"
 #include "site/progress_script.hpp"
 
@@ -12,7 +12,9 @@
 namespace course {
 namespace {
 
-std::string of_site(const Tree &tree, const std::string &name) { return read_file(site_folder(tree) / name); }
+std::string of_site(const Workspace &workspace, const std::string &name) {
+    return read_file(site_folder(workspace) / name);
+}
 
 /// Without the site's own typefaces, which lie in files of their own.
 std::string without_typefaces(const std::string &style) {
@@ -20,8 +22,9 @@ std::string without_typefaces(const std::string &style) {
     return std::regex_replace(style, face, "");
 }
 
-std::string style(const Tree &tree) {
-    return "<style>\n" + without_typefaces(of_site(tree, "site.css")) + of_site(tree, "play.css") + "</style>\n";
+std::string style(const Workspace &workspace) {
+    return "<style>\n" + without_typefaces(of_site(workspace, "site.css")) + of_site(workspace, "play.css")
+           + "</style>\n";
 }
 std::string script(const std::string &text) { return "<script>\n" + text + "</script>\n"; }
 
@@ -40,7 +43,7 @@ constexpr const char *compare =
 <code>./course play {1} --bug</code> plays it again, and <code>./course bug {1}</code> judges it.</p>
 )";
 
-/// The demo's place as chapters have it, without the picture, which lies in a file of its own.
+/// The demo's place as chapters have it, without the picture, which is another file.
 std::string figure(const Demo &demo, DemoMark mark, const std::string &task) {
     mark.mine = true;
     return demo_figure({demo.section, mark, {}, ""}, "demo", mark, escaped(task));
@@ -48,30 +51,30 @@ std::string figure(const Demo &demo, DemoMark mark, const std::string &task) {
 
 /// A page with a figure, words below it, and all that it runs.
 /// @param own  what else than ours was compiled
-std::string page_of(const Tree &tree, const Demo &demo, const std::string &figure, const std::string &words,
+std::string page_of(const Workspace &workspace, const Demo &demo, const std::string &figure, const std::string &words,
                     const std::string &own) {
-    std::string page = head + ("<title>" + escaped(demo.about) + "</title>\n") + style(tree)
-                       + script(of_site(tree, "theme.js")) + "<main>\n" + figure + words + "</main>\n"
-                       + script(of_site(tree, demo_file(demo.section))) + own;
-    for (const char *each : {"draw.js", "hands.js", "play.js"}) page += script(of_site(tree, each));
+    std::string page = head + ("<title>" + escaped(demo.about) + "</title>\n") + style(workspace)
+                       + script(of_site(workspace, "theme.js")) + "<main>\n" + figure + words + "</main>\n"
+                       + script(of_site(workspace, demo_file(demo.section))) + own;
+    for (const char *each : {"draw.js", "hands.js", "play.js"}) page += script(of_site(workspace, each));
     return page + "</html>\n";
 }
 
 } // namespace
 
-std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark, bool with_progress) {
-    const std::string mine = script(read_file(tree.work() / "play" / (demo.section.name + "_mine.js")));
-    return page_of(tree, demo, figure(demo, mark, demo.about), signature,
-                   with_progress ? mine + script(progress_script(tree)) : mine);
+std::string shared_page(const Workspace &workspace, const Demo &demo, const DemoMark &mark, bool with_progress) {
+    const std::string mine = script(read_file(workspace.work() / "play" / (demo.section.name + "_mine.js")));
+    return page_of(workspace, demo, figure(demo, mark, demo.about), signature,
+                   with_progress ? mine + script(progress_script(workspace)) : mine);
 }
 
-std::string page_with_bug(const Tree &tree, const Demo &demo, const DemoMark &mark) {
+std::string page_with_bug(const Workspace &workspace, const Demo &demo, const DemoMark &mark) {
     constexpr std::string_view begin = "<figure";
-    const std::string file = tree.bug(demo.section).filename().string();
+    const std::string file = workspace.bug(demo.section).filename().string();
     const std::string named = std::string{begin} + " data-yours=\"" + file + '"'
                               + figure(demo, mark, words_of(parse_markdown(mark.task).get())).substr(begin.size());
-    return page_of(tree, demo, named, fmt::format(compare, file, demo.section.short_number()),
-                   script(read_file(tree.work() / "play" / (demo.section.name + "_bug.js"))));
+    return page_of(workspace, demo, named, fmt::format(compare, file, demo.section.short_number()),
+                   script(read_file(workspace.work() / "play" / (demo.section.name + "_bug.js"))));
 }
 
 } // namespace course

@@ -10,9 +10,9 @@ namespace course {
 /// The page: a demo as it starts at this place, ours and the student's, both compiled before.
 /// The site must be there.
 /// @param with_progress  the page has to know which exercises are done: it plays the student's functions of these
-std::string shared_page(const Tree &tree, const Demo &demo, const DemoMark &mark, bool with_progress);
+std::string shared_page(const Workspace &workspace, const Demo &demo, const DemoMark &mark, bool with_progress);
 
 /// The same with the file that `./course bug` wrote in the place of the student's.
-std::string page_with_bug(const Tree &tree, const Demo &demo, const DemoMark &mark);
+std::string page_with_bug(const Workspace &workspace, const Demo &demo, const DemoMark &mark);
 
 } // namespace course

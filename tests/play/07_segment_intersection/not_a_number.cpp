@@ -1,4 +1,4 @@
-// the page says: A position is infinite, or not a number (NaN): which function returned it?
+// the page says: A position is infinite, or not a number (NaN): which function returned it, or which Vec2 did you never set?
 #include "segment_intersection.hpp"
 
 namespace segment_intersection {

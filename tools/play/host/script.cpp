@@ -1,10 +1,23 @@
 // A demo without a page. It reads one line of input for each frame, and writes the frame's numbers, to the last bit; or,
 // as `NN_slug --picture "wind: 2"`, writes what it is about, and what the lines of a player begin with who has this
-// control so and wants to get to the moment of its still picture.
-#include "frame.hpp"
+// control so and wants to get to the moment of its still picture; or, as `NN_slug --wild 36000`, plays every game by a
+// wild hand for so many frames; or, as `NN_slug --alone 36000`, leaves each alone.
+#include "interface.hpp"
+
+#undef COURSE_EXERCISE // here the section's exercises are called through the border, in checked.cpp
+#define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
+    }                                                                                                                  \
+    decltype(function) function __asm__("checked_" #section "_" #function);                                            \
+    namespace subject {
+#include COURSE_SECTION
+#undef COURSE_EXERCISE
+#define COURSE_EXERCISE(number, tier, section, function, arguments, unit)
+
+#include "wild.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <string_view>
@@ -35,22 +48,12 @@ void begin_with(std::string_view settings) {
     }
 }
 
-/// Whether something counts with the controls as they are: as docs/play.js has it.
-bool counts(const std::vector<std::string_view> &only_with) {
-    const auto &controls = host::in.controls;
-    return only_with.empty() || std::any_of(controls.begin(), controls.end(), [&](const demo::Control &c) {
-               return !c.options.empty()
-                      && std::find(only_with.begin(), only_with.end(), c.options[std::size_t(c.value)])
-                             != only_with.end();
-           });
-}
-
 /// What there is, then the moment of its picture, the key that is pressed at the start, and the controls as they are.
 void tell() {
     print_row();
     const auto &keys = play::about.keys;
     const auto key = std::find_if(keys.begin(), keys.end(), [](const auto &k) { return k.key == play::still.key; });
-    const bool pressed = key != keys.end() && counts(play::still.only_with);
+    const bool pressed = key != keys.end() && host::counts(play::still.only_with);
     host::row = {play::still.time, pressed ? double(key - keys.begin()) : -1};
     for (const demo::Control &control : host::in.controls) host::row.push_back(control.value);
     print_row();
@@ -71,12 +74,36 @@ void play_lines() {
     }
 }
 
+constexpr unsigned seed = 7;
+
+/// Every game anew, as the first choice has them. Whether all go on to the end; of one that doesn't it prints why.
+bool play_all(bool alone, int frames) {
+    const auto &controls = play::about.controls;
+    const std::vector<std::string_view> games =
+        controls.empty() || controls[0].options.empty() ? std::vector{play::about.title} : controls[0].options;
+    bool good = true;
+    for (std::size_t game = 0; game < games.size(); ++game) {
+        host::begin();
+        try {
+            alone ? host::leave_alone(double(game), frames) : host::WildHand{seed, double(game)}.play(frames);
+        } catch (const std::exception &error) {
+            std::cout << games[game] << ": " << error.what() << std::endl;
+            good = false;
+        }
+    }
+    return good;
+}
+
 } // namespace
 
 int main(int count, char **words) {
     try {
         host::begin();
         if (count == 3 && std::string_view{words[1]} == "--picture") begin_with(words[2]), tell();
+        else if (count == 3 && std::string_view{words[1]} == "--wild")
+            return play_all(false, std::atoi(words[2])) ? 0 : 1;
+        else if (count == 3 && std::string_view{words[1]} == "--alone")
+            return play_all(true, std::atoi(words[2])) ? 0 : 1;
         else play_lines();
     } catch (const std::exception &error) {
         std::cerr << error.what() << '\n';

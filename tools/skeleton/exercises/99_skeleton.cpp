@@ -1,5 +1,5 @@
 // Section 99, Skeleton. Replace a `throw` by your own code, save, and see:  ./course check 99
-// The lines that refuse bad input are written for you.
+// Lines above a `throw` refuse numbers that make no sense; leave them as they are.
 
 #include "skeleton.hpp"
 
@@ -7,7 +7,6 @@ namespace skeleton {
 
 // 99.1 core
 double pull(double stiffness, double stretch) {
-    course::require_range(stiffness, stretch);
     course::require(stiffness > 0, "stiffness [N/m] must be positive", stiffness);
     throw course::NotYet{"which way does a spring pull when you make it longer?"};
 }

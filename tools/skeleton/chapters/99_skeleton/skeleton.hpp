@@ -9,7 +9,7 @@ namespace skeleton {
 /// Force of a spring on what stretches it, along its axis [N]; positive is the direction of a positive stretch.
 /// @param stiffness  newtons for each metre of stretch [N/m], positive
 /// @param stretch    how much longer it is than at rest [m]; negative: how much shorter
-/// @throws std::invalid_argument if the stiffness is not positive, or a number is not within ±1e5.
+/// @throws std::invalid_argument if the stiffness is not positive.
 double pull(double stiffness, double stretch);
 
 //>

@@ -1,0 +1,27 @@
+#pragma once
+// What is made of the course as it's committed: a release, a handout.
+
+#include "base/workspace.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// As `course --version` says it.
+/// @throws UserError if CMakeLists.txt doesn't say it
+std::string version_of(const Workspace &workspace);
+
+/// What a program prints that is run in this folder.
+/// @throws UserError if it fails
+std::string printed_by(const std::vector<std::string> &command, const std::filesystem::path &folder);
+
+/// What git prints in this repository, by nobody in particular.
+/// @throws UserError with git's first line, if it fails
+std::string git_in(const std::filesystem::path &repository, std::vector<std::string> words);
+
+/// @throws UserError if something isn't committed; `what` is made of what is: "a release"
+void require_committed(const Workspace &workspace, const std::string &what);
+
+} // namespace course

@@ -1,0 +1,186 @@
+#include "check/build_config.hpp"
+
+#include "base/build.hpp"
+#include "base/files.hpp"
+#include "base/lock.hpp"
+#include "base/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace course {
+namespace fs = std::filesystem;
+
+std::vector<std::string> Compiler::command(const Workspace &workspace, const Section &section, const fs::path &file,
+                                           const fs::path &object) const {
+    std::vector<std::string> words{program};
+    words.insert(words.end(), flags.begin(), flags.end());
+    words.insert(words.end(), precompiled.begin(), precompiled.end());
+    words.insert(words.end(), {"-I" + workspace.header(section).parent_path().string(), "-fdiagnostics-color=never",
+                               "-x", "c++", "-c", file.string(), "-o", object.string()});
+    return words;
+}
+
+namespace {
+
+/// How an object's name ends that's made of a student's file, as those of earlier sections are in a handout.
+constexpr std::string_view of_student = "_yours.o";
+
+/// In a handout for many: what this student has written for earlier sections, also in the tests, which may call it.
+void bring_up_earlier(const Workspace &workspace, const Section &section, const BuildConfig &tools) {
+    bool any = false;
+    for (const fs::path object : tools.earlier) {
+        const std::string name = object.filename().string();
+        if (!name.ends_with(of_student)) continue;
+        workspace.written_exercise({name.substr(0, name.size() - of_student.size())}); // is there
+        any = true;
+    }
+    if (!any) return;
+    const Lock lock{workspace};
+    build_target(workspace, workspace.own_test_program(section).lexically_relative(workspace.work()).string());
+}
+
+} // namespace
+
+BuildConfig build_config(const Workspace &workspace, const Section &section) {
+    const fs::path file = workspace.build / "course.json";
+    if (!fs::exists(file)) throw UserError{"the course isn't built yet: type ./course, which builds all of it."};
+    try {
+        const auto json = nlohmann::json::parse(read_file(file));
+        const auto compiler = [](const auto &entry) {
+            return Compiler{entry.at("compiler"), entry.at("flags"), entry.at("precompiled")};
+        };
+        BuildConfig w;
+        w.compiler = compiler(json);
+        if (const auto quick = json.find("quick"); quick != json.end()) {
+            w.quick = compiler(*quick);
+            w.quick_link = quick->at("link");
+        }
+        w.nm = json.at("nm");
+        w.objcopy = json.at("objcopy");
+        w.node = json.at("node");
+        w.link = json.at("link");
+        for (const fs::path place : json.at("includes"))
+            if (place != workspace.root / "chapters") w.includes.push_back(place);
+            else // whose pages print solutions
+                for (const fs::directory_entry &each : fs::recursive_directory_iterator{place})
+                    if (each.path().extension() == ".hpp") w.includes.push_back(each.path());
+        for (const auto &each : json.at("sections"))
+            if (each.at("name") == section.name) {
+                w.server = each.at("server").get<std::string>();
+                w.missing = each.at("missing").get<std::string>();
+                w.ours = each.value("ours", "");
+                w.earlier = each.at("earlier");
+                for (std::string &object : w.earlier)
+                    if (workspace.is_shared() && object.ends_with(of_student))
+                        object = workspace.work() / fs::path{object}.lexically_relative(workspace.build);
+                w.plays_yours = each.value("plays_yours", false);
+            }
+        return w;
+    } catch (const nlohmann::json::exception &) {
+        throw UserError{file.string() + " is broken: delete it, and type ./course, which makes a new one."};
+    }
+}
+
+namespace {
+
+/// What the build has made for these tools.
+std::vector<fs::path> made_for(const BuildConfig &tools) {
+    std::vector<fs::path> files{tools.server, tools.missing};
+    if (!tools.ours.empty()) files.push_back(tools.ours);
+    files.insert(files.end(), tools.earlier.begin(), tools.earlier.end());
+    auto quick = tools.quick_link;
+    if (tools.quick) quick.insert(quick.end(), tools.quick->precompiled.begin(), tools.quick->precompiled.end());
+    std::ranges::copy_if(quick, std::back_inserter(files),
+                         [](const std::string &word) { return word.starts_with('/'); });
+    return files;
+}
+
+/// The course's own files that a verdict on this section rests on.
+std::vector<fs::path> sources_of(const Workspace &workspace, const Section &section) {
+    std::vector<fs::path> all{workspace.root / "CMakeLists.txt", workspace.root / "tests/section_test.hpp",
+                              workspace.root / "tests/matchers.hpp", workspace.tests(section), workspace.stub(section)};
+    for (const char *folder : {"chapters", "tools/judge/protocol", "tools/judge/server", "tools/judge/runner", "cmake"})
+        for (const fs::path &file : files_in(workspace.root / folder)) all.push_back(file);
+    for (const Section &each : workspace.sections()) { // this one may build on it
+        all.push_back(workspace.header(each));
+        const bool ours = workspace.has_solution(each) || each.number() >= section.number();
+        all.push_back(ours ? workspace.solution(each) : workspace.exercise(each));
+    }
+    std::erase_if(all, [](const fs::path &file) { return !fs::exists(file); });
+    return all;
+}
+
+/// The newest date of those, which ninja goes by, and what's in them. A file gets today's date if the own one, by a clock
+/// that was wrong, would be newer than all that's ever built from it; or if it's older than the last build, which knew
+/// other content of it.
+/// @param checked  when that was
+/// @param known    the lines of that time: a hash and a file; empty if nobody knows
+/// @param lines    the lines of today
+fs::file_time_type newest(const Workspace &workspace, const Section &section, fs::file_time_type checked,
+                          const std::string &known, std::string &lines) {
+    const auto now = fs::file_time_type::clock::now();
+    auto date = fs::file_time_type::min();
+    for (const fs::path &file : sources_of(workspace, section)) {
+        const std::string line = std::to_string(std::hash<std::string>{}(read_file(file))) + ' ' + file.string() + '\n';
+        const bool is_known = known.empty() || contains(known, line);
+        lines += line;
+        auto changed = fs::last_write_time(file);
+        std::error_code ignored;
+        if (changed > now || (changed <= checked && !is_known)) fs::last_write_time(file, changed = now, ignored);
+        date = std::max(date, changed);
+    }
+    return date;
+}
+
+/// Whether a file is dated so far ahead that the clock was wrong, and not only that of a server.
+bool is_ahead(const fs::path &file) {
+    return fs::exists(file) && fs::last_write_time(file) > fs::file_time_type::clock::now() + std::chrono::minutes{1};
+}
+
+} // namespace
+
+AllowedPaths allowed_paths(const std::vector<std::string> &command) {
+    AllowedPaths places{system_paths(), {}};
+    std::error_code missing; // run says so
+    const fs::path home = fs::canonical(command.front(), missing).parent_path().parent_path();
+    if (!missing)
+        for (const char *part : {"bin", "include", "lib", "lib64", "libexec"}) places.readable.push_back(home / part);
+    std::ranges::copy_if(command, std::back_inserter(places.readable),
+                         [](const std::string &word) { return word.starts_with('/'); });
+    return places;
+}
+
+void bring_up_to_date(const Workspace &workspace, const Section &section, const BuildConfig &tools) {
+    const auto is_cut = [](const fs::path &file) { return fs::exists(file) && fs::is_empty(file); };
+    const auto is_whole = [&](const fs::path &file) { return fs::exists(file) && !is_cut(file); };
+    if (workspace.is_shared()) bring_up_earlier(workspace, section, tools);
+    auto files = made_for(tools);
+    files.insert(files.end(), {workspace.test_program(section), workspace.catalogue(section)});
+    const bool all_there = std::ranges::all_of(files, is_whole);
+    if (workspace.is_shared()) {
+        if (all_there) return;
+        throw EnvironmentError{"this course isn't built as a whole: whoever it belongs to has to type ./course once"};
+    }
+    const fs::path stamp = workspace.build / "loop" / (section.name + ".checked");
+    const bool is_new = !fs::exists(stamp);
+    const auto checked = is_new ? fs::file_time_type::min() : fs::last_write_time(stamp);
+    std::string lines;
+    const auto date = newest(workspace, section, checked, is_new ? "" : read_file(stamp), lines);
+    const bool ahead = is_ahead(stamp) || std::ranges::any_of(files, is_ahead);
+    if (all_there && !ahead && checked >= date) return;
+    const Lock lock{workspace};
+    for (const fs::path &file : files)
+        if (is_cut(file)) fs::remove(file); // or it would be newer than what it is made from
+    if (ahead) run({"cmake", "--build", workspace.build.string(), "--", "-t", "clean", section.name + "_loop"});
+    const auto built = build_target(workspace, section.name + "_loop");
+    if (built.code != 0)
+        throw UserError{"the course's own files don't build; `cmake --build " + workspace.build.string()
+                        + "` shows why."};
+    write_file(stamp, lines);
+    fs::last_write_time(stamp, fs::file_time_type::clock::now());
+}
+
+} // namespace course

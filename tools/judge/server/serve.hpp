@@ -1,0 +1,43 @@
+#pragma once
+// Gives COURSE_EXERCISE its meaning for the side that answers: read the arguments, call the student's function, write the result.
+// Includes the header of the section, which COURSE_SECTION names. Only for server.cpp and direct.cpp: all of it is local.
+
+#include "judge/protocol/border.hpp"
+
+namespace {
+
+using course::wire::Reader, course::wire::Writer;
+using Serve = void (*)(double limit, Reader &, Writer &);
+struct Exercise {
+    Serve serve;
+    double limit; ///< of the numbers that it takes
+
+    void operator()(Reader &in, Writer &out) const { serve(limit, in, out); }
+};
+Exercise served[64];
+std::uint32_t exercises = 0;
+
+/// Reads the arguments, refuses numbers beyond the limit, calls the student's function, writes the result.
+template <class Result, class... Arguments>
+void serve(Result (*function)(Arguments...), double limit, Reader &in, Writer &out) {
+    const std::tuple<std::decay_t<Arguments>...> arguments{in.take<std::decay_t<Arguments>>()...}; // left to right
+    std::apply([limit](const auto &...each) { course::require_within(limit, each...); }, arguments);
+    out.put(std::apply(function, arguments));
+}
+template <auto F> void serve_function(double limit, Reader &in, Writer &out) { serve(F, limit, in, out); }
+
+/// A line of the section's header, which includes those of earlier sections first: their functions are ours.
+struct Served {
+    Served(std::string_view section, Exercise exercise) {
+        static std::string_view last;
+        if (section != std::exchange(last, section)) exercises = 0;
+        served[exercises++] = exercise;
+    }
+};
+
+} // namespace
+
+#undef COURSE_EXERCISE
+#define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
+    static const ::Served function##_served{#section, {&::serve_function<&section::function>, largest_number(number)}};
+#include COURSE_SECTION
