@@ -419,6 +419,13 @@ TEST_CASE("a mended test is built whatever its date says, and whatever the clock
         CHECK(count(asks(), "-- -t clean 07_wall_meeting_loop") == 1); // nor is a date of what it makes believed
         fs::last_write_time(ahead, now);
     }
+    asks();
+    const course::OwnFolder other;
+    const fs::path elsewhere = other.path / "course";
+    fs::create_directory_symlink(small.workspace.root, elsewhere);
+    const auto touched = fs::last_write_time(tests);
+    course::run(course::course_command({elsewhere, small.workspace.build}, {"check", "7"}, {path}));
+    CHECK(fs::last_write_time(tests) == touched); // the same course by another path is no other one
 }
 
 TEST_CASE("a compiler that the machine has stopped is no verdict, and exits with 4") {
