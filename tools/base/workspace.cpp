@@ -102,7 +102,7 @@ Section Workspace::section(std::string_view words) const {
                          is_number ? std::stoi(match[1]) : 0};
 }
 
-std::string Workspace::shown(const fs::path &file) const {
+std::string Workspace::relative_name(const fs::path &file) const {
     fs::path shortest = file;
     for (const fs::path &folder : {root, own()}) {
         const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal());
@@ -130,7 +130,7 @@ bool Workspace::has_answers(const Section &s) const {
 
 fs::path Workspace::written_exercise(const Section &s) const {
     if (fs::exists(exercise(s))) return exercise(s);
-    throw UserError{shown(exercise(s)) + " is not there; `./course reset " + s.short_number()
+    throw UserError{relative_name(exercise(s)) + " is not there; `./course reset " + s.short_number()
                     + "` brings the empty one back."};
 }
 

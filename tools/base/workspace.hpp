@@ -48,7 +48,7 @@ struct Workspace {
     Section section(std::string_view words) const;
 
     /// A file's path relative to the checkout, or to the student's folder; as given if the file is in neither.
-    std::string shown(const std::filesystem::path &file) const;
+    std::string relative_name(const std::filesystem::path &file) const;
 
     std::filesystem::path chapter(const Section &s) const { return root / "chapters" / s.name / "README.md"; }
     std::filesystem::path header(const Section &s) const { return root / "chapters" / s.name / (s.slug() + ".hpp"); }

@@ -141,7 +141,7 @@ std::vector<Term> terms_of(const Workspace &workspace) {
     std::vector<Term> terms;
     for (const Section &section : workspace.sections()) {
         const std::filesystem::path file = workspace.chapter(section);
-        for (Term &term : terms_of(read_file(file), section.number(), workspace.shown(file), file))
+        for (Term &term : terms_of(read_file(file), section.number(), workspace.relative_name(file), file))
             terms.push_back(std::move(term));
     }
     return terms;

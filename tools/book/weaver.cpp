@@ -49,7 +49,7 @@ class Weaver {
 
   private:
     std::string place(const fs::path &file, int line) const {
-        return fmt::format("{}:{}", workspace.shown(file), line);
+        return fmt::format("{}:{}", workspace.relative_name(file), line);
     }
     void find(const fs::path &file, int line, std::string message) {
         result.findings.push_back({file, line, std::move(message)});
@@ -98,7 +98,7 @@ class Weaver {
                 find(chunk.file, chunk.line,
                      fmt::format("the chunk \"{}\" is not shown in {}; put a fence there whose first line is `{}`, or "
                                  "take the title out of the mark if the code is to stay out.",
-                                 title, workspace.shown(page.file), chunk.lines.front()));
+                                 title, workspace.relative_name(page.file), chunk.lines.front()));
     }
 
     /// Nothing if the fence is not woven, or cannot be.

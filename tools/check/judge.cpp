@@ -309,7 +309,7 @@ std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std
 }
 
 JudgeResult judge(const Workspace &workspace, const Section &section, const fs::path &given, const JudgeOptions &how) {
-    return judge(workspace, section, workspace.shown(given), read_answer(given), how);
+    return judge(workspace, section, workspace.relative_name(given), read_answer(given), how);
 }
 
 JudgeResult judge(const Workspace &workspace, const Section &section, const std::string &name, const std::string &text,

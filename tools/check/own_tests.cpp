@@ -73,7 +73,7 @@ Verdict why_unlinked(const std::string &printed, const std::string &name, const 
 /// Why the tests can't be built, by what the build printed.
 Verdict why_unbuilt(const Workspace &workspace, const Section &section, const std::string &printed) {
     const fs::path file = workspace.own_tests(section);
-    const std::string name = workspace.shown(file);
+    const std::string name = workspace.relative_name(file);
     Verdict verdict = diagnose_compiler(printed, file, name, renamed(workspace, section));
     if (verdict.line != 0 && verdict.file == name) {
         if (const std::string advice = advice_on_tests(verdict.sentence); !advice.empty())
@@ -156,7 +156,7 @@ bool are_answers_built(const Workspace &workspace, const Section &section) {
 
 OwnJudgement judge_own_tests(const Workspace &workspace, const Section &section) {
     const std::string text = read_answer(workspace.own_tests(section)),
-                      name = workspace.shown(workspace.own_tests(section));
+                      name = workspace.relative_name(workspace.own_tests(section));
     OwnJudgement judgement;
     judgement.unbuilt = diagnose_text(text, name, section.short_number() + " --tests");
     if (judgement.unbuilt) return judgement;

@@ -27,7 +27,7 @@ fs::path program_binary(const Workspace &workspace, const Section &section, Whos
                                    : workspace.build / "chapters" / section.name;
 }
 
-std::string said_of(const Finished &finished, const std::string &trace) {
+std::string trace_message(const Finished &finished, const std::string &trace) {
     std::istringstream lines{finished.err};
     for (std::string line; std::getline(lines, line);)
         for (const std::string kind : {"not started: ", "error: "})
@@ -56,7 +56,7 @@ std::vector<std::string> program_command(const fs::path &program, const std::str
 
 std::string student_error(const Workspace &workspace, const Section &section, const fs::path &file,
                           const std::string &printed) {
-    const std::string name = workspace.shown(file);
+    const std::string name = workspace.relative_name(file);
     Verdict verdict = diagnose_compiler(printed, file, name, renamed(workspace, section));
     if (verdict.line == 0) verdict = diagnose_linker(printed, name, section.short_number());
     return (verdict.line == 0 ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ") + verdict.sentence;

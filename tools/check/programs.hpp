@@ -46,7 +46,7 @@ Ran run_program(const Workspace &workspace, const Section &section, Whose owner,
 
 /// What the program printed of the part that writes this trace: "not started: ..." or "error: ...", without the part's
 /// name; "" if it printed nothing.
-std::string said_of(const Finished &finished, const std::string &trace);
+std::string trace_message(const Finished &finished, const std::string &trace);
 
 /// Whether nothing kept this program from ending well but functions that are not started.
 bool is_only_unfinished(const Finished &finished);

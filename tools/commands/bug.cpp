@@ -89,13 +89,14 @@ class Bugs {
     void begin(const Bug &bug) {
         const std::string text = text_of(bug);
         if (const fs::path copy = keep_copy_of_bug(workspace, section); !copy.empty())
-            std::cout << "What you had in " << workspace.shown(file) << " is kept: " << workspace.shown(copy) << '\n';
+            std::cout << "What you had in " << workspace.relative_name(file)
+                      << " is kept: " << workspace.relative_name(copy) << '\n';
         write_file(file, text);
         hunt.begun = bug.name;
         hunt.written = fingerprint(file);
         remember_hunt(workspace, section, hunt);
-        std::cout << with_capital(place_of(bug)) << " is in " << workspace.shown(file) << ": our " << bug.exercise
-                  << ' ' << exercise_of(bug).function << ", with one mistake in it.\n"
+        std::cout << with_capital(place_of(bug)) << " is in " << workspace.relative_name(file) << ": our "
+                  << bug.exercise << ' ' << exercise_of(bug).function << ", with one mistake in it.\n"
                   << (is_passed(bug)
                           ? ""
                           : "You haven't passed " + bug.exercise
@@ -119,7 +120,7 @@ class Bugs {
         if (judgement.unbuilt || judgement.our_fault() || options.verbose)
             return check_file(workspace, bug.exercise, file);
         if (fingerprint(file) == hunt.written)
-            std::cout << "You haven't changed " << workspace.shown(file) << " yet.\n";
+            std::cout << "You haven't changed " << workspace.relative_name(file) << " yet.\n";
         std::cout << painted(Colour::red,
                              "✗ " + std::to_string(red) + " of " + pluralize(all, "test") + " of " + bug.exercise)
                   << (red == 1 ? " is" : " are") << " red. Play with it: ./course play " << section.short_number()

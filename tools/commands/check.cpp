@@ -178,8 +178,8 @@ class Check {
                 continue;
             }
             const std::string text = read_answer(file_of(section));
-            const JudgeResult judgement = course::judge(workspace, section, workspace.shown(file_of(section)), text,
-                                                        {options.seed, only ? only->number : ""});
+            const JudgeResult judgement = course::judge(workspace, section, workspace.relative_name(file_of(section)),
+                                                        text, {options.seed, only ? only->number : ""});
             report(section, judgement, text);
             if (options.verbose) print_which_tests(section);
             code = std::max(code, judgement.our_fault()    ? +our_fault
@@ -229,7 +229,7 @@ class Check {
     /// For a machine: of the section, or of the exercise that was asked for.
     Report report_on(const Section &section, const JudgeResult &judgement) const {
         Report result{section,
-                      workspace.shown(place_of(section)),
+                      workspace.relative_name(place_of(section)),
                       options.seed,
                       catalogue(workspace, section),
                       tests_of(workspace, section),
@@ -245,7 +245,7 @@ class Check {
         std::vector<std::string> others;
         for (const Exercise &exercise : catalogue(workspace, section))
             if (exercise.number != only->number) others.push_back(exercise.function);
-        return warnings_about(judgement.warnings, text, workspace.shown(file_of(section)), others);
+        return warnings_about(judgement.warnings, text, workspace.relative_name(file_of(section)), others);
     }
 
     /// What is judged; it need not be there.
@@ -257,7 +257,7 @@ class Check {
     }
 
     void report(const Section &section, const JudgeResult &judgement, const std::string &text) {
-        const std::string name = workspace.shown(place_of(section));
+        const std::string name = workspace.relative_name(place_of(section));
         print_warnings(only ? warnings_of_it(section, judgement, text) : judgement.warnings, options.verbose);
         if (judgement.unbuilt) {
             print_unbuilt(*judgement.unbuilt, name);

@@ -66,7 +66,7 @@ class MyTests {
         : workspace{tree_}, section{std::move(section_)}, verbose{verbose_}, exercises{catalogue(workspace, section)} {}
 
     int run() {
-        const std::string name = workspace.shown(workspace.own_tests(section));
+        const std::string name = workspace.relative_name(workspace.own_tests(section));
         judgement = judge_own_tests(workspace, section);
         if (judgement.unbuilt) {
             print_unbuilt(*judgement.unbuilt, name);
@@ -154,8 +154,8 @@ class MyTests {
         if (missed == 0) std::cout << painted(Colour::green, "Your tests catch every mistake that we know.") << '\n';
         else
             std::cout << pluralize(missed, "mistake") << (missed == 1 ? " gets" : " get")
-                      << " past your tests. What else does " << workspace.shown(workspace.header(section))
-                      << " promise? Ours are in " << workspace.shown(workspace.tests(section)) << '\n';
+                      << " past your tests. What else does " << workspace.relative_name(workspace.header(section))
+                      << " promise? Ours are in " << workspace.relative_name(workspace.tests(section)) << '\n';
     }
 
     const Workspace &workspace;
@@ -172,11 +172,12 @@ bool is_written(const Workspace &workspace, const Section &section) {
     const std::string empty = empty_own_tests(workspace, section);
     if (!std::filesystem::exists(file)) {
         write_file(file, empty);
-        std::cout << workspace.shown(file) << " is there now, with one empty test. " << first_step(workspace, section);
+        std::cout << workspace.relative_name(file) << " is there now, with one empty test. "
+                  << first_step(workspace, section);
         throw ExitRequest{all_well};
     }
     if (read_file(file) != empty) return true;
-    std::cout << workspace.shown(file) << " still has its one empty test. " << first_step(workspace, section);
+    std::cout << workspace.relative_name(file) << " still has its one empty test. " << first_step(workspace, section);
     return false;
 }
 

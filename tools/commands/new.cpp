@@ -122,7 +122,7 @@ void write_all(const Workspace &workspace, const Section &section, const std::ma
             write_file(file, text);
         }
         std::vector<Term> terms = terms_of(workspace);
-        for (Term &term : terms_of(files.at(chapter), section.number(), workspace.shown(chapter), chapter))
+        for (Term &term : terms_of(files.at(chapter), section.number(), workspace.relative_name(chapter), chapter))
             terms.push_back(std::move(term));
         std::ranges::stable_sort(terms, {}, &Term::section);
         write_file(book, weave_glossary(contents, book, terms).book);
@@ -153,13 +153,13 @@ void make(const Workspace &workspace, const std::string &name, std::string title
     std::map<fs::path, std::string> files = files_of(workspace, section, title);
     for (const auto &[file, text] : files)
         if (fs::exists(fs::symlink_status(file)))
-            throw UserError{workspace.shown(file)
+            throw UserError{workspace.relative_name(file)
                             + " is there already, and nothing is overwritten: move it away, or choose another name"};
     with_section(read_file(list), section); // says so if there is no place for it
     const std::string contents = with_entry(old_contents, section, title);
 
     write_all(workspace, section, files, contents);
-    for (const auto &[file, text] : files) std::cout << "  " << workspace.shown(file) << '\n';
+    for (const auto &[file, text] : files) std::cout << "  " << workspace.relative_name(file) << '\n';
     const std::string number = section.short_number();
     std::cout << "These files make a section that builds and is tested; write yours over them, test by test.\n"
               << "It has its line in CMakeLists.txt, and its row and its terms in book.md.\n\n"

@@ -112,7 +112,7 @@ std::string about_broken(const Workspace &workspace, const Section &section) {
     std::string lines;
     for (const Section &each : sections_of_demo(workspace, section))
         if (read_file(earlier_object(workspace, section, each)).find("broken " + each.name) != std::string::npos)
-            lines += workspace.shown(workspace.exercise(each)) + " doesn't compile, so the demo has "
+            lines += workspace.relative_name(workspace.exercise(each)) + " doesn't compile, so the demo has "
                      + (workspace.has_solution(each) ? "our" : "no") + " functions of section " + each.short_number()
                      + ": ./course check " + each.short_number() + " says why.\n";
     return lines;
@@ -192,7 +192,7 @@ void play_bug(const Workspace &workspace, const PlayOptions &options) {
     const Section section = workspace.section(options.section);
     const fs::path file = workspace.bug(section), page = workspace.work() / "play" / (section.name + "_bug.html");
     if (!fs::exists(file))
-        throw UserError{workspace.shown(file) + " isn't there yet: ./course bug " + section.short_number()
+        throw UserError{workspace.relative_name(file) + " isn't there yet: ./course bug " + section.short_number()
                         + " puts a bug into it"};
     const Demo demo = demo_of(workspace, section);
     const DemoMark mark = mark_of_bug(workspace, section);
@@ -231,7 +231,7 @@ void play(const Workspace &workspace, const PlayOptions &options) {
         page = page_name(workspace, workspace.chapter(*section)) + ".html#" + place.id;
     }
     if (!options.share.empty() && fingerprint(workspace.exercise(*section)) == fingerprint(workspace.stub(*section)))
-        throw UserError{workspace.shown(workspace.exercise(*section))
+        throw UserError{workspace.relative_name(workspace.exercise(*section))
                         + " is not started, so there is nothing of yours to share yet"};
     if (options.mine) need_compiler(workspace, options.yes);
     bring_up_site(workspace);

@@ -20,7 +20,7 @@ which you have not started is left out. Without a section all figures are drawn.
 Example: ./course plot 7 --mine)";
 
 void print_drawn(const Workspace &workspace, const fs::path &svg, const Figure &figure) {
-    std::cout << workspace.shown(svg) << "  " << figure_title(figure.script) << '\n';
+    std::cout << workspace.relative_name(svg) << "  " << figure_title(figure.script) << '\n';
 }
 
 /// @return whether each figure could be drawn, or one at least and the others need functions that are not started

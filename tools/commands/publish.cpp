@@ -101,7 +101,7 @@ void publish_all(const Workspace &workspace, const std::vector<Section> &section
     std::vector<std::string> changed;
     for (const Section &section : sections) draw_figures(workspace, section);
     for (const Section &section : sections)
-        for (const auto &file : publish(workspace, section)) changed.push_back(workspace.shown(file));
+        for (const auto &file : publish(workspace, section)) changed.push_back(workspace.relative_name(file));
     for (const Section &section : changed_demos(workspace, sections)) {
         write_file(workspace.root / demo_file(section), read_file(compiled_demo(workspace, section)));
         changed.push_back(demo_file(section));
@@ -126,7 +126,7 @@ void publish_mistakes(const Workspace &workspace, const Section &section) {
     const fs::path file = file_of_mistakes(workspace, section);
     if (fs::exists(file) && read_file(file) == known.out) return;
     write_file(file, known.out);
-    std::cout << workspace.shown(file) << '\n' << std::flush;
+    std::cout << workspace.relative_name(file) << '\n' << std::flush;
 }
 
 void require_published(const Workspace &workspace, const std::vector<Section> &sections) {

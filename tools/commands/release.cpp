@@ -42,7 +42,7 @@ void release(const Workspace &workspace) {
         if (each.path().extension() == ".svg") stills.push_back("demos/" + each.path().filename().string());
     printed_by(stills, workspace.root);
     for (const char *rest : {".tar.gz", "-site.zip", "-stills.zip"})
-        std::cout << fmt::format("{}, {:.1f} MB\n", workspace.shown(file(rest)),
+        std::cout << fmt::format("{}, {:.1f} MB\n", workspace.relative_name(file(rest)),
                                  double(fs::file_size(file(rest))) / 1e6);
 }
 

@@ -15,18 +15,19 @@ namespace {
 
 /// Forgets the hunt, and takes the bug away.
 void reset_bugs(const Workspace &workspace, const Section &section) {
-    const std::string file = workspace.shown(workspace.bug(section));
+    const std::string file = workspace.relative_name(workspace.bug(section));
     const std::filesystem::path copy = keep_copy_of_bug(workspace, section);
     const bool was_there = std::filesystem::remove(workspace.bug(section));
     if (!recall_hunt(workspace, section).begun.empty()) remember_hunt(workspace, section, {});
-    if (!copy.empty()) std::cout << file << " is gone. Yours is kept: " << workspace.shown(copy) << '\n';
+    if (!copy.empty()) std::cout << file << " is gone. Yours is kept: " << workspace.relative_name(copy) << '\n';
     else if (was_there) std::cout << file << " is gone.\n";
 }
 
 /// @return whether it was done, or there was nothing to do; else the student answered no
 bool reset(const Workspace &workspace, const Section &section, const std::string &words, bool tests, bool yes) {
     const std::filesystem::path student_file = tests ? workspace.own_tests(section) : workspace.exercise(section);
-    const std::string file = workspace.shown(student_file), number = section.short_number() + (tests ? " --tests" : "");
+    const std::string file = workspace.relative_name(student_file),
+                      number = section.short_number() + (tests ? " --tests" : "");
     if (is_number_of_exercise(words))
         throw UserError{"`reset` brings back a whole section, not one exercise of it: ./course reset " + number};
 
@@ -50,7 +51,7 @@ bool reset(const Workspace &workspace, const Section &section, const std::string
     }
     const std::filesystem::path copy = keep_copy(workspace, student_file);
     write_file(student_file, empty);
-    std::cout << file << " is the empty one again. Yours is kept: " << workspace.shown(copy) << '\n';
+    std::cout << file << " is the empty one again. Yours is kept: " << workspace.relative_name(copy) << '\n';
     return true;
 }
 

@@ -92,8 +92,9 @@ void add_site(CLI::App &app, const Workspace &workspace) {
     command->callback([&workspace, mine] {
         const std::string option = *mine ? " --mine" : "";
         const fs::path folder = bring_up(workspace, *mine); // which says something, too
-        std::cout << (*mine ? "Your copy of the book is " : "The book is ") << workspace.shown(folder / "index.html")
-                  << "\nType ./course open" << option << ", or ./course open 7" << option << " for a section\n";
+        std::cout << (*mine ? "Your copy of the book is " : "The book is ")
+                  << workspace.relative_name(folder / "index.html") << "\nType ./course open" << option
+                  << ", or ./course open 7" << option << " for a section\n";
     });
 }
 

@@ -39,7 +39,7 @@ std::string output_of(const Workspace &workspace, const Section &section, const 
     for (const fs::path &code :
          {workspace.header(section), workspace.program(section), game, workspace.solution(section)})
         if (fs::exists(code) && fs::last_write_time(code) > fs::last_write_time(program))
-            throw UserError{name + " is older than " + workspace.shown(code) + "; ./course rebuilds it."};
+            throw UserError{name + " is older than " + workspace.relative_name(code) + "; ./course rebuilds it."};
 
     const fs::path traces = workspace.build / "weave" / section.name;
     fs::create_directories(traces);
@@ -76,7 +76,7 @@ class Command {
         const bool readable = page(page_of(workspace, section), text, weave_demo_places(workspace, section, text));
         if (check && readable) {
             add(missing_parts(workspace, section, text));
-            measured.push_back(workspace.shown(file));
+            measured.push_back(workspace.relative_name(file));
             add(misshapen_demos(text, file));
         }
         ++chapters;
@@ -108,7 +108,8 @@ class Command {
     void finish() {
         std::ranges::sort(findings);
         for (const Finding &finding : findings)
-            std::cout << workspace.shown(finding.file) << ':' << finding.line << ": " << finding.message << '\n';
+            std::cout << workspace.relative_name(finding.file) << ':' << finding.line << ": " << finding.message
+                      << '\n';
         const bool measured_well = measure();
         if (differs) tell_both_ways();
         if (!findings.empty() || !measured_well) throw ExitRequest{something_to};
@@ -133,7 +134,7 @@ class Command {
     void tell_both_ways() const {
         std::string otherwise = changed_code.empty() ? "if the book is right, correct the code."
                                                      : "to bring back how it was, type git restore";
-        for (const fs::path &file : changed_code) otherwise += ' ' + workspace.shown(file);
+        for (const fs::path &file : changed_code) otherwise += ' ' + workspace.relative_name(file);
         std::cout << "To keep the code as it is now, type ./course dev weave, which writes it into the book; "
                   << otherwise << '\n';
     }
@@ -161,7 +162,7 @@ class Command {
             add(dead_links(page.file, text, workspace.root));
         } else if (write_file(page.file, woven.text)) {
             changed = true;
-            std::cout << "woven: " << workspace.shown(page.file) << ", "
+            std::cout << "woven: " << workspace.relative_name(page.file) << ", "
                       << pluralize(others.size() + woven.differences.size(), "block") << " changed\n";
         }
         listings += woven.listings;

@@ -10,7 +10,7 @@ namespace {
 
 /// Why a student's trace cannot be drawn, for the student.
 std::string in_student_words(const TraceFault &fault, const Ran &ran, const Figure &figure) {
-    const std::string words = said_of(ran.finished, figure.trace.filename().string());
+    const std::string words = trace_message(ran.finished, figure.trace.filename().string());
     if (words.starts_with("error: ")) return "one of your functions threw: " + words.substr(7);
     if (fault.kind == TraceFault::not_finite)
         return "your functions gave " + fault.value.substr(fault.value.find_first_not_of('-')) + " where "
@@ -29,7 +29,8 @@ std::string draw_mine(const Workspace &workspace, const Figure &figure, const Ra
     } catch (const TraceFault &fault) {
         return in_student_words(fault, ran, figure);
     } catch (const FigureFault &) {
-        return "your values lie outside the axes, or cannot be drawn; they are in " + workspace.shown(figure.student);
+        return "your values lie outside the axes, or cannot be drawn; they are in "
+               + workspace.relative_name(figure.student);
     }
 }
 
@@ -48,7 +49,7 @@ OwnFigures draw_own_figures(const Workspace &workspace, const Section &section) 
         if (!own.ran.started) continue;
         figure.student = student_traces(workspace, section) / figure.trace.filename();
         const bool not_started =
-            said_of(own.ran.finished, figure.trace.filename().string()).starts_with("not started: ");
+            trace_message(own.ran.finished, figure.trace.filename().string()).starts_with("not started: ");
         own.figures.push_back({figure, not_started, not_started ? "" : draw_mine(workspace, figure, own.ran)});
     }
     return own;

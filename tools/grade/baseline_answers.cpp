@@ -47,7 +47,7 @@ std::vector<Trivial> trivial_answers(const Workspace &workspace, const Section &
             const std::size_t open =
                 function != nullptr ? text.find("throw course::NotYet", function->body) : text.npos;
             if (open == text.npos || open > function->end)
-                throw UserError{workspace.shown(workspace.stub(section)) + " doesn't throw course::NotYet in "
+                throw UserError{workspace.relative_name(workspace.stub(section)) + " doesn't throw course::NotYet in "
                                 + exercise.function};
             text.replace(open, text.find("};", open) + 2 - open,
                          call(text.substr(function->begin, function->body - function->begin), exercise.function));

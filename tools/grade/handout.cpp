@@ -253,9 +253,9 @@ void find_leaks(const Workspace &workspace, const std::vector<Telling> &lines, c
     const std::string code = bare(text_in(workspace, file), file.extension() == ".html");
     for (const Telling &line : lines)
         if (contains(code, line.code))
-            findings.push_back(
-                {file, 0,
-                 "has a line of our solution, " + workspace.shown(line.file) + ':' + std::to_string(line.line)});
+            findings.push_back({file, 0,
+                                "has a line of our solution, " + workspace.relative_name(line.file) + ':'
+                                    + std::to_string(line.line)});
 }
 
 /// Words of pages, and what stands there in a handout.

@@ -29,7 +29,7 @@ std::string page_name(const Workspace &workspace, const fs::path &file) {
         return "chapter_" + file.parent_path().filename().string();
     if (file == workspace.root / "book.md") return "index";
     const bool is_code = file.extension() != ".md";
-    std::string name = is_code ? "source_" + workspace.shown(file) : file.stem().string();
+    std::string name = is_code ? "source_" + workspace.relative_name(file) : file.stem().string();
     for (char &c : name)
         c = std::isalnum(static_cast<unsigned char>(c)) ? is_code ? c : static_cast<char>(std::tolower(c)) : '_';
     return name;
@@ -46,7 +46,7 @@ std::optional<std::string> Addresses::of(const fs::path &file, const std::string
     for (const auto *pages : {&markdown, &code})
         if (std::ranges::find(*pages, target) != pages->end())
             return page_name(workspace, target) + ".html" + url.substr(hash);
-    if (target.extension() == ".svg" || target.extension() == ".png") return workspace.shown(target);
+    if (target.extension() == ".svg" || target.extension() == ".png") return workspace.relative_name(target);
     return {};
 }
 

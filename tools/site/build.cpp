@@ -81,7 +81,7 @@ class Builder {
     void run_doxygen() const {
         std::string input;
         for (const fs::path &file : addresses.code) {
-            const std::string name = workspace.shown(file);
+            const std::string name = workspace.relative_name(file);
             if (file.extension() != ".hpp" || !name.starts_with("chapters/")) continue;
             write_file(work / name, read_file(file));
             input += " \\\n    " + name;
@@ -124,7 +124,7 @@ class Builder {
             for (const fs::path &file : files_in(workspace.root / "docs", kind))
                 files[file.filename().string()] = read_file(file);
         for (const fs::path &file : files_in(workspace.root / "plots", ".svg"))
-            files[workspace.shown(file)] = read_file(file);
+            files[workspace.relative_name(file)] = read_file(file);
         for (const Demo &demo : demos(workspace)) {
             files[demo_file(demo.section)] = read_file(workspace.root / demo_file(demo.section));
             for (std::size_t start = 0; start < demo.starts.size() && !demo.about.empty(); ++start) {

@@ -89,7 +89,7 @@ std::string about_figures(const OwnFigures &own) {
 }
 
 std::string renewed(const Workspace &workspace, const Section &section) {
-    const std::string file = workspace.shown(workspace.exercise(section)), number = section.short_number();
+    const std::string file = workspace.relative_name(workspace.exercise(section)), number = section.short_number();
     if (!fs::exists(workspace.exercise(section)))
         return file + " is not there, so all stays ours; `./course reset " + number + "` brings the empty one back";
     if (fingerprint(workspace.exercise(section)) == fingerprint(workspace.stub(section)))

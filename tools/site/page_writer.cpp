@@ -89,7 +89,7 @@ class PageWriter {
     }
 
   private:
-    std::string place(int line) const { return workspace.shown(file) + ':' + std::to_string(line); }
+    std::string place(int line) const { return workspace.relative_name(file) + ':' + std::to_string(line); }
 
     std::string formula(const std::string &tex, bool display, int line) const {
         return "<span class=\"math" + std::string{display ? " display" : ""} + "\" data-from=\"" + place(line) + "\">"
@@ -318,8 +318,8 @@ class PageWriter {
     std::string caption_of(const Chunk &chunk) const {
         const std::string line = std::to_string(chunk.line + 1);
         return "<figcaption><span><span class=\"title\">" + escaped(chunk.title) + "</span> <a class=\"from\" href=\""
-               + page_name(workspace, chunk.file) + ".html#L" + line + "\">" + breakable(workspace.shown(chunk.file))
-               + ":" + line + "</a></span></figcaption>";
+               + page_name(workspace, chunk.file) + ".html#L" + line + "\">"
+               + breakable(workspace.relative_name(chunk.file)) + ":" + line + "</a></span></figcaption>";
     }
 
     // Folds
@@ -415,7 +415,7 @@ SitePage written_page(const Addresses &addresses, const fs::path &file, std::str
 }
 
 SitePage source_page(const Workspace &workspace, const fs::path &file) {
-    const std::string path = workspace.shown(file), code = read_file(file);
+    const std::string path = workspace.relative_name(file), code = read_file(file);
     return {page_name(workspace, file),
             path,
             "source",
