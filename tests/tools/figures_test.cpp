@@ -453,9 +453,9 @@ TEST_CASE("each way in which a student's program can fail has its sentence") {
 
 TEST_CASE("what a program said of one trace is found") {
     const Ran done = ran("echo 'not started: a.tsv: begin here' >&2; echo 'error: b.tsv: no: 3' >&2; exit 1");
-    CHECK(said_of(done.finished, "a.tsv") == "not started: begin here");
-    CHECK(said_of(done.finished, "b.tsv") == "error: no: 3");
-    CHECK(said_of(done.finished, "c.tsv") == "");
+    CHECK(trace_message(done.finished, "a.tsv") == "not started: begin here");
+    CHECK(trace_message(done.finished, "b.tsv") == "error: no: 3");
+    CHECK(trace_message(done.finished, "c.tsv") == "");
 }
 
 TEST_CASE("a student's file that cannot be built is told with its first error") {
