@@ -147,7 +147,7 @@ class Unit {
     std::map<std::string, std::string> judged, told;
 };
 
-std::string split_lines(const std::map<std::string, std::string> &entries) {
+std::string as_lines(const std::map<std::string, std::string> &entries) {
     std::string text;
     for (const auto &[name, rest] : entries) text += name + ' ' + rest + '\n';
     return text;
@@ -201,8 +201,8 @@ int main(int argc, char **argv) try {
     for (int kind = 6; kind < argc; ++kind) unit.add(argv[kind]);
 
     write(argv[3], unit.code_of_all());
-    write(argv[4], split_lines(unit.judgements()));
-    write(argv[5], split_lines(unit.claims()));
+    write(argv[4], as_lines(unit.judgements()));
+    write(argv[5], as_lines(unit.claims()));
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';
     return 1;
