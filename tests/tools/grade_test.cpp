@@ -918,6 +918,12 @@ TEST_CASE("a test that our own solution fails is said first, and changes nobody'
     CHECK(done.code == 2);
     CHECK_THAT(done.err, ContainsSubstring("our own solution of 5.3 fails `") && ContainsSubstring("nobody's points"));
     CHECK(grade.read("grades.csv") == before);
+
+    write_file(root / "solutions" / "05_inclined_planes.cpp", "none of it\n");
+    const Finished unbuilt = there({"--again"});
+    CHECK(unbuilt.code == 2);
+    CHECK_THAT(unbuilt.err, ContainsSubstring("our own solution can't be judged, so nobody's points have changed: "));
+    CHECK(grade.read("grades.csv") == before);
 }
 
 TEST_CASE("a file that the instructor names is judged, also by the next call") {

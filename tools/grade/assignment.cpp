@@ -30,13 +30,14 @@ namespace {
 
 using nlohmann::json;
 
-/// One hash of everything that a verdict on this section rests on, as it's built here.
+/// One hash of the tests of this section and of all that's linked with an answer, as it's built here, and of the course's
+/// version: what judges is known by that alone.
 std::string hash_of_judges(const Workspace &workspace, const Section &section) {
-    const BuildConfig tools = build_config(workspace, section);
-    bring_up_to_date(workspace, section, tools);
+    const BuildConfig config = build_config(workspace, section);
+    bring_up_to_date(workspace, section, config);
     std::string text = course_version() + '\n';
-    for (const std::string &hash : sha256_of({workspace.test_program(section), tools.server, tools.missing, tools.ours,
-                                              workspace.header(section), workspace.stub(section)}))
+    for (const std::string &hash : sha256_of({workspace.test_program(section), config.server, config.missing,
+                                              config.ours, workspace.header(section), workspace.stub(section)}))
         text += hash + '\n';
     return sha256(text);
 }
@@ -127,13 +128,17 @@ void Assignment::set_points() {
     for (const Exercise &exercise : exercises) sum += worth.of(exercise);
     const double unit = book && sum > 0 ? book->most() / sum : 1; // points of the gradebook for one of ours
     for (const Exercise &exercise : exercises) points_of[exercise.number] = unit * worth.of(exercise);
-    if (const fs::path known = file_of_mistakes(workspace, section_); fs::exists(known))
-        mistakes = '\n' + read_file(known);
+    if (const fs::path known = file_of_mistakes(workspace, section_); fs::exists(known)) mistakes = read_file(known);
 }
 
 void Assignment::require_tests_that_ours_passes() const {
     const std::string solution = read_file(workspace.solution(section_));
     const Outcomes outcomes = outcomes_of(workspace, section_, name_of_file(), solution, agreed.seed);
+    if (!outcomes.our_trouble.empty())
+        throw EnvironmentError{"our own solution can't be judged: " + outcomes.our_trouble};
+    if (outcomes.unbuilt)
+        throw UserError{"our own solution can't be judged, so nobody's points have changed: "
+                        + outcomes.unbuilt->sentence};
     for (const Verdict &verdict : outcomes.verdicts)
         if (!verdict.passed() && std::ranges::count(agreed.void_tests, verdict.test) == 0)
             throw UserError{"our own solution of " + verdict.exercise + " fails `" + verdict.test
@@ -330,7 +335,7 @@ GradedClass Assignment::graded() const {
     return all;
 }
 
-std::vector<Change> Assignment::changes(const GradedClass &graded) const {
+std::vector<Change> Assignment::note_changes(const GradedClass &graded) const {
     std::vector<Change> all;
     json last = json::object(), now = json::object();
     if (fs::exists(out / "last.json")) last = json::parse(read_file(out / "last.json"), nullptr, false);
@@ -403,7 +408,7 @@ std::vector<Change> Assignment::write(const GradedClass &graded) const {
     write_file(out / "junit.xml", junit(reports));
     if (book) write_file(out / "grades.csv", book->filled(grades));
     if (!fs::exists(out / "overrides.csv")) write_file(out / "overrides.csv", "id,points,why\n");
-    const auto changed = changes(graded);
+    const auto changed = note_changes(graded);
     write_file(out / "report.html", report_page(graded, names, missing(), changed));
     return changed;
 }

@@ -81,7 +81,7 @@ class Assignment {
     Graded graded_student(const Submission &submission) const;
     bool is_judged(const std::string &id) const;
     std::string name_of_file() const { return section_.name + ".cpp"; }
-    std::vector<Change> changes(const GradedClass &graded) const;
+    std::vector<Change> note_changes(const GradedClass &graded) const;
 
     const Workspace &workspace;
     Agreed agreed;
