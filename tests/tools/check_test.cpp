@@ -414,6 +414,10 @@ TEST_CASE("a mended test is built whatever its date says, and whatever the clock
     CHECK(count(asks(), "--target 07_wall_meeting_loop") == 1);
     CHECK(fs::last_write_time(tests) > date); // what makes ninja build it
     CHECK(asks() == "");
+    for (const char *included : {"tests/dice.hpp", "tools/base/text.hpp"}) {
+        small.write(included, "// three");
+        CHECK(count(asks(), "--target 07_wall_meeting_loop") == 1);
+    }
     for (const fs::path &ahead : {stamp, small.workspace.build / "tests/07_wall_meeting"}) {
         fs::last_write_time(ahead, now + std::chrono::hours{24});
         CHECK(count(asks(), "-- -t clean 07_wall_meeting_loop") == 1); // nor is a date of what it makes believed

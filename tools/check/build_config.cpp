@@ -29,9 +29,9 @@ namespace {
 constexpr std::string_view of_student = "_yours.o";
 
 /// In a handout for many: what this student has written for earlier sections, also in the tests, which may call it.
-void bring_up_earlier(const Workspace &workspace, const Section &section, const BuildConfig &tools) {
+void bring_up_earlier(const Workspace &workspace, const Section &section, const BuildConfig &config) {
     bool any = false;
-    for (const fs::path object : tools.earlier) {
+    for (const fs::path object : config.earlier) {
         const std::string name = object.filename().string();
         if (!name.ends_with(of_student)) continue;
         workspace.written_exercise({name.substr(0, name.size() - of_student.size())}); // is there
@@ -52,33 +52,33 @@ BuildConfig build_config(const Workspace &workspace, const Section &section) {
         const auto compiler = [](const auto &entry) {
             return Compiler{entry.at("compiler"), entry.at("flags"), entry.at("precompiled")};
         };
-        BuildConfig w;
-        w.compiler = compiler(json);
+        BuildConfig config;
+        config.compiler = compiler(json);
         if (const auto quick = json.find("quick"); quick != json.end()) {
-            w.quick = compiler(*quick);
-            w.quick_link = quick->at("link");
+            config.quick = compiler(*quick);
+            config.quick_link = quick->at("link");
         }
-        w.nm = json.at("nm");
-        w.objcopy = json.at("objcopy");
-        w.node = json.at("node");
-        w.link = json.at("link");
+        config.nm = json.at("nm");
+        config.objcopy = json.at("objcopy");
+        config.node = json.at("node");
+        config.link = json.at("link");
         for (const fs::path place : json.at("includes"))
-            if (place != workspace.root / "chapters") w.includes.push_back(place);
+            if (place != workspace.root / "chapters") config.includes.push_back(place);
             else // whose pages print solutions
                 for (const fs::directory_entry &each : fs::recursive_directory_iterator{place})
-                    if (each.path().extension() == ".hpp") w.includes.push_back(each.path());
+                    if (each.path().extension() == ".hpp") config.includes.push_back(each.path());
         for (const auto &each : json.at("sections"))
             if (each.at("name") == section.name) {
-                w.server = each.at("server").get<std::string>();
-                w.missing = each.at("missing").get<std::string>();
-                w.ours = each.value("ours", "");
-                w.earlier = each.at("earlier");
-                for (std::string &object : w.earlier)
+                config.server = each.at("server").get<std::string>();
+                config.missing = each.at("missing").get<std::string>();
+                config.ours = each.value("ours", "");
+                config.earlier = each.at("earlier");
+                for (std::string &object : config.earlier)
                     if (workspace.is_shared() && object.ends_with(of_student))
                         object = workspace.work() / fs::path{object}.lexically_relative(workspace.build);
-                w.plays_yours = each.value("plays_yours", false);
+                config.plays_yours = each.value("plays_yours", false);
             }
-        return w;
+        return config;
     } catch (const nlohmann::json::exception &) {
         throw UserError{file.string() + " is broken: delete it, and type ./course, which makes a new one."};
     }
@@ -86,13 +86,13 @@ BuildConfig build_config(const Workspace &workspace, const Section &section) {
 
 namespace {
 
-/// What the build has made for these tools.
-std::vector<fs::path> made_for(const BuildConfig &tools) {
-    std::vector<fs::path> files{tools.server, tools.missing};
-    if (!tools.ours.empty()) files.push_back(tools.ours);
-    files.insert(files.end(), tools.earlier.begin(), tools.earlier.end());
-    auto quick = tools.quick_link;
-    if (tools.quick) quick.insert(quick.end(), tools.quick->precompiled.begin(), tools.quick->precompiled.end());
+/// What the build has made for a check of this section.
+std::vector<fs::path> made_for(const BuildConfig &config) {
+    std::vector<fs::path> files{config.server, config.missing};
+    if (!config.ours.empty()) files.push_back(config.ours);
+    files.insert(files.end(), config.earlier.begin(), config.earlier.end());
+    auto quick = config.quick_link;
+    if (config.quick) quick.insert(quick.end(), config.quick->precompiled.begin(), config.quick->precompiled.end());
     std::ranges::copy_if(quick, std::back_inserter(files),
                          [](const std::string &word) { return word.starts_with('/'); });
     return files;
@@ -100,9 +100,10 @@ std::vector<fs::path> made_for(const BuildConfig &tools) {
 
 /// The course's own files that a verdict on this section rests on.
 std::vector<fs::path> sources_of(const Workspace &workspace, const Section &section) {
-    std::vector<fs::path> all{workspace.root / "CMakeLists.txt", workspace.root / "tests/section_test.hpp",
-                              workspace.root / "tests/matchers.hpp", workspace.tests(section), workspace.stub(section)};
-    for (const char *folder : {"chapters", "tools/judge/protocol", "tools/judge/server", "tools/judge/runner", "cmake"})
+    std::vector<fs::path> all = files_in(workspace.root / "tests", ".hpp");
+    all.insert(all.end(), {workspace.root / "CMakeLists.txt", workspace.tests(section), workspace.stub(section)});
+    for (const char *folder :
+         {"chapters", "tools/base", "tools/judge/protocol", "tools/judge/server", "tools/judge/runner", "cmake"})
         for (const fs::path &file : files_in(workspace.root / folder)) all.push_back(file);
     for (const Section &each : workspace.sections()) { // this one may build on it
         all.push_back(workspace.header(each));
@@ -154,11 +155,11 @@ AllowedPaths allowed_paths(const std::vector<std::string> &command) {
     return places;
 }
 
-void bring_up_to_date(const Workspace &workspace, const Section &section, const BuildConfig &tools) {
+void bring_up_to_date(const Workspace &workspace, const Section &section, const BuildConfig &config) {
     const auto is_cut = [](const fs::path &file) { return fs::exists(file) && fs::is_empty(file); };
     const auto is_whole = [&](const fs::path &file) { return fs::exists(file) && !is_cut(file); };
-    if (workspace.is_shared()) bring_up_earlier(workspace, section, tools);
-    auto files = made_for(tools);
+    if (workspace.is_shared()) bring_up_earlier(workspace, section, config);
+    auto files = made_for(config);
     files.insert(files.end(), {workspace.test_program(section), workspace.catalogue(section)});
     const bool all_there = std::ranges::all_of(files, is_whole);
     if (workspace.is_shared()) {

@@ -41,6 +41,6 @@ AllowedPaths allowed_paths(const std::vector<std::string> &command);
 
 /// Builds what is older than the course's files: ninja is asked only then, for it takes longer to say "no work".
 /// @throws UserError if that fails
-void bring_up_to_date(const Workspace &workspace, const Section &section, const BuildConfig &tools);
+void bring_up_to_date(const Workspace &workspace, const Section &section, const BuildConfig &config);
 
 } // namespace course

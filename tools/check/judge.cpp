@@ -88,7 +88,7 @@ std::string run_tests(const Workspace &workspace, const Section &section, const 
 struct SubjectBuild {
     const Workspace &workspace;
     const Section &section;
-    const BuildConfig &tools;
+    const BuildConfig &config;
     const std::string &name, &text;
     const std::vector<std::string> lent;
     const Scratch scratch{workspace.work() / "loop" / "judge"};
@@ -118,7 +118,7 @@ struct SubjectBuild {
         return make(warnings); // it may have been killed once, by whatever was short of memory
     }
 
-    /// The same, at once. What's quoted of a program that gave up doesn't say where we work.
+    /// Compiles and links, and asks no machine why it failed. What's quoted of a program that gave up doesn't say where we work.
     std::optional<Verdict> make(std::vector<std::string> &warnings) {
         auto why = compile(warnings);
         if (!why) why = link();
@@ -135,7 +135,7 @@ struct SubjectBuild {
         for (const fs::directory_entry &each : fs::directory_iterator{scratch.folder, ignored})
             if (each.path() != file) fs::remove_all(each.path(), ignored);
         require_room(sanitize(failed.err), scratch.folder);
-        BuildConfig slow = tools;
+        BuildConfig slow = config;
         slow.quick.reset();
         const std::string stub = read_file(workspace.stub(section));
         SubjectBuild good{workspace, section, slow, name, stub, {}};
@@ -149,7 +149,7 @@ struct SubjectBuild {
         if (!protection_of_this_kernel().files)
             if (auto why = look_elsewhere()) return why;
         if (auto why = quickly(); why || is_linked) return why;
-        const auto compiled = run_compiler(compile_command(tools.compiler), compiler_limits);
+        const auto compiled = run_compiler(compile_command(config.compiler), compiler_limits);
         const std::string output = sanitize(compiled.err);
         if (auto why = stopped(compiled, output); !why.empty())
             return Verdict{.kind = Outcome::does_not_compile, .sentence = std::move(why)};
@@ -162,7 +162,7 @@ struct SubjectBuild {
         return {};
     }
 
-    /// What that has compiled.
+    /// Links what `compile` has made.
     /// @return why it could not be linked
     std::optional<Verdict> link() {
         if (is_linked) return {};
@@ -176,7 +176,7 @@ struct SubjectBuild {
 
     /// The functions of the object, as nm lists them.
     std::string symbols() const {
-        const std::vector<std::string> command{tools.nm, "-C", "--defined-only", object()};
+        const std::vector<std::string> command{config.nm, "-C", "--defined-only", object()};
         return sanitize(run_tool(command, allowed_paths(command), compiler_limits).out);
     }
 
@@ -193,27 +193,27 @@ struct SubjectBuild {
     /// a reference to what's gone; and so is a `switch`: if it has all values of an enum, only GCC wants a return behind it.
     /// @return why no compiler need try again
     std::optional<Verdict> quickly() {
-        if (!tools.quick || text.find("switch") != text.npos) return {};
+        if (!config.quick || text.find("switch") != text.npos) return {};
         Limits limits = compiler_limits;
         limits.processor_time = quick_enough;
-        const auto compiled = run_compiler(compile_command(*tools.quick), limits);
+        const auto compiled = run_compiler(compile_command(*config.quick), limits);
         if (compiled.timed_out) return Verdict{.kind = Outcome::does_not_compile, .sentence = stopped(compiled, "")};
         if (contains(compiled.err, ",-Wdangling-gsl]")) // GCC 12 takes it without a word
             return diagnose_compiler(sanitize(compiled.err), file, name, renamed(workspace, section));
-        is_linked = compiled.code == 0 && compiled.err.empty() && link_with(tools.quick_link).code == 0;
+        is_linked = compiled.code == 0 && compiled.err.empty() && link_with(config.quick_link).code == 0;
         return {};
     }
 
     /// Where the kernel can't keep the compiler from other files: whether the preprocessor would read any, before a word
     /// is passed on of one that might quote them. It passes over headers that aren't there.
     std::optional<Verdict> look_elsewhere() {
-        auto command = compile_command(tools.compiler);
+        auto command = compile_command(config.compiler);
         const std::string list = scratch.folder / "includes";
         command.insert(command.end(), {"-M", "-MG", "-MF", list, "-fmax-errors=0"});
         const auto scanned = run_compiler(command, compiler_limits);
         std::string why = stopped(scanned, sanitize(scanned.err));
         if (why.empty()
-            && (!fs::exists(list) || included_from_elsewhere(read_file(list), file, scratch.folder, tools.includes)))
+            && (!fs::exists(list) || included_from_elsewhere(read_file(list), file, scratch.folder, config.includes)))
             why = explain_unopened();
         if (why.empty()) return {};
         return Verdict{.kind = Outcome::does_not_compile, .sentence = std::move(why)};
@@ -222,7 +222,7 @@ struct SubjectBuild {
     /// A compiler reads headers besides, and what it writes, it assembles.
     Finished run_compiler(const std::vector<std::string> &command, const Limits &limits) const {
         AllowedPaths places = allowed_paths(command);
-        places.readable.insert(places.readable.end(), tools.includes.begin(), tools.includes.end());
+        places.readable.insert(places.readable.end(), config.includes.begin(), config.includes.end());
         places.writable = {scratch.folder, "/dev/null"};
         return run_tool(command, places, limits);
     }
@@ -247,22 +247,22 @@ struct SubjectBuild {
     /// What stands in for missing functions, all but the lent ones: before ours, of which it leaves no others.
     std::string missing_but_lent() const {
         const std::string but_lent = scratch.folder / "missing.o";
-        std::vector<std::string> command{tools.objcopy, "--wildcard"};
+        std::vector<std::string> command{config.objcopy, "--wildcard"};
         for (const std::string &function : lent)
             command.push_back("--localize-symbol=_ZN*" + std::to_string(function.size()) + function + "E*");
-        command.insert(command.end(), {tools.missing.string(), but_lent});
+        command.insert(command.end(), {config.missing.string(), but_lent});
         const Finished done = run(command);
         if (done.code != 0) throw EnvironmentError{"objcopy stopped: " + sanitize(done.err) + "Nothing was judged"};
         return but_lent;
     }
     Finished link_with(const std::vector<std::string> &also) const {
-        std::vector<std::string> command{tools.compiler.program, object(), tools.server.string()};
+        std::vector<std::string> command{config.compiler.program, object(), config.server.string()};
         if (!lent.empty()) // without those that aren't called by name: at a known distance from one that is, they could be
-            command.insert(command.end(), {missing_but_lent(), tools.ours.string(), "-Wl,--gc-sections"});
-        command.insert(command.end(), {tools.missing.string(), "-o", subject()});
+            command.insert(command.end(), {missing_but_lent(), config.ours.string(), "-Wl,--gc-sections"});
+        command.insert(command.end(), {config.missing.string(), "-o", subject()});
         command.insert(command.end(), also.begin(), also.end());
-        command.insert(command.end(), tools.earlier.begin(), tools.earlier.end());
-        command.insert(command.end(), tools.link.begin(), tools.link.end());
+        command.insert(command.end(), config.earlier.begin(), config.earlier.end());
+        command.insert(command.end(), config.link.begin(), config.link.end());
         AllowedPaths places = allowed_paths(command);
         places.writable = {scratch.folder, "/dev/null"};
         return run_tool(command, places, compiler_limits);
@@ -319,10 +319,10 @@ JudgeResult judge(const Workspace &workspace, const Section &section, const std:
 
     if (!how.lent.empty()) workspace.require_solution(section, "Grade with the whole course, which has them");
     require_room_in_files();
-    const BuildConfig tools = build_config(workspace, section);
-    bring_up_to_date(workspace, section, tools);
+    const BuildConfig config = build_config(workspace, section);
+    bring_up_to_date(workspace, section, config);
     sweep(workspace.work() / "loop");
-    SubjectBuild build{workspace, section, tools, name, text, how.lent};
+    SubjectBuild build{workspace, section, config, name, text, how.lent};
     build.make_copy();
     std::vector<std::string> warnings;
     const auto trouble = build.build(warnings);

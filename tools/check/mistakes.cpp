@@ -52,8 +52,10 @@ std::filesystem::path file_of_mistakes(const Workspace &workspace, const Section
 
 std::string known_mistake(const std::string &table, const std::vector<Verdict> &verdicts) {
     std::vector<Verdict> failed;
+    const std::string lines_of_table = '\n' + table;
     std::ranges::copy_if(verdicts, std::back_inserter(failed), [&](const Verdict &verdict) {
-        return !verdict.passed() && !contains(table, '\n' + verdict.exercise + "\tgenerated\t" + verdict.test + '\n');
+        const std::string line = '\n' + verdict.exercise + "\tgenerated\t" + verdict.test + '\n';
+        return !verdict.passed() && !contains(lines_of_table, line);
     });
     if (failed.empty() || (failed.size() == 1 && !is_telling(failed.front()))) return {};
     const std::string head = failed.front().exercise + '\t' + signature(failed) + '\t';

@@ -35,13 +35,13 @@ void bench_loop(const Workspace &workspace, const Section &section, int runs) {
     const std::vector<std::string> check{(workspace.root / "course").string(), "check", section.name, "--file",
                                          solution.string()};
     const std::vector<std::string> nothing{(workspace.root / "course").string(), "check", "--help"};
-    const BuildConfig tools = build_config(workspace, section);
-    Compiler bare = tools.compiler;
+    const BuildConfig config = build_config(workspace, section);
+    Compiler bare = config.compiler;
     bare.precompiled.clear();
     const auto by = [&](const Compiler &compiler) { return compiler.command(workspace, section, solution, object); };
     std::vector<std::pair<const char *, std::vector<std::string>>> commands{
-        {"bare compilation", by(bare)}, {"the same, with the precompiled header", by(tools.compiler)}};
-    if (tools.quick) commands.emplace_back("by Clang, which is asked first", by(*tools.quick));
+        {"bare compilation", by(bare)}, {"the same, with the precompiled header", by(config.compiler)}};
+    if (config.quick) commands.emplace_back("by Clang, which is asked first", by(*config.quick));
     commands.emplace_back("save to verdict: ./course check", check);
     commands.emplace_back("of which the course program starts and reads", nothing);
     time_of(check); // what a first run alone has to do

@@ -301,7 +301,7 @@ class Check {
     /// The table of known mistakes; a section may have none.
     std::string mistakes_of(const Section &section) const {
         const fs::path file = file_of_mistakes(workspace, section);
-        return options.no_diagnosis || !fs::exists(file) ? "" : '\n' + read_file(file);
+        return options.no_diagnosis || !fs::exists(file) ? "" : read_file(file);
     }
 
     /// An error of the compiler is remembered of the exercise that was asked for, or else of the first that isn't passed:
