@@ -118,16 +118,16 @@ std::vector<fs::path> sources_of(const Workspace &workspace, const Section &sect
 /// that was wrong, would be newer than all that's ever built from it; or if it's older than the last build, which knew
 /// other content of it.
 /// @param checked  when that was
-/// @param known    the lines of that time: a hash and a file's place in the course, wherever that lies; empty if nobody knows
+/// @param known    the lines of that time: a hash and a file's place in the course, wherever that lies
 /// @param lines    the lines of today
 fs::file_time_type newest(const Workspace &workspace, const Section &section, fs::file_time_type checked,
                           const std::string &known, std::string &lines) {
     const auto now = fs::file_time_type::clock::now();
     auto date = fs::file_time_type::min();
     for (const fs::path &file : sources_of(workspace, section)) {
-        const std::string line = std::to_string(std::hash<std::string>{}(read_file(file))) + ' '
-                                 + file.lexically_relative(workspace.root).string() + '\n';
-        const bool is_known = known.empty() || contains(known, line);
+        const std::string place = ' ' + file.lexically_relative(workspace.root).string() + '\n';
+        const std::string line = std::to_string(std::hash<std::string>{}(read_file(file))) + place;
+        const bool is_known = contains(known, line) || !contains(known, place); // or it wasn't looked at then
         lines += line;
         auto changed = fs::last_write_time(file);
         std::error_code ignored;
