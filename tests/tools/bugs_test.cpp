@@ -47,10 +47,7 @@ struct OwnExercises {
     std::vector<fs::path> kept() const { return files_in(workspace.memory() / "kept"); }
 
     static Workspace tree_in(const fs::path &folder) {
-        const std::set<std::string> own{"build", ".git", ".course", "exercises"};
-        for (const auto &entry : fs::directory_iterator{COURSE_ROOT})
-            if (const fs::path name = entry.path().filename(); !own.contains(name.string()))
-                fs::create_symlink(entry.path(), folder / name);
+        link_all_but({"build", ".git", ".course", "exercises"}, COURSE_ROOT, folder);
         return {folder, COURSE_BUILD};
     }
 

@@ -52,10 +52,7 @@ struct OtherBuild {
     explicit OtherBuild(const std::string &compiler_script) {
         const fs::path built = COURSE_BUILD;
         fs::create_directories(work);
-        for (const auto &entry : fs::directory_iterator{built})
-            if (const fs::path name = entry.path().filename();
-                name != "loop" && name != "course.json" && name != "site")
-                fs::create_symlink(entry.path(), folder / name);
+        course::link_all_but({"loop", "course.json", "site"}, built, folder);
         auto json = nlohmann::json::parse(course::read_file(built / "course.json"));
         if (!compiler_script.empty()) {
             const fs::path compiler = folder / "compiler";
@@ -81,10 +78,7 @@ struct OtherBuild {
 struct OwnCourse {
     OwnCourse() {
         fs::create_directories(root / "exercises");
-        for (const auto &entry : fs::directory_iterator{COURSE_ROOT})
-            if (const fs::path name = entry.path().filename();
-                name != "exercises" && name != ".course" && name != ".git")
-                fs::create_symlink(entry.path(), root / name);
+        course::link_all_but({"exercises", ".course", ".git"}, COURSE_ROOT, root);
         write(course::read_file(fs::path{COURSE_ROOT} / "solutions/07_segment_intersection.cpp"));
     }
     ~OwnCourse() { fs::remove_all(root); }

@@ -896,18 +896,13 @@ TEST_CASE("a test that our own solution fails is said first, and changes nobody'
     const std::string before = grade.read("grades.csv");
     const fs::path root = grade.folder.path / "course"; // where ours is wrong: to a test that's as bad as a wrong test
     fs::create_directories(root / "solutions");
-    for (const fs::directory_entry &entry : fs::directory_iterator{COURSE_ROOT})
-        if (entry.path().filename() != "solutions") fs::create_symlink(entry.path(), root / entry.path().filename());
+    link_all_but({"solutions"}, COURSE_ROOT, root);
     write_file(root / "solutions" / "05_inclined_planes.cpp",
                with(answer_of_ours(), right_normal_force, wrong_normal_force));
     const fs::path build = grade.folder.path / "build"; // the same, but with a record of its own of what's up to date
-    const std::string record = "05_inclined_planes.checked";
-    fs::create_directories(build / "loop");
-    for (const fs::path folder : {"", "loop"})
-        for (const fs::directory_entry &entry : fs::directory_iterator{COURSE_BUILD / folder})
-            if (const fs::path name = entry.path().filename(); name != "loop" && name != record)
-                fs::create_symlink(entry.path(), build / folder / name);
-    write_file(build / "loop" / record, "");
+    fs::create_directories(build);
+    link_all_but({"loop"}, COURSE_BUILD, build);
+    write_file(build / "loop" / "05_inclined_planes.checked", "");
     const Workspace workspace{.root = root, .build = build};
     const auto there = [&](std::vector<std::string> words) {
         words.insert(words.begin(), {"grade", "--out", grade.out()});

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -49,6 +50,14 @@ struct OnlyPath {
     ~OnlyPath() { ::setenv("PATH", before.c_str(), 1); }
     std::string before;
 };
+
+/// Links to all that's in a folder, but for these names.
+inline void link_all_but(const std::set<std::string> &names, const std::filesystem::path &from,
+                         const std::filesystem::path &to) {
+    for (const auto &entry : std::filesystem::directory_iterator{from})
+        if (const auto name = entry.path().filename(); !names.contains(name.string()))
+            std::filesystem::create_symlink(entry.path(), to / name);
+}
 
 struct SmallCourse {
     explicit SmallCourse(const std::string &like = "a course XXXXXX") : folder{like} {

@@ -118,7 +118,8 @@ struct SubjectBuild {
         return make(warnings); // it may have been killed once, by whatever was short of memory
     }
 
-    /// Compiles and links, and asks no machine why it failed. What's quoted of a program that gave up doesn't say where we work.
+    /// Compiles and links, and asks no machine why it failed. What's quoted of a program that gave up doesn't say where
+    /// we work.
     std::optional<Verdict> make(std::vector<std::string> &warnings) {
         auto why = compile(warnings);
         if (!why) why = link();
