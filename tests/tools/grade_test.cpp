@@ -605,9 +605,9 @@ TEST_CASE("a class is graded into the gradebook, and another call judges only wh
                                 && ContainsSubstring(std::string{"    "} + wrong_normal_force));
         CHECK_THAT(grade({"--out", grade.out(), "--show", "5.5"}).out,
                    ContainsSubstring("// 1001 (1.54), 1002 (1.54)\n"));
-        const Finished none = grade({"--out", grade.out(), "--show", "6.1"});
+        const Finished none = grade({"--out", grade.out(), "--show", "7.1"});
         CHECK(none.code == 2);
-        CHECK_THAT(none.err, ContainsSubstring("answers to section 5, and none to 6.1"));
+        CHECK_THAT(none.err, ContainsSubstring("answers to section 5, and none to 7.1"));
     }
     SECTION("a void test counts for nobody, and everybody is told") {
         const std::string name = "on a level board it presses with its whole weight, 100 N";
