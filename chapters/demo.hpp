@@ -22,11 +22,16 @@ enum class Colour { ink, dim, line, blue, orange, green, amber, violet, pink, wo
 
 /// What a shape is made of. Solid: lit from the upper left, with an edge and a soft shadow, so that discs are balls,
 /// lines are bars and areas are painted bodies. Glow: with a halo of its colour, as a spark or a lamp has one.
-enum class Material { flat, solid, glow };
+/// Light: what overlaps adds up, as sparks at night do.
+enum class Material { flat, solid, glow, light };
+
+/// Where words are, seen from their point.
+enum class Anchor { left, middle, right };
 
 /// Where it all happens. Felt is a billiard table's, and night is dark, on a light page, too: what's drawn there has the
-/// colours of a dark page. A yard has a sky, and ground below.
-enum class Stage { paper, felt, yard, night };
+/// colours of a dark page. A yard has a sky, and ground below; hills are a yard in the country, and a skyline is a town at
+/// night.
+enum class Stage { paper, felt, yard, night, hills, skyline };
 
 /// A slider; or, if it has `options`, a choice among them, whose value is the number of the one that is chosen, from 0; or,
 /// if its step is 0, a key that acts while it's held.
@@ -68,6 +73,7 @@ struct Input {
     Vec2 pointer{0, 0};              ///< where the mouse or a finger is, or was last [m]
     bool inside{};                   ///< whether it is over the picture
     bool pressed{};                  ///< whether it went down in this frame
+    bool down{};                     ///< whether it's down
     int handle{-1};                  ///< which of the picture's handles it holds, in the order of drawing; -1: none
     std::string_view key{};          ///< pressed in this frame
     std::vector<Control> controls{}; ///< as in About, with their values
@@ -77,6 +83,9 @@ struct Input {
         throw std::invalid_argument{"there is no control " + std::string{name}};
     }
 };
+
+/// The moment of a demo that has one for all of its games.
+inline Still moment(const Still &still, const Input &) { return still; }
 
 /// How many steps of `length` seconds this frame takes; the time that is left over waits in `spare` for the next.
 inline int steps_due(double &spare, const Input &in, double length) {
@@ -89,14 +98,17 @@ inline int steps_due(double &spare, const Input &in, double length) {
 
 /// One thing in a picture: discs, handles and arrows have points and a size, lines and areas points, words one point.
 struct Shape {
-    enum Kind { discs, line, area, arrow, words, handle } kind;
+    enum Kind { discs, line, area, arrow, words, handle, trail } kind;
     Colour colour;
-    double size;     ///< discs: the radius [m]; lines, arrows: the width [px], negative: dotted and flat. Where the
-                     ///< material isn't flat, it's the width in a picture of 640 px, and grows with that
-    double strength; ///< 1: opaque
-    std::vector<Vec2> points;
+    double size{0}; ///< discs: the radius [m]; lines, arrows: the width [px], negative: dotted and flat. Where the
+                    ///< material isn't flat, it's the width in a picture of 640 px, and grows with that, as a trail's
+                    ///< width at its end and the height of words do; words without a size have the page's
+    double strength{1}; ///< 1: opaque
+    std::vector<Vec2> points{};
     std::string text{};
-    Material material{Material::flat};
+    Material material{Material::flat}; ///< of words: solid if they are on a plate
+    Anchor anchor{Anchor::left};
+    std::vector<double> each{}; ///< for each disc of light its radius [m] and its strength
 };
 struct Readout {
     std::string_view name, unit;

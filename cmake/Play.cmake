@@ -8,9 +8,9 @@
 # In a demo of section(NN_slug BUILDS_ON ... PLAYS_YOURS) all functions of earlier sections, too, are called through the
 # page, which passes each call on to ours or to the student's. So it is in any demo of a handout, which has no ours to link.
 #
-# The last three need Debian's Clang 14 with its C library and C++ library for WebAssembly. Without them all the rest is
+# The last three need Debian's Clang 19 with its C library and C++ library for WebAssembly. Without them all the rest is
 # built, and the site has the demos that are kept in demos/.
-find_program(COURSE_WASM_CLANG clang++-14)
+find_program(COURSE_WASM_CLANG clang++-19)
 if(COURSE_WASM_CLANG AND NOT COURSE_WASM)
   set(probe ${PROJECT_BINARY_DIR}/CMakeFiles/wasm_probe)
   file(WRITE ${probe}.cpp "#include <cmath>\n#include <vector>\nint main() { return int(std::fmod(5, 3)); }\n")
@@ -33,7 +33,7 @@ set_tests_properties(demos.stills demos.colours PROPERTIES LABELS slow)
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(COURSE_WASM_FLAGS --target=wasm32-wasi -std=c++20 -Os ${COURSE_CODE_FLAGS}
   -DEIGEN_INITIALIZE_MATRICES_BY_NAN # as everywhere in the course
-  -D_LIBCPP_DEBUG=0                  # v[7] beyond the end is an assertion, not luck
+  -D_LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_EXTENSIVE -I${PROJECT_SOURCE_DIR}/tools/play/libcxx # v[7] beyond the end is told
   -ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -I${PROJECT_SOURCE_DIR}/chapters -isystem ${eigen})
 set(COURSE_WASM_LINK --target=wasm32-wasi -mexec-model=reactor
   -Wl,--stack-first,-z,stack-size=262144 # endless recursion traps, instead of overwriting data

@@ -2,9 +2,9 @@
 // has it draw on a canvas, tools/play/stills.cjs into an SVG.
 (function () {
   'use strict';
-  const kinds = ['discs', 'line', 'area', 'arrow', 'words', 'handle'], materials = ['flat', 'solid', 'glow'];
+  const kinds = ['discs', 'line', 'area', 'arrow', 'words', 'handle', 'trail'], materials = ['flat', 'solid', 'glow', 'light'], anchors = ['left', 'center', 'right'];
   const colours = ['ink', 'dim', 'line', 'blue', 'orange', 'green', 'amber', 'violet', 'pink'], paintOnly = ['wood', 'earth'];
-  const stages = ['paper', 'felt', 'yard', 'night'];
+  const stages = ['paper', 'felt', 'yard', 'night', 'hills', 'skyline'];
 
   // Takes one thing after the other from a row.
   function reader(numbers) {
@@ -19,7 +19,7 @@
     keys: list(() => ({ key: words(), meaning: words(), onlyWith: list(words) })) });
   const frameOf = ({ number, words, list, point }) => ({
     stage: stages[number()], ground: number(), low: point(), high: point(),
-    shapes: list(() => ({ kind: kinds[number()], colour: [...colours, ...paintOnly][number()], size: number(), strength: number(), points: list(point), text: words(), material: materials[number()] })),
+    shapes: list(() => ({ kind: kinds[number()], colour: [...colours, ...paintOnly][number()], size: number(), strength: number(), points: list(point), text: words(), material: materials[number()], anchor: anchors[number()], each: list(number) })),
     readouts: list(() => ({ name: words(), unit: words(), value: number(), decimals: number() })) });
 
   // World to picture: metres, y up, all of it visible in so many pixels
@@ -60,6 +60,9 @@
     { away: [0, 0], radius: 2.6, shade: fading(paint, 0.5) },
     { away: [0, 0], radius: 1, shade: around([0.5, 0.5], [0.5, 0.5], 0.5, [0, white], [0.45, both(paint, '#ffffff', 0.6)], [1, paint]) },
   ]);
+  const spark = kept((paint) => [
+    { away: [0, 0], radius: 2.4, shade: around([0.5, 0.5], [0.5, 0.5], 0.5, [0, both(paint, '#ffffff', 0.75)], [0.14, both(paint, '#ffffff', 0.45)], [0.3, paint, 0.6], [1, paint, 0]) },
+  ]);
   const body = kept((paint) => across([0, 0], [0.15, 1], [0, both(paint, '#ffffff', 0.38)], [0.45, paint], [1, both(paint, '#000000', 0.3)]));
   // Strokes, one upon the other: how wide, how far to the upper left, in widths of the bar; which colour, how opaque.
   const bar = kept((paint) => [[1.15, -0.42, black, 0.22], [1.18, 0, both(paint, '#000000', 0.55)], [0.96, 0, paint], [0.3, 0.2, both(paint, '#ffffff', 0.6)]]);
@@ -74,6 +77,8 @@
       for (const [x, y] of at) pen.drawImage(image, x - far, y - far, 2 * far, 2 * far);
     },
     tint: of,
+    adding: (on) => (pen.globalCompositeOperation = on ? 'lighter' : 'source-over'),
+    letters: (font, height, anchor) => Object.assign(pen, { font: height ? font.replace(/^\d+px/, `600 ${height.toFixed(1)}px`) : font, textAlign: anchor }),
     strokeWhole: () => pen.stroke(),
     fillAndStroke: () => (pen.fill(), pen.closePath(), pen.stroke()),
   };
@@ -127,13 +132,38 @@
     pen.globalAlpha = strength, pen.fillStyle = brush.tint(paints[name]);
     along(pen, points), pen.fill();
   }
+  // Nested strokes, each from later on: towards its end it's brighter, and wider.
+  function drawTrail(pen, brush, { colour, size, strength }, at, unit, all) {
+    const parts = 5;
+    pen.setLineDash([]), pen.strokeStyle = pen.fillStyle = brush.tint(paints[colour]);
+    for (let i = 0; i < parts; i++) {
+      const from = Math.floor((i * at.length) / parts / 16) * 16;
+      pen.globalAlpha = 0.28 * strength * all, pen.lineWidth = ((i + 1) / parts) * size * unit;
+      along(pen, at.slice(i === 0 ? 0 : from)), brush.strokeWhole();
+    }
+  }
+  // Each spark by its own radius and strength, in steps, so that few stamps are made.
+  function drawLight(pen, brush, { colour, points, each, strength }, at, { scale }, all) {
+    const alike = new Map();
+    at.forEach((point, i) => {
+      const radius = 2 ** (Math.round(2 * Math.log2(Math.max(each[2 * i] * scale, 0.7))) / 2), much = Math.ceil(6 * Math.min(1, each[2 * i + 1])) / 6, key = `${radius} ${much}`;
+      if (much > 0) alike.has(key) ? alike.get(key).at.push(point) : alike.set(key, { radius, much, at: [point] });
+    });
+    brush.adding(true);
+    for (const { radius, much, at: places } of alike.values()) pen.globalAlpha = much * strength * all, brush.stamp(places, radius, spark(colour));
+    brush.adding(false);
+  }
   // Whether it has been drawn: words and handles are flat, and so is what's dotted.
-  function drawMade(pen, brush, { kind, colour, size, strength, material }, at, { width, scale }, all) {
+  function drawMade(pen, brush, shape, at, { width, scale }, all) {
+    const { kind, colour, size, strength, material } = shape;
     const unit = width / 640, much = strength * all, solid = material === 'solid', thick = (size || 2) * unit;
+    if (kind === 'trail') return drawTrail(pen, brush, shape, at, unit, all), true;
     if (material === 'flat' || size < 0) return false;
     pen.setLineDash([]);
     pen.globalAlpha = much;
-    if (kind === 'discs') brush.stamp(at, Math.max(size * scale, 1), (solid ? ball : lamp)(colour));
+    if (kind === 'words') return false;
+    if (material === 'light') drawLight(pen, brush, shape, at, { scale }, all);
+    else if (kind === 'discs') brush.stamp(at, Math.max(size * scale, 1), (solid ? ball : lamp)(colour));
     else if (kind === 'line') strokes(pen, brush, (solid ? bar : beam)(colour), thick, much, () => along(pen, at));
     else if (kind === 'arrow' && !solid) strokes(pen, brush, beam(colour), thick, much, () => (pen.beginPath(), arrow(pen, ...at, (5 + 2 * size) * unit)));
     else if (kind === 'area') (solid ? paintBody : lampArea)(pen, brush, colour, at, unit, much);
@@ -150,25 +180,61 @@
   };
   // Behind words, so that they're read over whatever lies below.
   const outlines = { felt: ['#072018', '#072018'], night: ['#0a0f1f', '#0a0f1f'], yard: ['#fffdf8', '#171b2b'] };
-  const dark = ({ stage }) => stage === 'felt' || stage === 'night';
+  // Hills are a yard, and a skyline is a night, with something before the sky: two layers, the farther one first. Each moves
+  // against the camera at its part of the ground's speed.
+  const likeIts = { hills: 'yard', skyline: 'night' }, ownOf = (stage) => likeIts[stage] ?? stage;
+  const layers = { hills: [[0.25, ['#a9c6c4', '#262f4a']], [0.5, ['#86ac8a', '#1d2a38']]], skyline: [[0.1, ['#202a52', '#202a52']], [0.2, ['#0e142b', '#0e142b']]] };
+  const grass = ['#6f9a4b', '#33492f'], windows = ['#f5c542', '#f5c542'], street = ['#060914', '#060914'];
+  const paper = ['#fdfcfa', '#14171d']; // of a plate on it
+  const dark = ({ stage }) => ['felt', 'night'].includes(ownOf(stage));
   const rows = { felt: ([middle, cloth, rim]) => [[0, 1, around([0.42, 0.36], [0.42, 0.36], 0.72, [0, middle], [0.6, cloth], [1, rim])]],
     night: ([high, low]) => [[0, 1, across([0, 0], [0, 1], [0, high], [1, low])]],
     yard: ([high, low, near, deep], ground) => [[0, ground, across([0, 0], [0, 1], [0, high], [1, low])], [ground, 1, across([0, 0], [0, 1], [0, near], [1, deep])]] };
   const stars = [[0.06, 0.1], [0.17, 0.3], [0.24, 0.07], [0.33, 0.2], [0.41, 0.44], [0.52, 0.09], [0.6, 0.27], [0.71, 0.13], [0.79, 0.38], [0.87, 0.08], [0.94, 0.24], [0.1, 0.55], [0.67, 0.6], [0.96, 0.62]];
   function setStage(pen, brush, { stage, ground }, { width, height, onto }, all) {
-    if (!grounds[stage]) return;
+    const own = ownOf(stage);
+    if (!grounds[own]) return;
     const horizon = Math.min(1, Math.max(0, onto([0, ground])[1] / height));
     pen.globalAlpha = all;
-    for (const [from, to, shade] of rows[stage](grounds[stage], horizon)) {
+    for (const [from, to, shade] of rows[own](grounds[own], horizon)) {
       const box = [0, from * height, width, (to - from) * height];
       if (box[3] <= 0) continue;
       pen.fillStyle = brush.shade(shade, box);
       along(pen, [[0, 1], [2, 1], [2, 3], [0, 3]].map(([x, y]) => [box[0] + (x && box[2]), y === 1 ? box[1] : box[1] + box[3]])), pen.fill();
     }
-    if (stage !== 'night') return;
-    pen.globalAlpha = 0.5 * all, pen.fillStyle = brush.tint(white);
+    if (own === 'night') {
+      pen.globalAlpha = 0.5 * all, pen.fillStyle = brush.tint(white);
+      pen.beginPath();
+      for (const [x, y] of stars) pen.moveTo(x * width, y * height), pen.arc(x * width, y * height, width / 640, 0, 7);
+      pen.fill();
+    }
+    layers[stage]?.forEach(([speed, pair], nearness) => {
+      pen.globalAlpha = all, pen.fillStyle = brush.tint(pair);
+      (stage === 'hills' ? drawHills : drawTown)(pen, brush, { width, base: horizon * height, shift: (speed * onto([0, 0])[0]) / width, nearness }, all);
+    });
+    if (!layers[stage] || horizon >= 1) return;
+    const [pair, high] = stage === 'hills' ? [grass, width / 80] : [street, (1 - horizon) * height];
+    pen.globalAlpha = all, pen.fillStyle = brush.tint(pair);
+    along(pen, [[0, 0], [width, 0], [width, high], [0, high]].map(([x, y]) => [x, y + horizon * height])), pen.fill();
+  }
+  function drawHills(pen, brush, { width, base, shift, nearness }) {
+    const top = (x) => (nearness ? 0.05 + 0.025 * Math.sin(7 * x + 1) + 0.012 * Math.sin(17 * x) : 0.11 + 0.04 * Math.sin(4 * x) + 0.02 * Math.sin(11 * x + 2));
+    const ridge = Array.from({ length: 41 }, (_, i) => [(i / 40) * width, base - width * top(i / 40 - shift)]);
+    along(pen, [...ridge, [width, base], [0, base]]), pen.fill();
+  }
+  // Houses of one width, whose heights repeat; in the nearer row some windows are lit.
+  const houses = [0.09, 0.15, 0.11, 0.2, 0.13, 0.07, 0.17, 0.1, 0.14, 0.19, 0.08, 0.12];
+  function drawTown(pen, brush, { width, base, shift, nearness }, all) {
+    const wide = nearness ? 0.07 : 0.05, first = Math.floor(-shift / wide), lit = [];
+    for (let i = first; (i - 1) * wide + shift < 1; i++) {
+      const tall = houses[((i % 12) + 12) % 12] * (nearness ? 0.75 : 1.15), left = (i * wide + shift) * width, top = base - tall * width;
+      along(pen, [[left, top], [left + 1.02 * wide * width, top], [left + 1.02 * wide * width, base], [left, base]]), pen.fill();
+      for (let k = 0; nearness && k < 12; k++) if ((7 * k + 5 * Math.abs(i)) % 11 < 2) lit.push([left + (0.2 + 0.3 * (k % 3)) * wide * width, top + (0.12 + 0.2 * Math.floor(k / 3)) * tall * width]);
+    }
+    if (lit.length === 0) return;
+    pen.globalAlpha = 0.55 * all, pen.fillStyle = brush.tint(windows);
     pen.beginPath();
-    for (const [x, y] of stars) pen.moveTo(x * width, y * height), pen.arc(x * width, y * height, width / 640, 0, 7);
+    for (const [x, y] of lit) pen.moveTo(x, y), pen.arc(x, y, width / 400, 0, 7);
     pen.fill();
   }
 
@@ -197,11 +263,26 @@
       if (kind === 'discs') for (const [x, y] of at) pen.moveTo(x, y), pen.arc(x, y, Math.max(size * scale, 1), 0, 7);
       if (kind === 'line' || kind === 'area') for (const point of at) pen.lineTo(...point);
       if (kind === 'arrow') arrow(pen, ...at, 5 + 2 * size);
-      if (kind === 'words') write(pen, text, at[0], outlines[picture.stage] && brush.tint(outlines[picture.stage]));
+      if (kind === 'words') words(pen, brush, shape, at[0], picture, view, font);
       if (kind === 'handle' && held) for (const [x, y] of at) handle(pen, x, y, palette, held(handles++));
       if (kind === 'discs' || kind === 'area') pen.fill();
       if (kind === 'line' || kind === 'arrow') pen.stroke();
     }
+  }
+  // Words of a size are so high in a picture of 640 px; those without one are the page's.
+  function words(pen, brush, { text, size, anchor, material }, [x, y], { stage }, { width }, font) {
+    const height = size && Math.max(size * (width / 640), 11), outline = outlines[ownOf(stage)];
+    brush.letters(font, height, anchor);
+    if (material === 'solid') plate(pen, brush, [x, y - 0.36 * height], [0.29 * height * [...text].length, 0.36 * height], outline ?? paper);
+    write(pen, text, [x, y], outline && brush.tint(outline));
+    brush.letters(font, 0, 'left');
+  }
+  // So wide and high to either side of its middle, with round corners
+  function plate(pen, brush, [x, y], [wide, high], pair) {
+    const ink = pen.fillStyle;
+    Object.assign(pen, { fillStyle: brush.tint(pair), strokeStyle: brush.tint(pair), lineWidth: 1.2 * high });
+    along(pen, [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([a, b]) => [x + a * wide, y + b * 0.6 * high])), brush.fillAndStroke();
+    pen.fillStyle = ink;
   }
   function write(pen, text, [x, y], outline) {
     if (outline) Object.assign(pen, { strokeStyle: outline, lineWidth: 3.5 }), pen.strokeText(text, x, y);

@@ -5,7 +5,6 @@
   'use strict';
   const { colours, reader, aboutOf, frameOf, viewOf, finger } = demoPicture;
   const branches = 3e7; // in one frame, about a tenth of a second: more counts as an endless loop
-  const nobody = 'The demo'; // stopped outside of the reader's functions
   const beat = 1 / 64; // of a hand that helps [s]
   const film = 250; // how many of them it plays, before it starts again
   const glow = 0.3; // of a lamp, after its function was called [s]
@@ -16,6 +15,16 @@
     element.append(...inside);
     return element;
   };
+
+  // A button that's quiet: a picture in place of its word.
+  const icons = { Pause: 'M5 3h3v10H5zM9 3h3v10H9z', Play: 'M5 3l8 5-8 5z', Step: 'M4 3l6 5-6 5zM11 3h2v10h-2z', Reset: 'M8 3a5 5 0 1 0 5 5h-2a3 3 0 1 1-3-3v2l4-3-4-3z' };
+  function showAs(button, name) {
+    button.ariaLabel = button.title = name;
+    const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg'), path = document.createElementNS(svg.namespaceURI, 'path');
+    svg.setAttribute('viewBox', '0 0 16 16'), svg.setAttribute('aria-hidden', 'true'), path.setAttribute('d', icons[name]);
+    svg.append(path), button.replaceChildren(svg);
+    return button;
+  }
 
   // The compiled demos, each unpacked once: base64 of gzip, because a page from disk may read scripts and nothing else.
   const compiled = {};
@@ -42,6 +51,7 @@
   // A world: a demo of this section that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
   // Those whose names are in `broken` are one of our wrong answers, where the demo has one.
   async function instantiate(module, yours, section, broken) {
+    const isSketch = Number.isNaN(section), nobody = isSketch ? 'Your sketch' : 'The demo'; // stopped outside of the reader's functions
     const called = new Map(), fallen = new Map(); // what was called, and when last; what ours stand in for, and why
     let running = [], clock = 0, exports;
     const text = (from) => {
@@ -105,7 +115,7 @@
       fallen,
       names,
       lookWhoseTheyAre,
-      ofMany: new Set(names.map((name) => parseInt(name, 10))).size > 1,
+      ofMany: isSketch ? names.length > 0 : new Set(names.map((name) => parseInt(name, 10))).size > 1,
       canBreak: (name) => `wrong ${name}` in exports,
       calledWithin: (name, seconds) => clock - called.get(name) < seconds,
       initialize: () => exports._initialize(), // the demo's own constants may call exercises
@@ -114,7 +124,7 @@
       frame(dt, step, hand) {
         running = [];
         clock += step ? 1 : dt; // after a step only what it has called glows
-        const seen = frameOf(read(exports.frame(dt, step, hand.x, hand.y, hand.inside, hand.pressed, hand.handle, hand.key, branches)));
+        const seen = frameOf(read(exports.frame(dt, step, hand.x, hand.y, hand.inside, hand.pressed, hand.down, hand.handle, hand.key, branches)));
         if (seen.shapes.some(({ points }) => points.some(([x, y]) => !isFinite(x + y)))) stop(() => lost);
         return seen;
       },
@@ -143,24 +153,25 @@
     let whose = 'mine' in figure.dataset && (mine() || trouble()) ? 'yours' : 'ours';
     const helps = demoHands[name]?.[figure.dataset.start ?? ''];
     let ghost = helps && !still.matches ? 0 : null; // how many beats it has played, until the reader does
-    const hand = { x: 0, y: 0, inside: false, pressed: false, handle: -1, chosen: -1, key: -1 };
+    const hand = { x: 0, y: 0, inside: false, pressed: false, down: false, handle: -1, chosen: -1, key: -1 };
     const canvas = make('canvas', { tabIndex: 0 }), pen = canvas.getContext('2d');
     canvas.setAttribute('role', 'img');
     const button = (text, onclick) => make('button', { type: 'button', textContent: text, onclick });
-    const pause = button('Pause', () => run(!running)), step = button('Step', one), again = button('Reset', restart);
+    const pause = showAs(button('', () => run(!running)), 'Pause'), step = showAs(button('', one), 'Step'), again = showAs(button('', restart), 'Reset');
     const sentence = make('p'), alarm = make('div', { className: 'trouble', hidden: true }, sentence, button('Restart', restart));
     sentence.setAttribute('role', 'alert');
     const nameOf = { ours: 'Ours', yours: figure.dataset.yours ?? 'Yours' };
     const sides = ['ours', 'yours'].map((side) => Object.assign(button(nameOf[side], () => (whose = side, restart())), { value: side }));
-    const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }, pause, step, again), holds = make('div', { className: 'holds' });
+    const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }), quiet = make('div', { className: 'quiet' }, pause, step, again), holds = make('div', { className: 'holds' });
     choose.setAttribute('role', 'group');
     choose.setAttribute('aria-label', 'Whose code');
     const answers = make('p', { className: 'answers' }), lamps = make('ul', { className: 'lamps', hidden: true });
     lamps.setAttribute('aria-label', 'Functions in this game, yours and ours');
     const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
     const caption = figure.querySelector('figcaption');
-    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), holds, readouts, make('div', { className: 'rows' }, buttons, choose), answers, lamps, keys);
-    figure.replaceChildren(make('div', { className: 'board' }, seen, controls));
+    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), holds, make('div', { className: 'rows' }, buttons, quiet, choose), readouts, answers, lamps, keys);
+    const board = make('div', { className: 'board' }, seen, controls);
+    figure.replaceChildren(board);
     if (caption) figure.prepend(caption);
     const ownKeys = [], shownOf = []; // what is shown for each of the demo's own keys, and for each control
     const values = [], first = [], dials = []; // of the controls: they outlive a restart; as the place has them; what shows them
@@ -244,6 +255,12 @@
       about.controls.forEach((control, i) => shownOf[i].forEach((shown) => (shown.hidden = !counts(control))));
       about.keys.forEach((key, i) => ownKeys[i].forEach((shown) => (shown.hidden = !counts(key))));
       if (pauses) pauses.hidden = about.keys.some((key) => jumps(key) && counts(key));
+      fit();
+    }
+    // Beside the picture is room for controls; where there's one at most, it has that room itself, unless it's too high.
+    function fit() {
+      const few = about.controls.filter((control, i) => counts(control) && !isHeld(control) && !(i === 0 && choosesGames(control))).length < 2;
+      board.classList.toggle('wide', few && picture && picture.high[0] - picture.low[0] > 1.5 * (picture.high[1] - picture.low[1]));
     }
     function begins(title, chosen) {
       const control = about.controls.find((each) => each.name === title), { options = [] } = control ?? {};
@@ -346,7 +363,7 @@
     function show(seen) {
       picture = seen;
       const { low, high } = seen, shape = String((high[0] - low[0]) / (high[1] - low[1]));
-      if (canvas.style.aspectRatio !== shape) canvas.style.aspectRatio = shape;
+      if (canvas.style.aspectRatio !== shape) canvas.style.aspectRatio = shape, fit();
       if (seen.readouts.map(({ name: title }) => title).join() !== [...readouts.querySelectorAll('dt')].map((each) => each.textContent).join())
         readouts.replaceChildren(...seen.readouts.map(({ name: title, unit }) => make('div', {}, make('dt', { textContent: title }), make('dd', {}, make('b'), ` ${unit}`))));
       readouts.querySelectorAll('b').forEach((shown, i) => (shown.textContent = digits(seen.readouts[i].value, seen.readouts[i].decimals)));
@@ -364,7 +381,7 @@
 
     // A hand that helps: it plays beat by beat, so that each time it comes out the same, and hands over to the reader.
     function letGo() {
-      Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false });
+      Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false, down: false });
       delete hand.ghost;
     }
     function beginAgain() {
@@ -385,7 +402,7 @@
       for (spare += Math.min(dt, 0.1); spare >= beat && !failed; spare -= beat) {
         if (ghost === film) beginAgain();
         const { at, handle = -1, press: pressed, ...chosen } = helps(ghost++ * beat);
-        Object.assign(hand, { x: at?.[0] ?? 0, y: at?.[1] ?? 0, inside: Boolean(at), handle, ghost: at, key: about.keys.findIndex(({ key }) => key === pressed) });
+        Object.assign(hand, { x: at?.[0] ?? 0, y: at?.[1] ?? 0, inside: Boolean(at), down: handle >= 0, handle, ghost: at, key: about.keys.findIndex(({ key }) => key === pressed) });
         about.controls.forEach(({ name: title }, i) => title in chosen && turn(i, chosen[title]));
         seen = advance(beat) ?? seen;
       }
@@ -434,7 +451,8 @@
 
     // Time: it stands still out of sight, and when the reader says so
     function label() {
-      pause.textContent = running ? 'Pause' : 'Play';
+      const name = running ? 'Pause' : 'Play';
+      if (pause.title !== name) showAs(pause, name);
       pause.disabled = step.disabled = failed;
     }
     function run(on) {
@@ -474,7 +492,7 @@
       if (!picture || event.button !== 0) return;
       const at = near(event);
       tap = event.pointerType === 'touch' && at.handle < 0;
-      Object.assign(hand, at, { chosen: -1, pressed: !tap, inside: true });
+      Object.assign(hand, at, { chosen: -1, pressed: !tap, down: !tap, inside: true });
       canvas.setPointerCapture(event.pointerId);
       rest();
     });
@@ -488,7 +506,7 @@
     for (const end of ['pointerup', 'pointercancel'])
       canvas.addEventListener(end, (event) => {
         const lifted = end === 'pointerup';
-        Object.assign(hand, { handle: -1, inside: lifted && event.pointerType === 'mouse', pressed: hand.pressed || (lifted && tap) });
+        Object.assign(hand, { handle: -1, down: false, inside: lifted && event.pointerType === 'mouse', pressed: hand.pressed || (lifted && tap) });
         tap = false;
         rest();
       });

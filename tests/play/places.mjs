@@ -23,7 +23,7 @@ export function film(program, start, answer) {
   const lines = Array.from({ length: beats + (answer ? 64 : 0) }, (_, i) => {
     const { at, handle = -1, press = i === beats ? answer : undefined, ...chosen } = helps && i < beats ? helps(i / 64) : {};
     const pressed = i === 0 && key >= 0 ? key : keyOf(press);
-    return `${line([1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle, pressed], about.controls.map(({ name }, k) => chosen[name] ?? values[k]))}\n`;
+    return `${line([1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle >= 0 ? 1 : 0, handle, pressed], about.controls.map(({ name }, k) => chosen[name] ?? values[k]))}\n`;
   });
   return run([], lines.join('')).map((row) => frameOf(reader(row)));
 }

@@ -5,7 +5,7 @@ import '../../docs/draw.js';
 
 export const { reader, aboutOf, frameOf } = globalThis.demoPicture;
 
-/// One line of input, for one frame: dt, a step, the pointer, whether it is inside and pressed, handle, key, controls.
+/// One line of input, for one frame: dt, a step, the pointer, whether it is inside, pressed and down, handle, key, controls.
 export const line = (input, values) => [...input, ...values].map((x) => x.toPrecision(17)).join(' ').replace(/\.0+(?= |$)/g, '');
 
 /// A row as the demo without a page prints it.
@@ -27,7 +27,7 @@ export function player(native) {
     /// The picture after each of these keys, as in `readouts`.
     pictures(values, keys) {
       const at = (key) => about.keys.findIndex((each) => each.key === key);
-      const input = (key) => (Array.isArray(key) ? [key[1], key[2], 1, 1, key[0], -1] : [0, 0, 0, 0, -1, at(key)]);
+      const input = (key) => (Array.isArray(key) ? [key[1], key[2], 1, 1, 1, key[0], -1] : [0, 0, 0, 0, 0, -1, at(key)]);
       return run([], keys.map((key) => `${line([1 / 60, 0, ...input(key)], values)}\n`).join('')).map((row) => frameOf(reader(printedRow(row))));
     },
     /// A frame for each of these keys, with '' for none, of 1/60 s; the readouts after the last one in each second.

@@ -44,7 +44,7 @@ for (let i = 0; i < 2000; i++) {
   if (i % 10 === 0) held = chance() < 0.3 ? Math.floor(chance() * handles) : -1;
   if (held < 0 || i % 10 === 0) pointer = [0, 1].map((k) => Math.round(64 * (about.low[k] + chance() * (about.high[k] - about.low[k]))) / 64);
   const dt = i % 100 < 85 ? 1 / 64 + (i % 7) / 512 : 0, one = i % 100 > 95 ? 1 : 0; // it rests now and then, and is stepped
-  const input = [dt, one, ...pointer, inside, inside && chance() < 0.05 ? 1 : 0, held, about.keys.length > 0 && chance() < 0.02 ? Math.floor(chance() * about.keys.length) : -1];
+  const input = [dt, one, ...pointer, inside, inside && chance() < 0.05 ? 1 : 0, held >= 0 ? 1 : 0, held, about.keys.length > 0 && chance() < 0.02 ? Math.floor(chance() * about.keys.length) : -1];
   values.forEach((value, at) => world.control(at, value));
   const { row, handles: count } = frame(...input);
   lines.push(line(input, values));

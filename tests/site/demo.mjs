@@ -67,7 +67,7 @@ export async function demoOn(page, name, place = '') {
       }
       assert.fail(`${name}: no game moves`);
     },
-    act: () => figure.locator('.buttons').evaluate((it) => it.querySelector('button:nth-child(n + 4):not([hidden])')?.click()),
+    act: () => figure.locator('.buttons').evaluate((it) => it.querySelector('button:not([hidden])')?.click()),
     moves: (within = 800) => canvas.evaluate((it, within) => new Promise((done) => {
       const before = it.toDataURL(), end = performance.now() + within;
       const look = () => (it.toDataURL() !== before ? done(true) : performance.now() > end ? done(false) : setTimeout(look, 50));

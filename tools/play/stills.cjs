@@ -10,7 +10,7 @@ const { execFileSync } = require('node:child_process'), fs = require('node:fs'),
 require('../../docs/draw.js'), require('../../docs/hands.js');
 const { reader, aboutOf, frameOf, viewOf, draw, finger } = globalThis.demoPicture, hands = globalThis.demoHands;
 const root = path.join(__dirname, '../..'), width = 640; // [px]
-const most = 60 * 1024; // what a picture may weigh [bytes]
+const most = 90 * 1024; // what a picture may weigh [bytes]
 
 // How many frames, how many steps of 1/64 s each of them lasts, and the unit of a disc's place for one frame [0.1 px]: the
 // first of these that isn't too heavy. Their percentages and times are exact, so that no moment has two frames, or none.
@@ -70,8 +70,14 @@ class Pen {
   tint(pair) { return this.of(pair); }
   shade(shade) { return { url: `url(#${this.sheet.shade(shade, this.of)})` }; }
   stamp(at, radius, circles) {
-    const id = this.sheet.stamp(circles, radius, this.of), faint = this.globalAlpha < 1 ? `;opacity:${Number(this.globalAlpha.toFixed(2))}` : '';
+    const id = this.sheet.stamp(circles, radius, this.of), faint = (this.globalAlpha < 1 ? `;opacity:${Number(this.globalAlpha.toFixed(2))}` : '') + this.blend;
     for (const point of at) this.part(JSON.stringify([`fill:none;marker-start:url(#${id});marker-mid:url(#${id})${faint}`, '']), [point], { stamped: true });
+  }
+  blend = '';
+  adding(on) { this.blend = on ? ';mix-blend-mode:screen' : ''; }
+  type = '';
+  letters(font, height, anchor) {
+    this.type = (height ? `;font-size:${height.toFixed(0)}px;font-weight:600` : '') + { left: '', center: ';text-anchor:middle', right: ';text-anchor:end' }[anchor];
   }
   setLineDash(dash) { this.dash = dash; }
   beginPath() { this.lines = [], this.radius = 0; }
@@ -102,7 +108,7 @@ class Pen {
   strokeText() { this.outlined = true; } // the words that come next
   fillText(text, x, y) {
     const [own, dark] = JSON.parse(this.look('fill')), outline = (theme) => (this.outlined ? `;stroke:${this.strokeStyle[theme]}` : '');
-    this.part(JSON.stringify([`${own}${outline('light')}${this.outlined ? `;stroke-width:${this.lineWidth};paint-order:stroke` : ''}`, `${dark}${outline('dark')}`]), [[x, y]], { text: escaped(text) });
+    this.part(JSON.stringify([`${own}${this.type}${outline('light')}${this.outlined ? `;stroke-width:${this.lineWidth};paint-order:stroke` : ''}`, `${dark}${outline('dark')}`]), [[x, y]], { text: escaped(text) });
     this.outlined = false;
   }
   look(paint, more = '') {
@@ -251,7 +257,7 @@ function play(program, start) {
   const [described, [time, key, ...values]] = run(['--picture', start], ''), about = aboutOf(reader(described));
   const helps = hands[path.basename(program)]?.[start], hand = helps?.onPageOnly ? undefined : helps, taken = Math.ceil(64 * time);
   const doings = Array.from({ length: taken + 256 }, (_, i) => (hand && i >= taken ? hand((i - taken) / 64) : {}));
-  const lines = doings.map(({ at, handle = -1, press, ...chosen }, i) => [1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle,
+  const lines = doings.map(({ at, handle = -1, press, ...chosen }, i) => [1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle >= 0 ? 1 : 0, handle,
     i === 0 ? key : about.keys.findIndex((each) => each.key === press), ...about.controls.map(({ name }, k) => chosen[name] ?? values[k])].join(' '));
   const shown = run([], `${lines.join('\n')}\n`).map((row) => frameOf(reader(row)));
   shown.forEach((picture, i) => doings[i].at && picture.shapes.push(finger(doings[i].at, viewOf(picture, width))));

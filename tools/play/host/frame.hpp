@@ -1,5 +1,7 @@
 #pragma once
 // A demo and what surrounds it, wherever it runs: its state, and a frame of it as a row of numbers.
+#include "scenes.hpp"
+
 #include DEMO
 
 #include <utility>
@@ -49,7 +51,8 @@ inline void frame() {
     put_all(seen.shapes, [](const demo::Shape &shape) {
         put(double(shape.kind)), put(double(shape.colour)), put(shape.size), put(shape.strength);
         put_all(shape.points, [](const demo::Vec2 &point) { put(point); });
-        put(shape.text), put(double(shape.material));
+        put(shape.text), put(double(shape.material)), put(double(shape.anchor));
+        put_all(shape.each, [](double x) { put(x); });
     });
     put_all(seen.readouts, [](const demo::Readout &readout) {
         put(readout.name), put(readout.unit), put(readout.value), put(double(readout.decimals));

@@ -51,10 +51,11 @@ void begin_with(std::string_view settings) {
 /// What there is, then the moment of its picture, the key that is pressed at the start, and the controls as they are.
 void tell() {
     print_row();
+    const demo::Still still = moment(play::still, host::in);
     const auto &keys = play::about.keys;
-    const auto key = std::find_if(keys.begin(), keys.end(), [](const auto &k) { return k.key == play::still.key; });
-    const bool pressed = key != keys.end() && host::counts(play::still.only_with);
-    host::row = {play::still.time, pressed ? double(key - keys.begin()) : -1};
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const auto &k) { return k.key == still.key; });
+    const bool pressed = key != keys.end() && host::counts(still.only_with);
+    host::row = {still.time, pressed ? double(key - keys.begin()) : -1};
     for (const demo::Control &control : host::in.controls) host::row.push_back(control.value);
     print_row();
 }
@@ -64,8 +65,8 @@ void play_lines() {
         std::istringstream words{line};
         demo::Input &in = host::in;
         int key = -1;
-        words >> in.dt >> in.one_step >> in.pointer.x() >> in.pointer.y() >> in.inside >> in.pressed >> in.handle
-            >> key;
+        words >> in.dt >> in.one_step >> in.pointer.x() >> in.pointer.y() >> in.inside >> in.pressed >> in.down
+            >> in.handle >> key;
         in.key = host::key(key);
         for (demo::Control &control : in.controls) words >> control.value;
         if (!words) throw std::runtime_error{"this line has too few numbers: " + line};

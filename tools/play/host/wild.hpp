@@ -86,6 +86,7 @@ class WildHand {
         in.pointer = chance() < 0.5 ? to : demo::Vec2{in.pointer + 0.3 * (to - in.pointer)};
         in.inside = in.handle >= 0 || chance() < 0.5;
         in.pressed = in.inside && chance() < 0.1;
+        in.down = in.handle >= 0 || in.pressed || (in.down && chance() < 0.9);
         in.key = {};
         if (!play::about.keys.empty() && chance() < 0.1)
             if (const demo::Key &key = play::about.keys[std::size_t(any(play::about.keys.size()))];
