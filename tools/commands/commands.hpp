@@ -37,6 +37,11 @@ CLI::Validator is_seed();
 /// Hands a file, or a place in one ("page.html#here"), to whatever program is meant for it.
 /// @return whether there is one, and a screen to show it on
 bool show(const std::string &address);
+/// The same for a page, and says so; page.cpp has both.
+void open_page(const std::filesystem::path &address);
+/// Installs a compiler for pages if there's none; `yes`: without asking.
+/// @throws UserError that says what to do, unless there is one in the end
+void need_page_compiler(const Workspace &workspace, bool yes);
 
 void add_check(CLI::App &app, const Workspace &workspace);
 void add_weave(CLI::App &app, const Workspace &workspace);
@@ -62,5 +67,6 @@ void add_site(CLI::App &app, const Workspace &workspace);
 void add_open(CLI::App &app, const Workspace &workspace);
 void add_make(CLI::App &app, const Workspace &workspace);
 void add_play(CLI::App &app, const Workspace &workspace);
+void add_sketch(CLI::App &app, const Workspace &workspace);
 
 } // namespace course

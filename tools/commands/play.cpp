@@ -3,8 +3,6 @@
 #include "base/build.hpp"
 #include "base/files.hpp"
 #include "base/lock.hpp"
-#include "base/process.hpp"
-#include "base/terminal.hpp"
 #include "base/watch.hpp"
 #include "check/bugs.hpp"
 #include "check/catalogue.hpp"
@@ -20,13 +18,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fmt/ranges.h> // join
-#include <fstream>
+#include <fmt/format.h>
 #include <functional>
 #include <iostream>
-#include <iterator>
-#include <regex>
-#include <unistd.h>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -46,52 +40,6 @@ struct PlayOptions {
     fs::path share;
     bool mine = false, bug = false, watch = false, yes = false;
 };
-
-// The compiler for pages
-
-/// "need to get 3,391 kB, 17.3 MB on the disk", as apt-get counts it; "" if it does not say.
-std::string sizes(const std::string &printed) {
-    static const std::regex get{R"(Need to get (?:[^/\n]*/)?([0-9.,]+ [kMG]?B) of)"},
-        use{R"(operation, ([0-9.,]+ [kMG]?B) of additional)"};
-    std::smatch download, disk;
-    if (!std::regex_search(printed, download, get) || !std::regex_search(printed, disk, use)) return "";
-    return " (" + download[1].str() + " to download, " + disk[1].str() + " on the disk)";
-}
-
-/// @throws UserError that says what to do, unless there is a compiler for pages in the end.
-void need_compiler(const Workspace &workspace, bool yes) {
-    if (can_compile_demos(workspace)) return;
-    if (workspace.is_shared())
-        throw UserError{"this course was built without a compiler for pages, so its demos run on our functions alone: "
-                        "without --mine they do"};
-    run({"cmake", workspace.build.string()}); // it may have been installed since
-    if (can_compile_demos(workspace)) return;
-    std::ifstream list{workspace.root / "tools" / "setup" / "needs_of_pages"};
-    const std::vector<std::string> packages{std::istream_iterator<std::string>{list}, {}};
-    std::vector<std::string> command{"apt-get", "install", "--no-install-recommends"};
-    command.insert(command.end(), packages.begin(), packages.end());
-    const std::string why = "a browser runs your functions as WebAssembly, and this machine has no compiler for that";
-    std::vector<std::string> trial = command;
-    trial.push_back("--assume-no");
-    const std::string printed = in_path("apt-get") ? run(trial).out : "";
-    if (sizes(printed).empty())
-        throw UserError{why
-                        + "; it is Clang 14 with the packages wasi-libc and libc++-14-dev-wasm32 of Debian 12, "
-                          "which are not to be had here. Without --mine the demo runs on ours"};
-    if (::geteuid() != 0) command.insert(command.begin(), "sudo");
-    std::cout << "To play with your code: " << why << ".\nDebian has one" << sizes(printed) << ":\n  "
-              << fmt::format("{}", fmt::join(command, " ")) << '\n'
-              << std::flush;
-    if (!yes && !(can_ask() && ask("Install it now?")))
-        throw UserError{"nothing was installed; type the line above, then ./course play again. Without --mine the demo "
-                        "runs on ours"};
-    command.push_back("--yes");
-    if (run(command, {.quiet = false}).code != 0) throw UserError{"apt-get could not install it; it says why above"};
-    run({"cmake", workspace.build.string()});
-    if (!can_compile_demos(workspace))
-        throw UserError{"the compiler for WebAssembly is installed, but does not work; please report what "
-                        "clang++-14 --target=wasm32-wasi --version prints"};
-}
 
 // The student's demo
 
@@ -172,11 +120,6 @@ Demo demo_of(const Workspace &workspace, const Section &section) {
     throw UserError{"section " + section.short_number() + " has no demo to play with yet"};
 }
 
-void open_page(const fs::path &address) {
-    std::cout << (show(address.string()) ? "Opening " : "Open this address in your browser: ") << "file://"
-              << address.string() << '\n';
-}
-
 /// Where the bug is seen, as far as is remembered which one it is.
 DemoMark mark_of_bug(const Workspace &workspace, const Section &section) {
     const std::string begun = recall_hunt(workspace, section).begun;
@@ -196,7 +139,7 @@ void play_bug(const Workspace &workspace, const PlayOptions &options) {
                         + " puts a bug into it"};
     const Demo demo = demo_of(workspace, section);
     const DemoMark mark = mark_of_bug(workspace, section);
-    need_compiler(workspace, options.yes);
+    need_page_compiler(workspace, options.yes);
     bring_up_site(workspace);
     const Lock lock{workspace};
     const Finished built = build_target(workspace, section.name + "_play_bug");
@@ -233,7 +176,7 @@ void play(const Workspace &workspace, const PlayOptions &options) {
     if (!options.share.empty() && fingerprint(workspace.exercise(*section)) == fingerprint(workspace.stub(*section)))
         throw UserError{workspace.relative_name(workspace.exercise(*section))
                         + " is not started, so there is nothing of yours to share yet"};
-    if (options.mine) need_compiler(workspace, options.yes);
+    if (options.mine) need_page_compiler(workspace, options.yes);
     bring_up_site(workspace);
     const bool apart = options.mine && workspace.is_shared(); // where there's no room for a copy of the site
     const fs::path opened = apart ? workspace.work() / "play" / (section->name + "_mine.html")

@@ -39,6 +39,7 @@ constexpr std::array not_in_a_handout{
     "tests/fresh_machine.sh",
     "tests/under_load.sh",
     "docs/instructors.md",
+    "exercises/sketches",
     "CONTRIBUTING.md",
     "ARCHITECTURE.md",
     "docs/authors.md",

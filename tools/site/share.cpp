@@ -38,6 +38,11 @@ constexpr const char *signature =
 physics. <em>Yours</em> is my code, and <em>Ours</em> is the book's.</p>
 )";
 
+constexpr const char *sketch_signature =
+    R"(<p class="above">I wrote this with <em>Frame by Frame</em>, a course in game physics. With <em>Yours</em> it calls my
+functions of the course, and with <em>Ours</em> the book's.</p>
+)";
+
 constexpr const char *compare =
     R"(<p class="above">Compare <em>{0}</em>, which has the bug in it, with <em>Ours</em>. When you've mended it,
 <code>./course play {1} --bug</code> plays it again, and <code>./course bug {1}</code> judges it.</p>
@@ -50,22 +55,25 @@ std::string figure(const Demo &demo, DemoMark mark, const std::string &task) {
 }
 
 /// A page with a figure, words below it, and all that it runs.
-/// @param own  what else than ours was compiled
-std::string page_of(const Workspace &workspace, const Demo &demo, const std::string &figure, const std::string &words,
-                    const std::string &own) {
-    std::string page = head + ("<title>" + escaped(demo.about) + "</title>\n") + style(workspace)
-                       + script(of_site(workspace, "theme.js")) + "<main>\n" + figure + words + "</main>\n"
-                       + script(of_site(workspace, demo_file(demo.section))) + own;
+/// @param compiled  what's played, as elements
+std::string page_of(const Workspace &workspace, const std::string &title, const std::string &figure,
+                    const std::string &words, const std::string &compiled) {
+    std::string page = head + ("<title>" + escaped(title) + "</title>\n") + style(workspace)
+                       + script(of_site(workspace, "theme.js")) + "<main>\n" + figure + words + "</main>\n" + compiled;
     for (const char *each : {"draw.js", "hands.js", "play.js"}) page += script(of_site(workspace, each));
     return page + "</html>\n";
+}
+
+std::string ours(const Workspace &workspace, const Demo &demo) {
+    return script(of_site(workspace, demo_file(demo.section)));
 }
 
 } // namespace
 
 std::string shared_page(const Workspace &workspace, const Demo &demo, const DemoMark &mark, bool with_progress) {
     const std::string mine = script(read_file(workspace.work() / "play" / (demo.section.name + "_mine.js")));
-    return page_of(workspace, demo, figure(demo, mark, demo.about), signature,
-                   with_progress ? mine + script(progress_script(workspace)) : mine);
+    return page_of(workspace, demo.about, figure(demo, mark, demo.about), signature,
+                   ours(workspace, demo) + (with_progress ? mine + script(progress_script(workspace)) : mine));
 }
 
 std::string page_with_bug(const Workspace &workspace, const Demo &demo, const DemoMark &mark) {
@@ -73,8 +81,15 @@ std::string page_with_bug(const Workspace &workspace, const Demo &demo, const De
     const std::string file = workspace.bug(demo.section).filename().string();
     const std::string named = std::string{begin} + " data-yours=\"" + file + '"'
                               + figure(demo, mark, words_of(parse_markdown(mark.task).get())).substr(begin.size());
-    return page_of(workspace, demo, named, fmt::format(compare, file, demo.section.short_number()),
-                   script(read_file(workspace.work() / "play" / (demo.section.name + "_bug.js"))));
+    return page_of(workspace, demo.about, named, fmt::format(compare, file, demo.section.short_number()),
+                   ours(workspace, demo)
+                       + script(read_file(workspace.work() / "play" / (demo.section.name + "_bug.js"))));
+}
+
+std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled) {
+    const std::string place = "<figure class=\"play\" id=\"demo\" data-demo=\"" + name + "\" data-mine><figcaption>"
+                              + with_capital(name) + ", a sketch.</figcaption></figure>\n";
+    return page_of(workspace, name, place, sketch_signature, compiled + script(progress_script(workspace)));
 }
 
 } // namespace course

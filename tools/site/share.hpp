@@ -15,4 +15,8 @@ std::string shared_page(const Workspace &workspace, const Demo &demo, const Demo
 /// The same with the file that `./course bug` wrote in the place of the student's.
 std::string page_with_bug(const Workspace &workspace, const Demo &demo, const DemoMark &mark);
 
+/// A sketch in a page.
+/// @param compiled  the elements that bring its script, `playable[name]` and `playable[name + "/mine"]`
+std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled);
+
 } // namespace course

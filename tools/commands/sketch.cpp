@@ -1,0 +1,227 @@
+// `course sketch`: a scene of the reader's own, in the browser.
+
+#include "base/build.hpp"
+#include "base/files.hpp"
+#include "base/lock.hpp"
+#include "base/text.hpp"
+#include "base/watch.hpp"
+#include "check/diagnosis.hpp"
+#include "commands/commands.hpp"
+#include "site/build.hpp"
+#include "site/share.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char *about_sketch = R"(
+A sketch is a small world of your own, exercises/sketches/moon.cpp. The first call writes one that runs; docs/sketches.md
+says what else there is. It may call every function of the course: yours where you've done it, ours elsewhere.
+--from begins with a scene of the book.
+
+Example: ./course sketch moon --watch
+         ./course sketch splash --from "11/with walls"
+         ./course sketch moon --share moon.html)";
+
+struct SketchOptions {
+    std::string name, from;
+    fs::path share;
+    bool watch = false, yes = false;
+};
+
+/// A reader's scene: its file, and what's made of it.
+struct Sketch {
+    Sketch(const Workspace &workspace, std::string its_name) : name{std::move(its_name)} {
+        file = sketches_folder(workspace) / (name + ".cpp");
+        play = workspace.work() / "play" / "sketches";
+    }
+    static fs::path sketches_folder(const Workspace &workspace) { return workspace.own() / "exercises" / "sketches"; }
+    fs::path packed() const { return play / (name + ".js"); }
+    fs::path page() const { return play / (name + ".html"); }
+    /// Where docs/play.js looks for news, beside the page.
+    fs::path news() const { return play / "demos" / (name + "_mine.js"); }
+
+    std::string name;
+    fs::path file, play;
+};
+
+std::vector<std::string> names_of_sketches(const Workspace &workspace) {
+    std::vector<std::string> names;
+    if (const fs::path folder = Sketch::sketches_folder(workspace); fs::exists(folder))
+        for (const auto &entry : fs::directory_iterator{folder})
+            if (entry.path().extension() == ".cpp") names.push_back(entry.path().stem());
+    std::ranges::sort(names);
+    return names;
+}
+
+// What it begins with
+
+std::string first_sketch(const std::string &name) {
+    std::string type = with_capital(name);
+    return fmt::format(
+        R"(// `./course sketch {0} --watch` shows it, and again whenever you save; docs/sketches.md says what else there is.
+#include "sketch.hpp"
+using namespace demo;
+
+struct {1} : Scene {{
+    Slider pull = slider("pull", "1/s", 0.5, 9, 0.5, 3);
+    Vec2 at{{8, 4.5}}; // [m], in a world of 16 m by 9 m
+
+    View view() const override {{ return {{{{0, 0}}, {{16, 9}}, Stage::night}}; }}
+    void step(double dt) override {{
+        if (hand.inside) at += dt * pull * (hand.at - at);
+    }}
+    void draw(Canvas &canvas) const override {{ canvas.lamp(at, 1, Colour::amber); }}
+}};
+SKETCH({1}, "A disc that follows the pointer")
+)",
+        name, type);
+}
+
+/// The files of a section's scenes, by the name that a place of its chapter has for each.
+std::vector<std::pair<std::string, fs::path>> scenes_of(const Workspace &workspace, const Section &section) {
+    std::vector<std::pair<std::string, fs::path>> scenes;
+    const fs::path folder = workspace.root / "chapters" / section.name / "scenes";
+    if (!fs::exists(folder)) return scenes;
+    for (const auto &entry : fs::directory_iterator{folder}) {
+        const std::string text = read_file(entry.path()), before = "std::string_view name = \"";
+        if (const auto at = text.find(before); at != text.npos)
+            scenes.emplace_back(
+                text.substr(at + before.size(), text.find('"', at + before.size()) - at - before.size()), entry.path());
+    }
+    std::ranges::sort(scenes);
+    return scenes;
+}
+
+/// One of the book's scenes as a sketch: what it shares with others stays where it is.
+std::string sketch_of(const Workspace &workspace, const std::string &from) {
+    const auto slash = from.find('/');
+    if (slash == from.npos) throw UserError{"--from names a section and a scene of it, as 4/lands does"};
+    const Section section = workspace.section(from.substr(0, slash));
+    const auto scenes = scenes_of(workspace, section);
+    const std::string wanted = from.substr(slash + 1);
+    const auto scene = std::ranges::find_if(
+        scenes, [&](const auto &each) { return contains(each.first, wanted) || each.second.stem() == wanted; });
+    if (scene == scenes.end()) {
+        std::string names;
+        for (const auto &each : scenes) names += (names.empty() ? "" : ", ") + each.first;
+        throw UserError{"section " + section.short_number() + " has no scene `" + wanted + "`"
+                        + (names.empty() ? " that could be copied yet" : "; it has " + names)};
+    }
+    std::string text = read_file(scene->second);
+    const auto replace = [&](const std::string &old, const std::string &by) {
+        if (const auto at = text.find(old); at != text.npos) text.replace(at, old.size(), by);
+    };
+    replace("#pragma once\n", "#include \"sketch.hpp\"\n");
+    replace("#include \"shared.hpp\"", "#include \"" + section.name + "/scenes/shared.hpp\"");
+    const auto type = text.find("struct "), end = text.find(" : ", type);
+    return text + "SKETCH(play::" + text.substr(type + 7, end - type - 7) + ", \"" + scene->first + "\")\n";
+}
+
+void begin_sketch(const Workspace &workspace, const Sketch &sketch, const std::string &from) {
+    if (fs::exists(sketch.file)) {
+        if (!from.empty())
+            throw UserError{workspace.relative_name(sketch.file) + " is there already: take another name for it"};
+        return;
+    }
+    write_file(sketch.file, from.empty() ? first_sketch(sketch.name) : sketch_of(workspace, from));
+    std::cout << "Written: " << workspace.relative_name(sketch.file) << '\n';
+}
+
+// Its page
+
+/// What is wrong with it; "" if it could be compiled.
+std::string trouble_of(const Workspace &workspace, const Sketch &sketch, const Finished &built) {
+    if (built.code == 0) return "";
+    const std::string printed = built.out + '\n' + built.err, name = workspace.relative_name(sketch.file);
+    const Verdict verdict = diagnose_compiler(printed, sketch.file, name, {});
+    if (verdict.line == 0) return "it can't be built: " + first_error(printed);
+    return verdict.file + ':' + std::to_string(verdict.line) + ": " + verdict.sentence;
+}
+
+/// The script that a page reads: what's compiled, for both sides of its switch, and what is wrong.
+std::string script_of(const Sketch &sketch, const std::string &trouble) {
+    const std::string name = nlohmann::json(sketch.name).dump(), there = "self.playable[" + name;
+    if (!trouble.empty())
+        return there.substr(0, there.size()) + " + '/trouble'] = " + nlohmann::json(trouble).dump() + ";\n";
+    return read_file(sketch.packed()) + there + "] = " + there + " + '/mine'];\n" + there + " + '/trouble'] = '';\n";
+}
+
+/// @return whether it could be compiled
+bool build_sketch(const Workspace &workspace, const Sketch &sketch) {
+    const Lock lock{workspace};
+    const auto began = std::chrono::steady_clock::now();
+    const std::string trouble = trouble_of(workspace, sketch, build_target(workspace, "sketch_" + sketch.name));
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    std::cout << (trouble.empty() ? fmt::format("It's in the page ({:.1f} s).", took.count())
+                                  : "Not in the page: " + trouble)
+              << '\n'
+              << std::flush;
+    write_file(sketch.news(), script_of(sketch, trouble));
+    return trouble.empty();
+}
+
+void sketch_for(const Workspace &workspace, const SketchOptions &options) {
+    if (options.name.empty()) {
+        for (const std::string &name : names_of_sketches(workspace)) std::cout << "./course sketch " << name << '\n';
+        std::cout << "A new one: ./course sketch moon\n";
+        return;
+    }
+    if (workspace.is_shared()) throw UserError{"a course that many share has no sketches; a copy of your own has"};
+    const bool named = std::ranges::all_of(
+        options.name, [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '_'; });
+    if (!named || !std::islower(static_cast<unsigned char>(options.name.front())))
+        throw UserError{"`" + options.name
+                        + "` becomes a file and a struct: name it by small letters, as in: ./course sketch moon"};
+    if (!options.share.empty() && options.share.extension() != ".html")
+        throw UserError{options.share.string() + " would be a web page: give it a name that ends in .html"};
+    const Sketch sketch{workspace, options.name};
+    begin_sketch(workspace, sketch, options.from);
+    need_page_compiler(workspace, options.yes);
+    bring_up_site(workspace);
+    if (!fs::exists(sketch.packed()))
+        std::cout << "The first time this compiles the functions of all sections, which takes a while.\n" << std::flush;
+    const bool fine = build_sketch(workspace, sketch);
+    if (fine) {
+        const std::string compiled = "<script>\n" + script_of(sketch, "") + "</script>\n";
+        write_file(sketch.page(), sketch_page(workspace, sketch.name,
+                                              "<script src=\"demos/" + sketch.name + "_mine.js\"></script>\n"));
+        if (!options.share.empty()) {
+            write_file(options.share, sketch_page(workspace, sketch.name, compiled));
+            std::cout << "Written: " << options.share.string() << ", " << fs::file_size(options.share) / 1000
+                      << " kB. Send it to a friend, who opens it with a double click.\n";
+            return;
+        }
+        open_page(sketch.page());
+    } else if (!options.share.empty()) {
+        std::cout << options.share.string() << " was not written.\n";
+    }
+    if (options.watch) {
+        std::cout << "Save your file, and the page takes it up. Ctrl-C ends this.\n" << std::flush;
+        for (FileWatch saves{{sketch.file}}; saves.wait();) build_sketch(workspace, sketch);
+    }
+    if (!fine) throw ExitRequest{something_to};
+}
+
+} // namespace
+
+void add_sketch(CLI::App &app, const Workspace &workspace) {
+    const auto options = std::make_shared<SketchOptions>();
+    CLI::App *command = app.add_subcommand("sketch", "Make a small world of your own, and see it in your browser");
+    command->add_option("name", options->name, "what it's called; without it, the names of those that are there");
+    command->add_option("--from", options->from, "begin with a scene of the book: a section, a slash, and its name")
+        ->type_name("SCENE");
+    command->add_flag("-w,--watch", options->watch, "again whenever you save; the open page takes it up");
+    command->add_option("--share", options->share, "write one page with it, to send to a friend")->type_name("FILE");
+    command->add_flag("--yes", options->yes, "install a compiler for pages without asking, if there is none");
+    command->footer(about_sketch);
+    command->callback([&workspace, options] { sketch_for(workspace, *options); });
+}
+
+} // namespace course
