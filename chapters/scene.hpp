@@ -77,7 +77,8 @@ class Button {
 /// A point that the reader may drag, within its bounds. It's drawn on top of all.
 class Handle {
   public:
-    operator Vec2() const;
+    Vec2 at() const;
+    operator Vec2() const { return at(); }
     void move(const Vec2 &to);
 
   private:
@@ -158,7 +159,7 @@ class Scene {
 };
 
 inline Slider::operator double() const { return scene->controls[index].value; }
-inline Handle::operator Vec2() const { return scene->handles[index].at; }
+inline Vec2 Handle::at() const { return scene->handles[index].at; }
 inline void Handle::move(const Vec2 &to) {
     Scene::Within &here = scene->handles[index];
     here.at = to.cwiseMax(here.low).cwiseMin(here.high);

@@ -5,9 +5,9 @@
 
 /// SKETCH(Moon, "A moon that follows the pointer"): which scene it is, and its title.
 #define SKETCH(Type, title)                                                                                            \
-    struct Type##_named : Type {                                                                                       \
+    struct Sketched : Type {                                                                                           \
         static constexpr std::string_view name = title;                                                                \
     };                                                                                                                 \
-    demo::Scenes sketched_scenes() { return demo::scenes<Type##_named>(title); }
+    demo::Scenes sketched_scenes() { return demo::scenes<Sketched>(title); }
 
 demo::Scenes sketched_scenes();

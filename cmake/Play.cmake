@@ -134,9 +134,9 @@ macro(section_script)
   add_test(NAME ${section}.demo.wild COMMAND ${section}_demo --wild 600)
   list(APPEND tests ${section}.demo.wild)
   set_tests_properties(${tests} PROPERTIES LABELS slow)
-  if(COURSE_THOROUGH) # ten minutes of each game under that hand, and 33 hours alone; or one, where balls are many
+  if(COURSE_THOROUGH) # ten minutes of each game under that hand, and 33 hours alone; or one, where balls or sparks are many
     set(alone 1188000)
-    if(section STREQUAL 08_nt_collisions)
+    if(section MATCHES "^(08_nt_collisions|11_particles)$")
       set(alone 36000)
     endif()
     add_test(NAME ${section}.demo.wild_for_long COMMAND ${section}_demo --wild 36000)

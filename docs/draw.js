@@ -270,7 +270,7 @@
     }
   }
   // Words of a size are so high in a picture of 640 px; those without one are the page's.
-  function words(pen, brush, { text, size, anchor, material }, [x, y], { stage }, { width }, font) {
+  function words(pen, brush, { text, size, anchor = 'left', material }, [x, y], { stage }, { width }, font) {
     const height = size && Math.max(size * (width / 640), 11), outline = outlines[ownOf(stage)];
     brush.letters(font, height, anchor);
     if (material === 'solid') plate(pen, brush, [x, y - 0.36 * height], [0.29 * height * [...text].length, 0.36 * height], outline ?? paper);

@@ -3,51 +3,62 @@ import assert from 'node:assert';
 import { player, seconds } from '../play/rows.mjs';
 
 const demo = player(process.argv[2]);
-const seen = (game, chosen, keys = ['f', ...seconds(8)]) => demo.last({ 'The game': game, ...chosen }, keys);
+// The pictures of a scene whose controls are so, for so many seconds; what stands in one, as a number.
+const pictures = (game, chosen, keys = seconds(7)) => demo.pictures(demo.values({ 'The game': game, ...chosen }), keys);
+const words = ({ shapes }) => shapes.filter(({ kind }) => kind === 'words').map(({ text }) => text);
+const told = (picture, unit) => words(picture).filter((text) => text.endsWith(` ${unit}`)).map((text) => Number(text.replace('−', '-').split(' ')[0]));
+const shell = ({ shapes }) => shapes.filter(({ kind, colour, size, material }) => kind === 'discs' && colour === 'ink' && size === 1.2 && material === 'solid').at(-1)?.points[0] ?? [0, 0];
+const range = (angle, height = 0) => told(pictures('range (4.3)', { angle, 'muzzle above the ground': height }, ['']).at(-1), 'm')[0];
 const angles = (from, to) => Array.from({ length: to - from + 1 }, (_, i) => from + i);
 const best = (among, value) => among.map((one) => [value(one), one]).reduce((one, other) => (other[0] > one[0] ? other : one))[1];
-const equal = (one, other) => assert.equal(one.toFixed(2), other.toFixed(2));
 
-{ // the farthest: 45° on level ground, 37° from a cliff of 25 m
-  const lands = (height) => (angle) => seen('you guess', { angle, 'muzzle above the ground': height })['shell landed at'];
-  assert.equal(best(angles(30, 60), lands(0)), 45);
-  assert.equal(best(angles(30, 45), lands(25)), 37);
+{ // the ring aims, and F fires: the flags say how far; 45° is the best on level ground, 37° on a cliff of 25 m
+  const shot = (angle, height) => {
+    const at = (far) => [0, far * Math.cos((angle * Math.PI) / 180), height + far * Math.sin((angle * Math.PI) / 180)];
+    return told(pictures('you guess', { 'muzzle above the ground': height }, ['', at(14), at(15), 'f', ...seconds(8)]).at(-1), 'm').at(-1);
+  };
+  for (const [height, farthest] of [[0, 45], [25, 37]])
+    for (const aside of [-4, 4]) assert.ok(shot(farthest, height) > shot(farthest + aside, height));
+  assert.equal(shot(30, 0), 54.1);
 }
 { // without 4.2 the game notices the ground too late
-  const late = seen('it flies (4.1)', { angle: 60 })['shell landed at'], right = seen('it lands (4.2)', { angle: 60 })['shell landed at'];
-  assert.ok(late > right + 0.5);
+  assert.ok(pictures('it flies (4.1)', { angle: 60 }).some((picture) => words(picture).some((text) => /^[1-9].* m too deep$/.test(text))));
 }
-equal(seen('it lands (4.2)', { angle: 90 }).clock, 2 * seen('it lands (4.2)', { angle: 30 }).clock);
-{ // two angles for 50 m; from 25 m the high one has to change less
-  const range = (angle, height = 0) => seen('range (4.3)', { angle, 'muzzle above the ground': height }, seconds(1)).range;
+{ // straight up takes twice as long as 30°
+  const time = (angle) => told(pictures('it lands (4.2)', { angle }).at(-1), 's')[0];
+  assert.equal(time(90), 2 * time(30));
+}
+{ // two angles for 50 m; from 25 m the high one has to change less; and the shell lands at the flag
   const nearest = (from, to, height) => best(angles(from, to), (angle) => -Math.abs(range(angle, height) - 50));
   assert.deepEqual([nearest(0, 45, 0), nearest(45, 90, 0)], [27, 63]);
   assert.deepEqual([nearest(-45, 30, 25), nearest(30, 90, 25)], [-6, 69]);
+  const landed = pictures('range (4.3)', { angle: 60 }, seconds(5)).map(shell).find(([, y], i) => i > 60 && Math.abs(y) < 1e-9);
+  assert.ok(Math.abs(landed[0] - range(60)) < 0.05);
 }
-for (const [game, flag] of [['range (4.3)', 'range'], ['wind (4.6)', 'range'], ['a terrace (4.7)', 'comes down at']]) { // the shell lands at the flag
-  const it = seen(game, { angle: 60 });
-  equal(it['shell landed at'], it[flag]);
+{ // below 0° the highest point stays at the muzzle
+  const top = (angle) => told(pictures('apex (4.4)', { angle }, ['']).at(-1), 'm')[0];
+  assert.deepEqual([top(-45), top(0), top(90)], [25, 25, 56.3]);
 }
-for (const [wind, farthest] of [[-2, 39], [2, 51]])
-  assert.equal(best(angles(30, 60), (angle) => seen('wind (4.6)', { angle, wind }, seconds(1)).range), farthest);
-{ // a terrace of 20 m can be hit, but not at the angle that is set at first; 24 m is the most
-  const hit = (height) => angles(35, 80).filter((angle) => seen('a terrace (4.7)', { angle, 'height of the terrace': height }, seconds(1))['comes down at'] >= 30);
-  const twenty = hit(20);
-  assert.ok(twenty.length > 0 && !twenty.includes(40));
-  assert.ok(hit(24).length > 0);
-  assert.deepEqual(hit(25), []);
-}
-{ // exact steps are close first
-  const loops = (rate) => seen('frame loops (4.9)', { angle: 50, 'frames per second': rate });
-  for (const rate of [2, 5, 30]) {
-    const { 'explicit Euler': explicit, 'semi-implicit Euler': implicit, 'exact steps': exact, range } = loops(rate);
-    assert.ok(Math.abs(exact - range) < Math.min(Math.abs(explicit - range), Math.abs(implicit - range)) / 10);
+{ // the shell keeps to the dots: at each fifth of a second it's at one
+  const seen = pictures('dotted arc (4.5)', { angle: 60 }, seconds(3)), start = seen.findIndex((picture) => shell(picture)[1] > 0);
+  const { points } = seen.at(-1).shapes.find(({ kind, colour }) => kind === 'discs' && colour === 'blue');
+  for (const k of [1, 5, 10]) {
+    const [x, y] = shell(seen[start - 1 + 12 * k]);
+    assert.ok(Math.hypot(x - points[k][0], y - points[k][1]) < 1e-6, `dot ${k}`);
   }
 }
-{ // a target out of reach: the cannon stays, and points where it did
-  const values = demo.values({ 'The game': 'it aims (4.8)' });
-  const barrel = ({ shapes }) => JSON.stringify(shapes.find(({ kind, colour, size }) => kind === 'line' && colour === 'ink' && size === 7).points);
-  const [near, far] = demo.pictures(values, ['', [0, 1000, 1000]]);
-  assert.ok(far.shapes.some(({ text }) => text === 'out of reach'));
+{ // exact steps are close first
+  for (const rate of [2, 5, 30]) {
+    const seen = pictures('frame loops (4.9)', { 'frames per second': rate }, seconds(5));
+    const far = (name) => Number(seen.map((picture) => words(picture).find((text) => text.startsWith(`${name}: `))).find(Boolean).split(' ').at(-2));
+    const right = told(seen[0], 'm')[0], off = (name) => Math.abs(far(name) - right);
+    assert.ok(off('exact steps') < Math.min(off('explicit Euler'), off('semi-implicit Euler')) / 5, `${rate}`);
+  }
+}
+{ // a target out of reach: the cannon stays, and points where it did; 31 m up it's too high, and 62 m out too far
+  const reach = (x, y) => pictures('it aims (4.8)', {}, ['', [0, x, y]]).at(-1), gone = (x, y) => words(reach(x, y)).includes('out of reach');
+  assert.deepEqual([gone(5, 30), gone(5, 32), gone(61.5, 0.5), gone(63, 0.5)], [false, true, false, true]);
+  const barrel = ({ shapes }) => JSON.stringify(shapes.find(({ kind, colour }) => kind === 'area' && colour === 'ink').points);
+  const [near, far] = pictures('it aims (4.8)', {}, ['', [0, 94, 48]]);
   assert.equal(barrel(far), barrel(near));
 }

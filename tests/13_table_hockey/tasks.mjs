@@ -11,7 +11,7 @@ const about = aboutOf(reader(run(['--picture', ''], '')[0]));
 function played(chosen, frames) {
   const value = ({ name, options, value: first }, keys) => keys.includes(name) ? 1 : name in chosen ? options.indexOf(chosen[name]) : first;
   const lines = frames.map(({ keys = [], at, handle = -1, press }) =>
-    line([1 / 60, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle, about.keys.findIndex(({ key }) => key === press)], about.controls.map((each) => value(each, keys))));
+    line([1 / 60, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle >= 0 ? 1 : 0, handle, about.keys.findIndex(({ key }) => key === press)], about.controls.map((each) => value(each, keys))));
   return run([], `${lines.join('\n')}\n`).map((row) => frameOf(reader(row)));
 }
 const times = (count, frame = {}) => Array.from({ length: count }, (_, i) => (typeof frame === 'function' ? frame(i) : frame));

@@ -44,6 +44,7 @@ export async function demoOn(page, name, place = '') {
     speeds: async () => (await figure.locator('dl > div').filter({ has: page.locator('dt', { hasText: 'its speed' }) }).locator('b').allTextContents()).map(Number),
     picture: () => canvas.evaluate((it) => it.toDataURL()),
     at: async (x, y, [wide, high]) => {
+      await canvas.scrollIntoViewIfNeeded();
       const box = await canvas.boundingBox();
       return [box.x + (x / wide) * box.width, box.y + (1 - y / high) * box.height];
     },

@@ -110,7 +110,8 @@ describe('a demo', { concurrency: 2 }, () => {
   });
 
   test('stands still out of sight, and goes on without a jump', async (t) => {
-    const demo = await openDemo(t, eleven);
+    const demo = await openDemo(t, first);
+    await demo.choose('the printed table (1.3)');
     await demo.wait(300);
     await demo.page.evaluate(() => scrollTo(0, 0));
     await demo.wait(200);
@@ -214,7 +215,7 @@ describe('a place is for one game', { concurrency: 2 }, () => {
     assert.equal(await demo.read('area'), 6);
   });
 
-  test('its picture is high enough on a phone, and the numbers stand directly below', async (t) => {
+  test('its picture is high enough on a phone, and the numbers stand below its buttons, which they never move', async (t) => {
     const { page } = await open(t, `chapter_${nine}.html`, { width: 390, reducedMotion: 'reduce' });
     await page.waitForFunction(() => [...document.querySelectorAll('.play')].every(({ dataset }) => 'ready' in dataset));
     const seen = await page.locator('.play:not(.suspects *)').evaluateAll((all) => all.map((it) => {
@@ -222,7 +223,7 @@ describe('a place is for one game', { concurrency: 2 }, () => {
       return { high: picture.height, below: numbers.height ? numbers.top - picture.bottom : 0 };
     }));
     assert.equal(seen.length, 9);
-    for (const { high, below } of seen) assert.ok(high >= 220 && below >= 0 && below < 20, `${high} px high, numbers ${below} px below`);
+    for (const { high, below } of seen) assert.ok(high >= 220 && below > 40 && below < 130, `${high} px high, numbers ${below} px below`);
   });
 });
 
@@ -347,78 +348,17 @@ describe('07, the room', { concurrency: 2 }, () => {
 });
 
 describe('11, fireworks', { concurrency: 2 }, () => {
-  test('a click is a burst where it was; three sparks are three; a full pool stays as large', async (t) => {
-    const demo = await openDemo(t, eleven), centre = await demo.at(12, 9, [24, 14]);
-    await demo.choose('none');
-    await demo.page.mouse.move(...centre);
-    await demo.wait(3000); // the show's last sparks go out
-    await demo.still(); // or else they may be gone before they are counted
-    for (const [burst, count] of [['three sparks', 3], ['a ring', 48], ['a disc', 100]]) {
-      await demo.choose(burst);
-      const before = await demo.read('alive');
-      await demo.page.mouse.click(...centre);
-      assert.equal((await demo.read('alive')) - before, count, burst);
-    }
-    for (let i = 0; i < 9; i++) await demo.button('Burst').click();
-    assert.equal(await demo.read('free'), 0);
-    assert.equal((await demo.read('alive')) + (await demo.read('free')), 500);
-    assert.equal(await demo.said(), '');
-  });
-
-  test('sparks outlast a change of the loop, and the pool keeps its size', async (t) => {
-    const demo = await openDemo(t, eleven);
-    await demo.choose('none');
-    await demo.page.mouse.move(...(await demo.at(12, 9, [24, 14])));
-    await demo.wait(3000);
+  test('a press is a burst where it was, by a button and by a finger, too', async (t) => {
+    const demo = await openDemo(t, eleven), centre = await demo.at(16, 10, [24, 13.5]);
     await demo.still();
-    for (const loop of ['with walls', 'without gaps', 'open sky', 'without gaps']) {
-      const before = await demo.read('alive');
-      await demo.choose(loop);
-      assert.equal(await demo.read('alive'), before);
-      await demo.button('Burst').click();
-      assert.equal((await demo.read('alive')) - before, 100, loop);
-      assert.equal((await demo.read('alive')) + (await demo.read('free')), 500);
+    for (const act of [() => demo.page.mouse.click(...centre), () => demo.button('Burst').click(), () => demo.stroke(centre, centre)]) {
+      const before = await demo.picture();
+      await act();
+      await demo.button('Step').click();
+      await demo.button('Step').click();
+      assert.notEqual(await demo.picture(), before);
     }
-    await demo.button('Play').click();
-    await demo.page.mouse.move(...(await demo.at(13, 9, [24, 14])));
-    await demo.wait(3000);
-    assert.equal(await demo.read('alive'), 0, 'all went out');
     assert.equal(await demo.said(), '');
-  });
-
-  test('a floor keeps sparks that would have fallen out of the picture', async (t) => {
-    const demo = await openDemo(t, eleven);
-    await demo.choose('none');
-    await demo.page.mouse.move(...(await demo.at(8, 3, [24, 14])));
-    await demo.wait(3000);
-    const left = async (loop) => {
-      await demo.choose(loop);
-      await demo.slide('gravity', 15);
-      await demo.still();
-      await demo.button('Burst').click();
-      await demo.button('Step').evaluate((step) => { for (let frame = 0; frame < 72; ++frame) step.click(); });
-      const alive = await demo.read('alive');
-      await demo.button('Play').click();
-      await demo.wait(3000);
-      return alive;
-    };
-    const fallen = await left('open sky'), kept = await left('with walls');
-    assert.ok(kept > fallen, `${fallen} and ${kept}`);
-  });
-
-  test('with 11.7 the trail is as dense with 10 frames per second as with 144', async (t) => {
-    const demo = await openDemo(t, eleven);
-    await demo.page.mouse.move(...(await demo.at(12, 9, [24, 14]))); // so that it bursts no more
-    const alive = [];
-    for (const frames of [10, 144]) {
-      await demo.slide('frames per second', frames);
-      await demo.wait(3500);
-      alive.push(await demo.read('alive'));
-    }
-    assert.ok(Math.abs(alive[0] - alive[1]) < 8 && alive[0] > 8, alive.join(' and '));
-    await demo.choose('one a frame');
-    await demo.wait(3000);
-    assert.ok((await demo.read('alive')) > 35, 'one a frame is many, at 144 frames per second');
   });
 });
 
