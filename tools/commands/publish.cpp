@@ -69,7 +69,7 @@ std::vector<Section> changed_demos(const Workspace &workspace, const std::vector
 }
 
 /// What a page loads for a demo, at most: the program, packed [bytes]; for one with the functions of many sections, too.
-constexpr std::uintmax_t heaviest_demo = 65000, heaviest_of_many = 120000;
+constexpr std::uintmax_t heaviest_demo = 90000, heaviest_of_many = 160000;
 
 /// "" if the kept demo isn't too heavy.
 std::string too_heavy(const Workspace &workspace, const Section &section) {

@@ -145,12 +145,15 @@ std::string trouble_of(const Workspace &workspace, const Sketch &sketch, const F
     return verdict.file + ':' + std::to_string(verdict.line) + ": " + verdict.sentence;
 }
 
-/// The script that a page reads: what's compiled, for both sides of its switch, and what is wrong.
-std::string script_of(const Sketch &sketch, const std::string &trouble) {
-    const std::string name = nlohmann::json(sketch.name).dump(), there = "self.playable[" + name;
-    if (!trouble.empty())
-        return there.substr(0, there.size()) + " + '/trouble'] = " + nlohmann::json(trouble).dump() + ";\n";
-    return read_file(sketch.packed()) + there + "] = " + there + " + '/mine'];\n" + there + " + '/trouble'] = '';\n";
+/// A line of the page's script: `self.playable["moon/mine"] = value;`
+std::string playable(const std::string &name, const std::string &value) {
+    return "self.playable[" + nlohmann::json(name).dump() + "] = " + value + ";\n";
+}
+
+/// What's compiled, for both sides of the page's switch.
+std::string compiled_script(const Sketch &sketch) {
+    return read_file(sketch.packed())
+           + playable(sketch.name, "self.playable[" + nlohmann::json(sketch.name + "/mine").dump() + "]");
 }
 
 /// @return whether it could be compiled
@@ -163,7 +166,10 @@ bool build_sketch(const Workspace &workspace, const Sketch &sketch) {
                                   : "Not in the page: " + trouble)
               << '\n'
               << std::flush;
-    write_file(sketch.news(), script_of(sketch, trouble));
+    // A page that has heard of trouble, or of none, looks for news.
+    const std::string told = playable(sketch.name + "/trouble", nlohmann::json(trouble).dump());
+    write_file(sketch.news(),
+               (trouble.empty() ? compiled_script(sketch) : "self.playable = self.playable || {};\n") + told);
     return trouble.empty();
 }
 
@@ -189,7 +195,7 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
         std::cout << "The first time this compiles the functions of all sections, which takes a while.\n" << std::flush;
     const bool fine = build_sketch(workspace, sketch);
     if (fine) {
-        const std::string compiled = "<script>\n" + script_of(sketch, "") + "</script>\n";
+        const std::string compiled = "<script>\n" + compiled_script(sketch) + "</script>\n";
         write_file(sketch.page(), sketch_page(workspace, sketch.name,
                                               "<script src=\"demos/" + sketch.name + "_mine.js\"></script>\n"));
         if (!options.share.empty()) {
