@@ -135,7 +135,7 @@
         running = [];
         if (error instanceof NotStarted) return `${who} isn't started: ${error.message}${error.message.endsWith('?') ? '' : '.'}`;
         if (error instanceof Stopped) return error.said(who);
-        if (error instanceof RangeError || exports.__stack_pointer.value < 4096) return `${who} called itself, again and again, until the stack was full. When does it stop?`;
+        if (error instanceof RangeError || /recursion/.test(error.message) || exports.__stack_pointer.value < 4096) return `${who} called itself, again and again, until the stack was full. When does it stop?`;
         return `${who} crashed: ${error.message}.`;
       },
     };
