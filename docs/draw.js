@@ -114,6 +114,11 @@
     pen.beginPath();
     for (const point of points) pen.lineTo(...point);
   };
+  const fillDots = (pen, at, radius) => {
+    pen.beginPath();
+    for (const [x, y] of at) pen.moveTo(x, y), pen.arc(x, y, radius, 0, 7);
+    pen.fill();
+  };
   const moved = (pen, x, y, work) => { pen.translate(x, y), work(), pen.translate(-x, -y); };
   function strokes(pen, brush, layers, width, strength, way) {
     for (const [much, away, pair, opaque = 1] of layers) {
@@ -139,11 +144,11 @@
     for (let i = 0; i < parts; i++) {
       const from = Math.floor((i * at.length) / parts / 16) * 16;
       pen.globalAlpha = 0.28 * strength * all, pen.lineWidth = ((i + 1) / parts) * size * unit;
-      along(pen, at.slice(i === 0 ? 0 : from)), brush.strokeWhole();
+      along(pen, at.slice(from)), brush.strokeWhole();
     }
   }
   // Each spark by its own radius and strength, in steps, so that few stamps are made.
-  function drawLight(pen, brush, { colour, points, each, strength }, at, { scale }, all) {
+  function drawLight(pen, brush, { colour, each, strength }, at, { scale }, all) {
     const alike = new Map();
     at.forEach((point, i) => {
       const radius = 2 ** (Math.round(2 * Math.log2(Math.max(each[2 * i] * scale, 0.7))) / 2), much = Math.ceil(6 * Math.min(1, each[2 * i + 1])) / 6, key = `${radius} ${much}`;
@@ -158,10 +163,9 @@
     const { kind, colour, size, strength, material } = shape;
     const unit = width / 640, much = strength * all, solid = material === 'solid', thick = (size || 2) * unit;
     if (kind === 'trail') return drawTrail(pen, brush, shape, at, unit, all), true;
-    if (material === 'flat' || size < 0) return false;
+    if (material === 'flat' || kind === 'words' || size < 0) return false;
     pen.setLineDash([]);
     pen.globalAlpha = much;
-    if (kind === 'words') return false;
     if (material === 'light') drawLight(pen, brush, shape, at, { scale }, all);
     else if (kind === 'discs') brush.stamp(at, Math.max(size * scale, 1), (solid ? ball : lamp)(colour));
     else if (kind === 'line') strokes(pen, brush, (solid ? bar : beam)(colour), thick, much, () => along(pen, at));
@@ -204,9 +208,7 @@
     }
     if (own === 'night') {
       pen.globalAlpha = 0.5 * all, pen.fillStyle = brush.tint(white);
-      pen.beginPath();
-      for (const [x, y] of stars) pen.moveTo(x * width, y * height), pen.arc(x * width, y * height, width / 640, 0, 7);
-      pen.fill();
+      fillDots(pen, stars.map(([x, y]) => [x * width, y * height]), width / 640);
     }
     layers[stage]?.forEach(([speed, pair], nearness) => {
       pen.globalAlpha = all, pen.fillStyle = brush.tint(pair);
@@ -233,9 +235,7 @@
     }
     if (lit.length === 0) return;
     pen.globalAlpha = 0.55 * all, pen.fillStyle = brush.tint(windows);
-    pen.beginPath();
-    for (const [x, y] of lit) pen.moveTo(x, y), pen.arc(x, y, width / 400, 0, 7);
-    pen.fill();
+    fillDots(pen, lit, width / 400);
   }
 
   // ----------------------------------------------------------------------------------------------------- the picture
