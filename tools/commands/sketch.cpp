@@ -191,7 +191,7 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
     begin_sketch(workspace, sketch, options.from);
     need_page_compiler(workspace, options.yes);
     bring_up_site(workspace);
-    if (!fs::exists(sketch.packed()))
+    if (!fs::exists(sketch.play / "page.o"))
         std::cout << "The first time this compiles the functions of all sections, which takes a while.\n" << std::flush;
     const bool fine = build_sketch(workspace, sketch);
     if (fine) {
