@@ -44,7 +44,8 @@ struct Aims : CannonScene {
 
     void draw(Canvas &canvas) const override {
         const Vec2 at = target;
-        for (const double each : angles()) {
+        const std::vector<double> found = angles();
+        for (const double each : found) {
             const State start = fired(height, each);
             std::vector<Vec2> way;
             for (int i = 0; i <= 24 && start.velocity.x() > 0; ++i)
@@ -57,7 +58,7 @@ struct Aims : CannonScene {
         for (const auto &[radius, colour] : {std::pair{3.0, Colour::pink}, {2.0, Colour::line}, {1.0, Colour::pink}})
             canvas.body(arc(at, radius), colour);
         draw_shell(canvas);
-        if (angles().empty()) canvas.plate(at + Vec2{0, 5}, "out of reach", Colour::pink, 24);
+        if (found.empty()) canvas.plate(at + Vec2{0, 5}, "out of reach", Colour::pink, 24);
         else canvas.plate({9, height + 12}, number(pointing, 1) + "°", Colour::blue, 24);
         if (since_hit < 1) canvas.plate(at + Vec2{0, 5 + 4 * since_hit}, "hit", Colour::green, 26);
     }

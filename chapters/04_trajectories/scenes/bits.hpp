@@ -1,6 +1,6 @@
 #pragma once
 // What flies about when a cannon fires, and where a shell hits the ground.
-#include "../../canvas.hpp"
+#include "../../props.hpp"
 #include "../game.hpp"
 
 namespace play {

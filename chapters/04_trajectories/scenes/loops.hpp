@@ -29,9 +29,8 @@ struct Loops : CannonScene {
     }
     void changed() override { start(); }
     void step(double dt) override {
-        const motion::Integrators after = motion::step_all(all, {0, -g}, dt);
-        all = after;
-        const State *states[]{&after.explicit_euler, &after.semi_implicit, &after.exact};
+        all = motion::step_all(all, {0, -g}, dt);
+        const State *states[]{&all.explicit_euler, &all.semi_implicit, &all.exact};
         bool any = false;
         for (int i = 0; i < 3; ++i) {
             if (!flies[i]) continue;
