@@ -1,5 +1,6 @@
 // tasks.mjs NATIVE: what the chapter asks at its demo can be done, and comes out as it says.
 import assert from 'node:assert';
+import fs from 'node:fs';
 import { player, seconds } from '../play/rows.mjs';
 
 const demo = player(process.argv[2]);
@@ -61,4 +62,12 @@ const best = (among, value) => among.map((one) => [value(one), one]).reduce((one
   const barrel = ({ shapes }) => JSON.stringify(shapes.find(({ kind, colour }) => kind === 'area' && colour === 'ink').points);
   const [near, far] = pictures('it aims (4.8)', {}, ['', [0, 94, 48]]);
   assert.equal(barrel(far), barrel(near));
+}
+{ // in wind, which has no scene: the text's two angles, 39° and 51°, by formula; as many degrees throw farthest
+  const range = (wind) => (angle) => {
+    const [x, y] = [Math.cos, Math.sin].map((part) => 25 * part((angle * Math.PI) / 180)), time = (2 * y) / 10;
+    return x * time + (wind / 2) * time ** 2;
+  };
+  const [, against, along] = /against 2 m\/s² it's (\d+)°, and with 2 m\/s² it's (\d+)°/.exec(fs.readFileSync(new URL('../../chapters/04_trajectories/README.md', import.meta.url), 'utf8'));
+  assert.deepEqual([-2, 2].map((wind) => best(angles(0, 90), range(wind))), [Number(against), Number(along)]);
 }
