@@ -237,6 +237,22 @@ TEST_CASE("check says which known mistake gives the same, unless it's told not t
     CHECK(count(silent.out, known) == 0);
 }
 
+TEST_CASE("a failure with something to see is drawn on a page, and others are said to have nothing") {
+    const auto drawn = [](const std::string &exercise) {
+        auto command = check_command(exercise, "tests/verdicts/nothing.cpp", COURSE_BUILD);
+        command.push_back("--picture");
+        return course::run(command);
+    };
+    const course::Finished seen = drawn("7.1");
+    CHECK(seen.code == 1);
+    const fs::path page = fs::path{COURSE_BUILD} / "picture.html";
+    CHECK_THAT(seen.out, ContainsSubstring("file://" + page.string()));
+    CHECK_THAT(course::read_file(page), ContainsSubstring("7.1 <code>intersect_lines</code>"));
+    CHECK_THAT(course::read_file(page), ContainsSubstring("class=\"expected"));
+    CHECK_THAT(drawn("7.2").out, ContainsSubstring("nothing to draw"));
+    fs::remove(checked());
+}
+
 TEST_CASE("a file that isn't the student's is neither read nor told of while his is compiled, whoever runs the check") {
     if (!course::protection_of_this_kernel().files) SKIP("this kernel has no Landlock");
     REQUIRE(check("7.2", our_answer).code == 0); // and all of section 7 is built

@@ -10,6 +10,7 @@
 #include "check/judge.hpp"
 #include "check/junit.hpp"
 #include "check/mistakes.hpp"
+#include "check/picture.hpp"
 #include "check/progress.hpp"
 #include "check/progress_store.hpp"
 #include "check/which_tests.hpp"
@@ -35,6 +36,7 @@ struct CheckOptions {
     bool watch = false;
     bool verbose = false;
     bool no_diagnosis = false;
+    bool picture = false;
 };
 
 /// The verdicts on one exercise.
@@ -83,7 +85,9 @@ void print_failure(const Verdict &verdict) {
 /// An exercise in one line; what is wrong below it: the first failure in full, since one is fixed at a time.
 /// @param mistakes  what is known of them
 /// @param text  of the file
-void print(const ExerciseResult &outcome, bool verbose, const std::string &mistakes, const std::string &text) {
+/// @param picture  whether to say how to see it
+void print(const ExerciseResult &outcome, bool verbose, const std::string &mistakes, const std::string &text,
+           bool picture) {
     const auto &[exercise, verdicts] = outcome;
     const Verdict *failure = outcome.first_failure();
     const auto passed = std::ranges::count_if(verdicts, &Verdict::passed);
@@ -105,8 +109,12 @@ void print(const ExerciseResult &outcome, bool verbose, const std::string &mista
         if (failures > 1 && failure->kind == Outcome::missing) continue; // once is enough
         if (verdict.passed()) {
             if (verbose) std::cout << "    " << painted(Colour::green, "✓") << ' ' << verdict.test << '\n';
-        } else if (failures == 1 || verbose) print_failure(verdict);
-        else if (failures <= 1 + most) std::cout << "    " << painted(Colour::red, "✗") << ' ' << verdict.test << '\n';
+        } else if (failures == 1 || verbose) {
+            print_failure(verdict);
+            if (picture && &verdict == failure && picture_of(verdict))
+                std::cout << "      picture   ./course check " << exercise.number << " --picture\n";
+        } else if (failures <= 1 + most)
+            std::cout << "    " << painted(Colour::red, "✗") << ' ' << verdict.test << '\n';
     }
     if (failures > 1 + most && !verbose && failure->kind != Outcome::missing)
         std::cout << painted(Colour::dim, "      and " + std::to_string(failures - 1 - most) + " more (-v shows all)")
@@ -115,6 +123,32 @@ void print(const ExerciseResult &outcome, bool verbose, const std::string &mista
         std::cout << "    " << painted(Colour::yellow, "This is what comes out when " + known) << '\n';
     else if (const std::string lost = lost_digits(text, verdicts); !lost.empty())
         std::cout << "    " << painted(Colour::yellow, lost) << '\n';
+}
+
+/// The first failure of each exercise as a page, in the browser.
+void open_pictures(const Workspace &workspace, const std::vector<ExerciseResult> &results) {
+    std::string page =
+        "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>What came out, and what was expected"
+        "</title><meta name=\"viewport\" content=\"width=device-width\"><style>\n"
+        + style_of_pictures()
+        + ":root { color-scheme: light dark } body { font: 16px/1.5 Inter, sans-serif; max-width: 44em; "
+          "margin: 2em auto; padding: 0 1em } pre { overflow-x: auto; font-size: 13px }\n</style>\n";
+    std::size_t drawn = 0;
+    for (const ExerciseResult &result : results) {
+        const Verdict *failure = result.first_failure();
+        const auto picture = failure == nullptr ? std::nullopt : picture_of(*failure);
+        if (!picture) continue;
+        ++drawn;
+        page += "<h2>" + result.exercise.number + " <code>" + result.exercise.function + "</code></h2>\n<p>"
+                + escaped(failure->test) + ".</p>\n" + *picture + "<pre>" + escaped(explain(*failure, 0)) + "</pre>\n";
+    }
+    if (drawn == 0) {
+        std::cout << "There's nothing to draw here: no failure has a point, an arrow or a number to compare.\n";
+        return;
+    }
+    const fs::path place = workspace.work() / "picture.html";
+    write_file(place, page);
+    open_page(place);
 }
 
 /// Whether all tests failed for one reason, which has nothing to do with any of them: the code never got as far.
@@ -276,7 +310,9 @@ class Check {
             print_failure(of_all);
         } else {
             const std::string mistakes = mistakes_of(section);
-            for (const auto &outcome : outcomes) print(outcome, options.verbose, mistakes, text);
+            const bool tells_of_picture = options.file.empty() && !options.picture;
+            for (const auto &outcome : outcomes) print(outcome, options.verbose, mistakes, text, tells_of_picture);
+            if (options.picture) open_pictures(workspace, outcomes);
         }
         const bool is_all = !only || outcomes.front().first_failure() != nullptr;
         if (!is_all && !options.file.empty()) // of another file nothing is known but this exercise
@@ -370,8 +406,10 @@ void add_check(CLI::App &app, const Workspace &workspace) {
             "section", options->what,
             "a section, by number, name or file, or one exercise: 7.2; \"all\"; nothing: the section to go on with")
         ->check(given);
-    command->add_flag("-w,--watch", options->watch, "check again whenever you save");
+    CLI::Option *watch = command->add_flag("-w,--watch", options->watch, "check again whenever you save");
     command->add_flag("-v,--verbose", options->verbose, "show every test and every failure whole");
+    command->add_flag("--picture", options->picture, "draw the first failure of each exercise, in the browser")
+        ->excludes(watch);
     command->add_flag("--no-diagnosis", options->no_diagnosis, "don't say which known mistake gives the same");
     command->add_option("--file", options->file, "judge this file instead of the one in exercises/")->check(given);
     command->add_option("--junit", options->junit, "write the verdicts to this file as well, as JUnit XML")

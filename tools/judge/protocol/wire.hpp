@@ -1,7 +1,7 @@
 #pragma once
 // Values as bytes, both ways. The reader trusts nothing: every length is checked against the bytes that are there.
 
-#include <Eigen/Core>
+#include "course.hpp"
 
 #include <algorithm>
 #include <array>
