@@ -269,8 +269,9 @@ bool is_given(const Mark &mark) { return mark.role == Role::given; }
 /// Of the units that both the arguments and the answer have.
 std::vector<Mark> comparable(const std::vector<Mark> &numbers) {
     const auto has = [&](const std::string &unit, bool given) {
-        return std::ranges::any_of(numbers,
-                                   [&](const Mark &mark) { return mark.unit == unit && is_given(mark) == given; });
+        return !unit.empty() && std::ranges::any_of(numbers, [&](const Mark &mark) {
+            return mark.unit == unit && is_given(mark) == given;
+        });
     };
     std::vector<Mark> some;
     std::ranges::copy_if(numbers, std::back_inserter(some),
@@ -279,14 +280,16 @@ std::vector<Mark> comparable(const std::vector<Mark> &numbers) {
 }
 
 /// Whether what differs can be seen; or, where the answer itself has no place in the plane, what it is about.
-bool tells_something(const std::vector<Mark> &marks) {
+bool tells_something(const std::vector<Mark> &marks, const std::vector<Mark> &numbers) {
     const auto any = [&](auto... roles) {
         return std::ranges::any_of(marks, [&](const Mark &mark) { return ((mark.role == roles) || ...); });
     };
     if (any(Role::yours, Role::expected)) return true;
     if (any(Role::right)) return false;
     constexpr std::size_t enough = 3; // two balls, or a velocity and two places
-    return marks.size() >= enough || std::ranges::any_of(marks, [](const Mark &mark) {
+    const bool is_count =
+        std::ranges::any_of(numbers, [](const Mark &mark) { return !is_given(mark) && mark.unit.empty(); });
+    return (marks.size() >= enough && !is_count) || std::ranges::any_of(marks, [](const Mark &mark) {
                return mark.kind == Kind::line || mark.kind == Kind::box || mark.kind == Kind::circle;
            });
 }
@@ -299,7 +302,8 @@ std::optional<std::string> picture_of(const Verdict &verdict) {
     std::ranges::copy_if(marks, std::back_inserter(numbers), is_number);
     std::erase_if(marks, is_number);
     constexpr std::ptrdiff_t most_words = 14, most_bars = 10; // and all can still be read
-    if (tells_something(marks) && std::ranges::count_if(marks, &Mark::named) <= most_words) return draw_plane(marks);
+    if (tells_something(marks, numbers) && std::ranges::count_if(marks, &Mark::named) <= most_words)
+        return draw_plane(marks);
     numbers = comparable(numbers);
     if (!marks.empty() || numbers.empty() || std::ssize(numbers) > most_bars) return {};
     return draw_bars(numbers);
