@@ -19,10 +19,6 @@ const swing = (t) => Math.sin(2 * Math.PI * t / 3.90625); // once in a film
 const circle = Array.from({ length: 65 }, (_, i) => [2 * Math.cos(0.6435 + i * Math.PI / 32), 2 * Math.sin(0.6435 + i * Math.PI / 32)]);
 
 globalThis.demoHands = {
-  '01_motion': {
-    'In the sky: a plate (1.6)': drag(1, 0, 3.9, [570, 25], [600, 110], [500, 40], [570, 25]),
-    'In the sky: three sightings (1.7)': drag(1, 0, 3.9, [220, 91], [250, 150], [220, 40], [220, 91]),
-  },
   '05_inclined_planes': {
     '': all(press('u', 0, 2, 16), press('d', 2.25, 3.25, 32), press('b', 3.5)),
     'The game: normal force (5.3)': all(press('u', 0, 1.75, 32), press('d', 2, 3.75, 32)),

@@ -41,7 +41,6 @@ export async function demoOn(page, name, place = '') {
       await page.waitForTimeout(100);
     },
     read: async (name) => Number((await figure.locator('dl > div').filter({ has: page.locator('dt', { hasText: new RegExp(`^${name}$`) }) }).locator('b').textContent()).replace('−', '-')),
-    speeds: async () => (await figure.locator('dl > div').filter({ has: page.locator('dt', { hasText: 'its speed' }) }).locator('b').allTextContents()).map(Number),
     picture: () => canvas.evaluate((it) => it.toDataURL()),
     at: async (x, y, [wide, high]) => {
       await canvas.scrollIntoViewIfNeeded();
