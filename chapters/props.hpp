@@ -38,4 +38,17 @@ inline void flag(Canvas &canvas, const Vec2 &foot, const std::string &words, Col
     canvas.bar({foot, foot + Vec2{0, height}}, colour, 3);
     canvas.plate(foot + Vec2{0, height + 1}, words, colour, size);
 }
+
+/// A small spaceship.
+/// @param at     its middle
+/// @param ahead  where its nose points, a unit vector
+/// @param flame  how strong its engine burns, up to 1
+inline void ship(Canvas &canvas, const Vec2 &at, const Vec2 &ahead, double size, Colour colour, double flame = 0) {
+    const auto spot = [&](double x, double y) { return Vec2{at + size * (x * ahead + y * turned(ahead))}; };
+    if (flame > 0) canvas.beam({spot(-0.45, 0), spot(-0.45 - 0.6 * flame, 0)}, Colour::amber, 6);
+    canvas.body({spot(0.5, 0), spot(-0.25, 0.32), spot(-0.55, 0.46), spot(-0.45, 0.15), spot(-0.45, -0.15),
+                 spot(-0.55, -0.46), spot(-0.25, -0.32)},
+                colour);
+    canvas.ball(spot(0.05, 0), 0.12 * size, Colour::ink);
+}
 } // namespace demo
