@@ -2,59 +2,100 @@
 import assert from 'node:assert';
 import { near, player, seconds } from '../play/rows.mjs';
 
-const demo = player(process.argv[2]), { last } = demo;
+const demo = player(process.argv[2]);
+// The pictures of a scene whose controls are so; what stands in one; where its ball is, and what it does from one to the next.
+const pictures = (game, chosen, keys) => demo.pictures(demo.values({ 'The game': game, ...chosen }), keys);
+const words = ({ shapes }) => shapes.filter(({ kind }) => kind === 'words').map(({ text }) => text);
+const discs = (colour, material, all = 'discs') => ({ shapes }) => shapes.find((each) => each.kind === all && each.colour === colour && each.material === material);
+const ball = (picture) => discs('ink', 'solid')(picture)?.points[0];
+const logo = ({ shapes }) => shapes.find(({ kind, material }) => kind === 'discs' && material === 'glow').points[0];
+const velocity = ([a, b], [x, y]) => [60 * (x - a), 60 * (y - b)];
+const direction = ([x, y]) => Math.atan2(y, x) * 180 / Math.PI;
+const from = (degrees, far = 4.4) => [0, far * Math.cos(degrees * Math.PI / 180), far * Math.sin(degrees * Math.PI / 180)];
+// Velocities of a ball that's thrown, before it meets the wall and after that.
+function thrown(seen) {
+  const at = seen.map(ball), all = at.slice(1).map((to, i) => velocity(at[i], to)), last = all.findIndex(([x, y]) => Math.hypot(x, y + 5) > 1e-6 && Math.hypot(x, y) > 1e-6);
+  return { met: last >= 0, after: all[last + 1] };
+}
+const angles = (picture) => words(picture).filter((text) => /^[\d.]+°$/.test(text)).map(parseFloat);
 
-{ // the ball of the opening
-  const seen = last({}, ['f', ...seconds(1.5).slice(1), ...seconds(0.5)]);
-  near(seen['after, to the right'], -4.8);
-  near(seen['after, up'], 1.4);
+{ // the ball of the opening, and how far off a guess is
+  const guess = (degrees) => pictures('you guess', {}, ['', from(degrees, 3), ...seconds(1.5)]);
+  const { after } = thrown(guess(100).slice(2));
+  near(after[0], -4.8);
+  near(after[1], 1.4);
+  const truth = direction([-4.8, 1.4]), aimed = ({ shapes }) => {
+    const [[a, b], [x, y]] = shapes.find(({ kind, colour }) => kind === 'arrow' && colour === 'violet').points;
+    return direction([x - a, y - b]);
+  };
+  for (const degrees of [100, 135, 170]) {
+    const seen = guess(degrees).at(-1);
+    assert.ok(Math.abs(aimed(seen) - degrees) < 12);
+    assert.deepEqual(words(seen), [`${Math.abs(truth - aimed(seen)).toFixed(0)}° off`, '5.0 m/s']);
+  }
+  // left alone, it only wonders: no ball leaves the wall, and no guess is right
+  for (const picture of pictures('you guess', {}, seconds(20))) {
+    assert.ok(!words(picture).some((text) => /off|m\/s/.test(text)));
+    assert.ok(Math.abs(((aimed(picture) - truth + 540) % 360) - 180) > 25);
+  }
 }
-{ // put far outside, it comes back and stays
-  const seen = demo.readouts(demo.values({ 'The game': 'a screen (6.1)' }), [...seconds(1), 'l', ...seconds(6)]);
-  assert.ok(seen[1]['past a side by'] > 1);
-  assert.ok(seen.at(-1)['past a side by'] < 0.1);
-  near(seen.at(-1).speed, 5);
+{ // put far outside, it comes back and stays; and the first corner comes soon
+  const out = ([x, y]) => Math.max(1 - x, x - 15, 1 - y, y - 8);
+  const seen = pictures('a screen (6.1)', {}, [...seconds(1), 'l', ...seconds(6)]), at = seen.map(logo);
+  assert.ok(out(at[60]) > 1 && words(seen[60]).some((text) => text.endsWith('m out')));
+  assert.ok(at.slice(180).every((each) => out(each) < 0.1));
+  near(Math.hypot(...velocity(at.at(-2), at.at(-1))), 5);
+  assert.ok(pictures('a screen (6.1)', {}, seconds(4)).some((picture) => words(picture).includes('into the corner!')));
 }
-const after = (seen) => Math.atan2(seen['after, up'], seen['after, to the right']) * 180 / Math.PI;
-let atFirst;
-for (const turns of [0, 8, -57]) { // the angle out is the angle in; the ball's way turns by twice as much as the wall
-  const keys = Array(Math.abs(turns)).fill(turns > 0 ? 'u' : 'd');
-  const seen = last({ 'The game': 'a wall (6.2)', speed: 3 }, [...keys, ...seconds(4).slice(keys.length)].slice(0, 120));
-  near(seen['angle out'], seen['angle in'], 1e-9);
-  atFirst ??= after(seen);
-  near((after(seen) - atFirst - 2 * turns) % 360, 0, 1e-6);
+{ // the angle out is the angle in; the ball's way turns by twice as much as the wall
+  const first = thrown(pictures('a wall (6.2)', {}, seconds(1.5))).after;
+  for (const turned of [0, 8, 10, -57]) {
+    const seen = pictures('a wall (6.2)', {}, ['', from(37 + turned), ...seconds(1.5)]), { after } = thrown(seen.slice(2));
+    near((direction(after) - direction(first) - 2 * turned) % 360, 0, 1e-6);
+    const told = angles(seen.at(-1));
+    assert.deepEqual(told, [...Array(2).fill(Math.abs(37 + turned)), ...(turned === 0 ? [] : [Math.abs(turned), 2 * Math.abs(turned)])]);
+  }
 }
 for (const game of ['a wall (6.2)', 'rough wall (6.4)']) { // turned after the meeting, the wall gets a new throw
-  const values = demo.values({ 'The game': game, speed: 3, restitution: 1, mu_k: 0 });
-  for (const turn of ['u', 'd', [0, 1, 3]]) { // by a key, or by the handle
-    const seen = demo.readouts(values, [...seconds(2), turn, ...seconds(2).slice(1)]);
-    assert.deepEqual(seen.map((each) => 'angle out' in each), [false, true, false, true]);
-    for (const each of [seen[1], seen[3]]) near(each['angle out'], each['angle in'], 1e-5);
-  }
+  const seen = pictures(game, { restitution: 1, mu_k: 0 }, [...seconds(1.5), from(40), ...seconds(1.5)]);
+  assert.ok(thrown(seen.slice(0, 90)).met);
+  assert.deepEqual(ball(seen[90]), ball(pictures(game, {}, [from(40)])[0]));
+  const [one, other] = angles(seen.at(-1));
+  near(one, 40, 0.01), near(other, 40, 0.01);
 }
 for (const swapped of [false, true]) { // the ball bounces; with the ends swapped it falls through the wall
   const ends = swapped ? [[0, 4, 1], [1, -4, -2]] : [[0, -4, -2], [1, 4, 1]];
-  const seen = demo.readouts(demo.values({ 'The game': 'two ends (6.3)' }), [...ends, ...seconds(2).slice(2)]).at(-1);
-  assert.equal(seen['normal, up'] < 0, swapped);
-  assert.equal('after, up' in seen, !swapped);
+  const seen = pictures('two ends (6.3)', {}, [...ends, ...seconds(1.5)]);
+  const [foot, tip] = seen.at(-1).shapes.find(({ kind, colour }) => kind === 'arrow' && colour === 'violet').points;
+  assert.equal(tip[1] < foot[1], swapped);
+  assert.equal(thrown(seen.slice(2)).met, !swapped);
+  if (swapped) assert.ok(seen.some((picture) => ball(picture)[1] < -2.5));
 }
-{ // dragged after the meeting, this wall gets a new throw, too
-  const seen = demo.readouts(demo.values({ 'The game': 'two ends (6.3)', speed: 3 }), [...seconds(2), [0, -4, -1], ...seconds(2).slice(1)]);
-  assert.deepEqual(seen.map((each) => 'after, up' in each), [false, true, false, true]);
+{ // dragged after the meeting, this wall gets a new throw, too; and one without a length has no normal
+  const seen = pictures('two ends (6.3)', {}, [...seconds(1.5), [0, -4, -1], ...seconds(1.5)]);
+  assert.ok(ball(seen[90])[1] > 4 && thrown(seen.slice(0, 90)).met && thrown(seen.slice(91)).met);
+  assert.ok(words(pictures('two ends (6.3)', {}, [[0, 1, 1], [1, 1, 1], '']).at(-1)).includes('A point has no normal.'));
 }
 { // with restitution 1 the ball leaves along the normal from a mu_k of 0.4 on, with 0.5 from 0.6 on
-  const values = { 'The game': 'rough wall (6.4)', speed: 3 };
-  const out = (restitution, mu_k) => last({ ...values, restitution, mu_k }, seconds(2))['angle out'];
-  near(out(1, 0.4), 0, 1e-5);
-  near(out(1, 0.3), 8.7, 0.05);
-  near(out(0.5, 0.6), 0, 1e-5);
-  near(out(0.5, 0.5), 0.4, 0.05);
-  const smooth = last({ ...values, mu_k: 0, restitution: 1 }, seconds(2));
-  near(smooth['angle out'], smooth['angle in'], 1e-9);
+  const told = (restitution, mu_k) => angles(pictures('rough wall (6.4)', { restitution, mu_k }, ['']).at(-1));
+  const out = (restitution, mu_k) => told(restitution, mu_k)[1];
+  assert.deepEqual([out(1, 0.4), out(1, 0.3), out(0.5, 0.6), out(0.5, 0.5)], [0, 8.7, 0, 0.4]);
+  assert.deepEqual(told(1, 0), [37, 37]);
+  const { after } = thrown(pictures('rough wall (6.4)', { restitution: 1, mu_k: 0.4 }, seconds(1.5)));
+  near(direction(after), 127, 1e-6);
 }
-near(last({ 'The game': 'turned box (6.5)' }, [...Array(50).fill('u'), ...seconds(10)].slice(0, 600)).speed, 5);
+{ // the box is turned, slowly and fast, and the ball keeps its speed
+  const round = Array.from({ length: 600 }, (_, i) => from(i < 300 ? 20 + i / 10 : 50 + 2 * i));
+  const at = pictures('turned box (6.5)', {}, round);
+  assert.deepEqual([...new Set(at.flatMap(words))], ['5.00 m/s']);
+  assert.ok(at.every((picture) => Math.hypot(...logo(picture)) < 5.5));
+}
 { // the straight shot hits the ball in the way; over a cushion or two the target is reached
-  const shot = (across, up) => last({ 'The game': 'bank shot (6.6)', across, up }, ['f', ...seconds(5)].slice(0, 300))['target is away by'];
-  const there = [-1, 0, 1].flatMap((across) => [-1, 0, 1].filter((up) => shot(across, up) < 1e-6).map((up) => `${across} ${up}`));
-  assert.deepEqual(there, ['-1 1', '0 1', '1 -1']);
+  const shot = (across, up) => words(pictures('bank shot (6.6)', { across, up }, [[-1, 0, 0], ...seconds(4)]).findLast((picture) => words(picture).length > 0));
+  const ends = Object.fromEntries([-1, 0, 1].flatMap((across) => [-1, 0, 1].map((up) => [`${across} ${up}`, shot(across, up).join()])));
+  assert.deepEqual(Object.keys(ends).filter((each) => ends[each] === 'there'), ['-1 1', '0 1', '1 -1']);
+  assert.equal(ends['0 0'], 'blocked');
+  // left alone, it never gets there
+  const alone = new Set(pictures('bank shot (6.6)', {}, seconds(40)).flatMap(words));
+  assert.deepEqual([...alone], ['blocked']);
 }
