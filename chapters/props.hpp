@@ -25,11 +25,27 @@ inline void cannon(Canvas &canvas, const Vec2 &muzzle, const Vec2 &direction) {
 }
 
 /// A box of planks, with its lower left corner here.
-inline void crate(Canvas &canvas, const Vec2 &low, double size) {
-    canvas.body(box(low, low + Vec2{size, size}), Colour::wood);
-    const double edge = 0.16 * size;
-    canvas.line({low + Vec2{edge, edge}, low + Vec2{size - edge, size - edge}}, Colour::earth, 3);
-    canvas.line({low + Vec2{edge, size - edge}, low + Vec2{size - edge, edge}}, Colour::earth, 3);
+/// @param right  along its lower side, a unit vector
+inline void crate(Canvas &canvas, const Vec2 &low, double size, const Vec2 &right = {1, 0}) {
+    const Vec2 along = size * right, up = turned(along), in = 0.16 * along, over = 0.16 * up;
+    canvas.body({low, low + along, low + along + up, low + up}, Colour::wood);
+    canvas.line({low + in + over, low + along - in + up - over}, Colour::earth, 3);
+    canvas.line({low + in + up - over, low + along - in + over}, Colour::earth, 3);
+}
+
+/// Four rails round a table, so far away from it, with corners that are cut at 45°.
+/// @param angle  by which all of that is turned about the origin [rad]
+inline void rails(Canvas &canvas, const Vec2 &low, const Vec2 &high, double away, double width, Colour colour,
+                  double angle = 0) {
+    const Vec2 right{std::cos(angle), std::sin(angle)}, up = turned(right), middle = (low + high) / 2;
+    const auto corner = [&](int i, double out) {
+        const Vec2 sign{i % 4 == 1 || i % 4 == 2 ? 1.0 : -1.0, i % 4 >= 2 ? 1.0 : -1.0};
+        const Vec2 at = middle + sign.cwiseProduct(high - middle + Vec2{out, out});
+        return Vec2{at.x() * right + at.y() * up};
+    };
+    for (int i = 0; i < 4; ++i)
+        canvas.body({corner(i, away), corner(i + 1, away), corner(i + 1, away + width), corner(i, away + width)},
+                    colour);
 }
 
 /// A pole with words on it, so high that neighbours can be told apart.

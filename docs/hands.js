@@ -19,12 +19,6 @@ const swing = (t) => Math.sin(2 * Math.PI * t / 3.90625); // once in a film
 const circle = Array.from({ length: 65 }, (_, i) => [2 * Math.cos(0.6435 + i * Math.PI / 32), 2 * Math.sin(0.6435 + i * Math.PI / 32)]);
 
 globalThis.demoHands = {
-  '05_inclined_planes': {
-    '': all(press('u', 0, 2, 16), press('d', 2.25, 3.25, 32), press('b', 3.5)),
-    'The game: normal force (5.3)': all(press('u', 0, 1.75, 32), press('d', 2, 3.75, 32)),
-    'The game: it slides (5.4)': all(press('u', 0, 2, 16), press('d', 2.25, 3.25, 32)),
-    'The game: critical angle (5.5)': all(press('u', 0, 2, 16), press('d', 2.25, 3.25, 32), press('b', 3.5)),
-  },
   '07_segment_intersection': {
     'The game: two segments (7.3)': drag(1, 0, 3.9, [7, 4], [9, 5], [6, 1], [7, 4]),
     'The game: left or right (7.6)': drag(3, 0, 3.9, [8.2, 5.3], [5, 6.5], [7.5, 2.5], [8.2, 5.3]),

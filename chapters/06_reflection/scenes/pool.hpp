@@ -106,8 +106,8 @@ struct Pool : Scene {
                     canvas.area(box(low + by, high + by), Colour::green).strength = chosen ? 0.3 : 0.1;
             }
         canvas.dotted({low, {high.x(), low.y()}, high, {low.x(), high.y()}, low}, Colour::ink, 2).strength = 0.5;
-        draw_rails(canvas, table, 0, 0, 0.1, Colour::green);
-        draw_rails(canvas, table, 0, 0.1, 0.24, Colour::wood);
+        rails(canvas, table.low, table.high, 0, 0.1, Colour::green);
+        rails(canvas, table.low, table.high, 0.1, 0.24, Colour::wood);
     }
     static void draw_target(Canvas &canvas, const Vec2 &where, double strength) {
         canvas.body(arc(where, 0.26), Colour::pink).strength = strength;

@@ -47,19 +47,6 @@ inline void draw_wall(Canvas &canvas, const Vec2 &start, const Vec2 &end) {
     canvas.dots(std::move(inlays), 0.09, Colour::amber);
 }
 
-/// Four rails round a box that's turned about the origin, so far away from it; their corners are cut at 45°.
-inline void draw_rails(Canvas &canvas, const Box &box, double angle, double away, double width, Colour colour) {
-    const Vec2 right = at_angle(angle), up = turned(right), middle = (box.low + box.high) / 2, half = box.high - middle;
-    const auto corner = [&](int i, double out) {
-        const Vec2 sign{i % 4 == 1 || i % 4 == 2 ? 1.0 : -1.0, i % 4 >= 2 ? 1.0 : -1.0};
-        const Vec2 at = middle + sign.cwiseProduct(half + Vec2{out, out});
-        return Vec2{at.x() * right + at.y() * up};
-    };
-    for (int i = 0; i < 4; ++i)
-        canvas.body({corner(i, away), corner(i + 1, away), corner(i + 1, away + width), corner(i, away + width)},
-                    colour);
-}
-
 /// Sparks where a ball has met something.
 struct Knock {
     Vec2 at{0, 0}, out{0, 1};

@@ -17,8 +17,8 @@ inline void draw_television(Canvas &canvas, const Box &box, double angle) {
         const double y = box.low.y() + i * (box.high.y() - box.low.y()) / 12;
         canvas.line({box.low.x() * right + y * up, box.high.x() * right + y * up}, Colour::blue, 2).strength = 0.2;
     }
-    draw_rails(canvas, box, angle, 0, 0.14, Colour::ink);
-    draw_rails(canvas, box, angle, 0.14, 0.42, Colour::wood);
+    rails(canvas, box.low, box.high, 0, 0.14, Colour::ink, angle);
+    rails(canvas, box.low, box.high, 0.14, 0.42, Colour::wood, angle);
 }
 
 inline void draw_logo(Canvas &canvas, const Ball &logo, int bounces) {
