@@ -18,7 +18,7 @@ const press = [-1, 300, 200];
   assert.deepEqual(points.map(([x], i) => i && x - points[i - 1][0]), [0, 4, 4, 4]);
 }
 { // 640 px at 120 px/s take 5.33 s, and half of that at 60 frames a second; nobody is told before a touch
-  const race = (rate, keys) => last('a speed (1.1)', { 'frames per second, below': rate }, keys);
+  const race = (rate, keys) => last('a speed (1.1)', { 'lower frame rate': rate }, keys);
   const both = race(60, ['', press, ...seconds(6)]);
   for (const text of ['120 px/s', '240 px/s', '5.33 s', '2.67 s']) assert.ok(both.includes(text), `${text}: ${both}`);
   assert.ok(!race(20, seconds(6)).some((text) => text.endsWith(' s')));

@@ -8,7 +8,7 @@ struct Across : Scene {
     static constexpr std::string_view name = "across the screen (1.2)";
     static constexpr double wide = 640, high = 360; // of the screen [px]
     const Vec2 start{20, 80}, lamp{560, 250};       // [px]
-    Handle tip = handle({140, 80}, {30, 50}, {340, 300});
+    Handle tip = handle({140, 80}, {30, 80}, {340, 300});
     Helicopter helicopter{start, {0, 0}};
     double time = 0;                ///< since it started [s]
     double left_at = -1, level = 0; ///< when it left the screen [s], and how high it was [px]

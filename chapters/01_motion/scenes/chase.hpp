@@ -45,7 +45,8 @@ struct Chase : Scene {
         time += dt;
         path.push_back(missile.state.position);
         if (path.size() > 40) path.erase(path.begin());
-        if (std::abs(missile.state.position.x() - helicopter.position.x()) > (untouched ? 700 : 1500)) begin();
+        const double there = missile.state.position.x();
+        if (std::abs(there - helicopter.position.x()) > (untouched ? 700 : 1500) || there > 2e4) begin();
     }
 
     void draw(Canvas &canvas) const override {

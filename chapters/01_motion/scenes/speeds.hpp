@@ -7,7 +7,7 @@ namespace play {
 struct Speeds : Scene {
     static constexpr std::string_view name = "a speed (1.1)";
     static constexpr double wide = 640; // [px]
-    Slider rate = slider("frames per second, below", "", 10, 120, 10, 20);
+    Slider rate = slider("lower frame rate", "frame/s", 10, 120, 10, 20);
     struct Screen {
         double rate = 30;                      ///< [frame/s]
         Helicopter helicopter{{0, 0}, {0, 0}}; ///< [px]

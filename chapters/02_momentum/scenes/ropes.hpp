@@ -56,7 +56,7 @@ struct Ropes : Scene {
             if (there[i] < 0 && side() * (carts[i].x - post()) >= 0) there[i] = time;
         }
         move_tips();
-        if ((there[0] >= 0 && there[1] >= 0) || std::abs(carts[0].x) > 1e3) out += dt;
+        if ((there[0] >= 0 && there[1] >= 0) || std::max(std::abs(carts[0].x), std::abs(carts[1].x)) > 200) out += dt;
         if (out > 1.5) begin();
     }
 

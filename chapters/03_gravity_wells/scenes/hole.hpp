@@ -7,7 +7,7 @@ namespace play {
 struct Hole : Space {
     static constexpr std::string_view name = "ship and hole (3.1)";
     static constexpr double held_for = 2, over_at = 8; // [s]
-    Button up = button("ArrowUp", "Burst", [this] { burst_by({0, 1}); });
+    Button up = button("ArrowUp", "Engine", [this] { burst_by({0, 1}); });
     int bursts = 0, flights = 0;
 
     Hole() { still_time = 3.6; }

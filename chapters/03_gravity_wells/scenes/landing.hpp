@@ -8,7 +8,7 @@ struct Landing : Scene {
     static constexpr std::string_view name = "landing (3.3)";
     static constexpr double height = 12, drift = 1.6, burn = 1; // [m], [m/s], [m/s]
     Slider rate = slider("frames per second", "", 1, 60, 1, 4);
-    Button press_it = button("ArrowUp", "Burn", [this] { fire(); });
+    Button press_it = button("ArrowUp", "Engine", [this] { fire(); });
     Fall lander{height, 0, 0};
     std::vector<Vec2> frames;                            ///< where it was in each [m]
     double time = 0, due = 0, since_burn = 9, pause = 0; ///< [s]

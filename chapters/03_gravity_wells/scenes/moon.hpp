@@ -9,8 +9,10 @@ using namespace demo;
 inline void draw_moon(Canvas &canvas, double left, double right) {
     canvas.lamp({left + 0.84 * (right - left), 14}, 1.5, Colour::blue); // the Earth
     canvas.body(box({left - 1, -5}, {right + 1, 0}), Colour::dim);
-    for (int k = int(std::floor(left / 7)) - 1; 7 * k < right + 4; ++k) {
-        const double wide = 1.2 + 0.5 * (((k * 5) % 3 + 3) % 3), y = -1.1 - 0.6 * (((k * 7) % 4 + 4) % 4);
+    const double first = std::floor(left / 7) - 1;
+    for (int i = 0; i < 8; ++i) {
+        const double k = first + i, wide = 1.2 + 0.5 * std::abs(std::fmod(5 * k, 3)),
+                     y = -1.1 - 0.6 * std::abs(std::fmod(7 * k, 4));
         std::vector<Vec2> crater;
         for (const Vec2 &point : arc({0, 0}, 1))
             crater.push_back({7 * k + wide * point.x(), y + 0.24 * wide * point.y()});

@@ -39,7 +39,7 @@ struct Space : Scene {
     virtual State begins() const { return at_rest; }
     /// A frame of a ship that's still there.
     virtual void fly(double dt) {
-        for (int part = 0; part < 4; ++part) next_frame(ship, dt / 4);
+        for (int part = 0; part < 4 && ship.state.position.norm() >= hole_radius; ++part) next_frame(ship, dt / 4);
     }
     virtual double widest() const { return 80; }
 
