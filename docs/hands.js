@@ -19,10 +19,6 @@ const swing = (t) => Math.sin(2 * Math.PI * t / 3.90625); // once in a film
 const circle = Array.from({ length: 65 }, (_, i) => [2 * Math.cos(0.6435 + i * Math.PI / 32), 2 * Math.sin(0.6435 + i * Math.PI / 32)]);
 
 globalThis.demoHands = {
-  '07_segment_intersection': {
-    'The game: two segments (7.3)': drag(1, 0, 3.9, [7, 4], [9, 5], [6, 1], [7, 4]),
-    'The game: left or right (7.6)': drag(3, 0, 3.9, [8.2, 5.3], [5, 6.5], [7.5, 2.5], [8.2, 5.3]),
-  },
   '08_nt_collisions': {
     '': all(drag(0, 0, 1.9, [1.2, -0.6], [-0.2, 1.3], [1.2, -0.6]), drag(1, 2, 3.9, [2, 0], [1, -1.7], [2, 0])), // it only wonders, too
     'The game: break shot (8.3), restitution: 0.9': onPageOnly(all(drag(0, 0, 1.2, [-2, 0.2], [-2.3, 1.1], [-2, 0.2]), press('f', 1.5))),

@@ -48,12 +48,12 @@ export async function demoOn(page, name, place = '') {
       return [box.x + (x / wide) * box.width, box.y + (1 - y / high) * box.height];
     },
     said: async () => ((await figure.locator('.trouble').isVisible()) ? figure.locator('.trouble p').textContent() : ''),
-    // Throws the ball of section 7: where it starts, its arrow ends at (2.36, 3.17).
+    // Throws the ball of section 7: where it starts, its arrow ends at (2.54, 3.255).
     throwAt: async (x, y) => {
       if (await demo.button('Pause').isVisible()) await demo.still();
       await demo.button('Reset').click();
       await demo.wait(100);
-      await demo.drag(room(2.36, 3.17), room(x, y));
+      await demo.drag(room(2.54, 3.255), room(x, y));
     },
     // The first game that moves: some wait for a guess, to be dragged, or for a button of their own, Fire.
     begin: async () => {
@@ -104,4 +104,4 @@ export async function openDemo(t, name, { touch = false, wrong, ...more } = {}) 
   return demoOn(page, name);
 }
 
-export const room = (x, y) => [x, y + 0.5, [12, 8]]; // from metres in the room of section 7 to what `at` wants
+export const room = (x, y) => [x + 0.75, y + 0.3, [13.5, 7.59375]]; // from metres in the room of section 7 to what `at` wants

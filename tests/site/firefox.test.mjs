@@ -30,21 +30,19 @@ describe('in Firefox', { skip: !firefoxHere && 'it is not installed: apt-get ins
   test('a handle is dragged, a slider slid, a key pressed', async (t) => {
     const demo = await open(t, seven);
     await demo.throwAt(5.6, 4.7);
-    const speed = await demo.read('speed');
-    assert.ok(Math.abs(speed - 39.8) < 1, `${speed} m/s`);
-    await demo.slide('frames per second', 120);
-    assert.ok(Math.abs((await demo.read('from frame to frame')) - speed / 120) < 0.01);
+    const thrown = await demo.picture();
     await demo.choose('bounces (7.4)');
+    await demo.slide('frames per second', 120);
     const before = await demo.picture();
-    await demo.page.keyboard.press('t');
+    assert.ok(before !== thrown);
     await demo.page.keyboard.press('.');
     assert.ok((await demo.picture()) === before, 'keys are for the demo that has the focus');
     await demo.canvas.focus();
-    await demo.page.keyboard.press('t');
+    await demo.page.keyboard.press('.');
     assert.ok((await demo.picture()) !== before);
     await demo.button('Play').click();
     await demo.wait(1500);
-    assert.ok((await demo.read('walls noticed')) > 3);
+    assert.ok(await demo.moves());
     assert.equal(await demo.said(), '');
   });
 

@@ -52,10 +52,10 @@ std::vector<Hint> hints(std::string_view chapter);
 /// "7.2" in "Your turn: 7.2 segments_intersect (15 minutes)"; "" if a heading names none.
 std::string exercise_of_box(const std::string &heading);
 
-/// The place of a demo, `<!-- demo: room mine, The game: asks 7.2 | what to try, and what to watch -->`.
+/// The place of a demo, `<!-- demo: room mine, The game: asks 7.1 | what to try, and what to watch -->`.
 struct DemoMark {
     std::string name;     ///< "room"
-    std::string start;    ///< controls that begin with another value than the demo's own: "The game: asks 7.2"
+    std::string start;    ///< controls that begin with another value than the demo's own: "The game: asks 7.1"
     std::string task;     ///< what to try, and what to watch: Markdown
     bool mine = false;    ///< begins with the reader's code, where there is some
     std::string exercise; ///< of the last box above it: "7.2"; "" above the first
