@@ -1,12 +1,8 @@
 #pragma once
 // A puck on a table, beside one whose axes have a friction of their own each.
-#include "../../props.hpp"
-#include "../../scene.hpp"
-#include "../game.hpp"
+#include "shared.hpp"
 
 namespace play {
-using namespace demo;
-using namespace inclined_planes;
 
 struct Hockey : Scene {
     static constexpr std::string_view name = "air hockey (5.6)";

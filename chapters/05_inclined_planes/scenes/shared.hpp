@@ -3,6 +3,7 @@
 #include "../../props.hpp"
 #include "../../scene.hpp"
 #include "../game.hpp"
+#include "counter.hpp"
 
 namespace play {
 using namespace demo;

@@ -1,12 +1,8 @@
 #pragma once
 // A block on a spring that sticks and slips; the camera goes with what pulls it. Above: its loop in phase space.
-#include "../../props.hpp"
-#include "../../scene.hpp"
-#include "../game.hpp"
+#include "shared.hpp"
 
 namespace play {
-using namespace demo;
-using namespace inclined_planes;
 
 struct Slips : Scene {
     static constexpr std::string_view name = "stick and slip (5.8)";

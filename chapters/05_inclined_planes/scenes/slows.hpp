@@ -1,6 +1,6 @@
 #pragma once
 // Friction as a constant acceleration. What's that once the glass has stopped?
-#include "counter.hpp"
+#include "shared.hpp"
 
 namespace play {
 

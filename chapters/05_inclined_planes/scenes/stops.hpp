@@ -1,6 +1,6 @@
 #pragma once
 // Friction frame by frame: it stops the glass, and nothing starts it again.
-#include "counter.hpp"
+#include "shared.hpp"
 
 namespace play {
 

@@ -1,6 +1,6 @@
 #pragma once
 // The television hangs crooked, and the reader turns it while the logo is on its screen.
-#include "television.hpp"
+#include "shared.hpp"
 
 namespace play {
 

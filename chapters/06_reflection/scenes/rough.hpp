@@ -1,6 +1,6 @@
 #pragma once
 // A wall that gives back only a part of the normal speed, and takes some of the tangential one.
-#include "turning.hpp"
+#include "shared.hpp"
 
 namespace play {
 

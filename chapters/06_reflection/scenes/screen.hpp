@@ -1,6 +1,6 @@
 #pragma once
 // The logo of a DVD player. After a long frame it's far out, and the camera follows it.
-#include "television.hpp"
+#include "shared.hpp"
 
 namespace play {
 

@@ -1,8 +1,11 @@
 #pragma once
 // A television, and the logo on its screen.
-#include "shared.hpp"
+#include "../../props.hpp"
+#include "../game.hpp"
 
 namespace play {
+using namespace demo;
+using namespace reflection;
 
 inline Colour colour_of(int bounces) {
     constexpr Colour colours[]{Colour::amber, Colour::blue,   Colour::green,

@@ -1,6 +1,6 @@
 #pragma once
 // A smooth wall that the reader turns: angle in, angle out. What was there before the turn stays, to compare.
-#include "turning.hpp"
+#include "shared.hpp"
 
 namespace play {
 

@@ -1,12 +1,8 @@
 #pragma once
 // Two lines on squared paper, and what they have in common.
-#include "../../canvas.hpp"
-#include "../../scene.hpp"
-#include "../game.hpp"
+#include "shared.hpp"
 
 namespace play {
-using namespace demo;
-using namespace segment_intersection;
 
 struct Common : Scene {
     static constexpr std::string_view name = "two segments (7.3)";
