@@ -140,6 +140,17 @@ describe('a demo', { concurrency: 2 }, () => {
     assert.equal(await demo.picture(), paper);
   });
 
+  test('says its scene, and what came out when it stands; on paper is the picture that forges show', async (t) => {
+    const demo = await inChapter(t, four, 'The game: range (4.3)'), result = demo.figure.locator('[aria-live=polite]');
+    assert.match(await demo.canvas.getAttribute('aria-label'), /^A cannon.*range \(4\.3\)$/);
+    await demo.wait(1500);
+    assert.equal(await result.textContent(), '', 'who only looks is told nothing');
+    await demo.canvas.press('f');
+    await demo.page.waitForFunction((it) => it.textContent.includes('54.1 m'), await result.elementHandle());
+    await demo.page.emulateMedia({ media: 'print' });
+    assert.deepEqual([await demo.canvas.isVisible(), await demo.figure.locator('> img').isVisible()], [false, true]);
+  });
+
   test('draws a frame in time', async (t) => {
     const demo = await openDemo(t, eleven);
     for (let i = 0; i < 6; i++) await demo.button('Burst').click();

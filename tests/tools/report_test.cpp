@@ -278,6 +278,14 @@ TEST_CASE("equal wrong answers are those whose values say something", "[class-re
                ContainsSubstring("byte for byte") && !ContainsSubstring("common mistake"));
     CHECK_THAT(page.words("//section[@id='alike']/p"), ContainsSubstring("innocent"));
 
+    CHECK(page.count("//svg") == 0); // of numbers without a unit there's nothing to see
+    GradedClass drawn = report_class();
+    for (Graded &student : drawn.students)
+        for (GradedExercise &exercise : student.exercises)
+            for (Verdict &verdict : exercise.verdicts)
+                if (verdict.call) verdict.call->arguments = {"wall = {start (0, 0) m, end (3, 4) m}"};
+    CHECK(ReportPage{drawn}.count("//section[@id='alike']//details/svg") == 2);
+
     GradedClass other = report_class();
     other.students[5].exercises[1].consequence_of = "5.1";
     CHECK(equal_wrong_answers(other).size() == 1);

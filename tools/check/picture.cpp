@@ -1,5 +1,6 @@
 #include "check/picture.hpp"
 
+#include "base/text.hpp"
 #include "check/marks.hpp"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ class Labels {
             const Box box = best_place(label, taken);
             taken.push_back(box);
             all += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", class_of(label.role),
-                               box.min().x(), box.max().y() - 4, label.words);
+                               box.min().x(), box.max().y() - 4, escaped(label.words));
         }
         return all;
     }
@@ -256,8 +257,9 @@ std::string draw_bars(const std::vector<Mark> &numbers) {
         const bool left = length < 0;
         picture += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\"{}>{:.4g} {}</text>\n", role,
                                zero + length + (left ? -6 : 6), y + 17, left ? " text-anchor=\"end\"" : "",
-                               mark.at[0].x(), mark.unit);
-        picture += fmt::format("<text class=\"{}\" x=\"8\" y=\"{:.1f}\">{}</text>\n", role, y + 17, words_of(mark));
+                               mark.at[0].x(), escaped(mark.unit));
+        picture +=
+            fmt::format("<text class=\"{}\" x=\"8\" y=\"{:.1f}\">{}</text>\n", role, y + 17, escaped(words_of(mark)));
         y += row;
     }
     return picture + "</svg>\n";

@@ -1,5 +1,6 @@
 #include "grade/report.hpp"
 
+#include "check/picture.hpp"
 #include "grade/report_html.hpp"
 #include "grade/report_style.hpp"
 #include "grade/statistics.hpp"
@@ -318,8 +319,9 @@ class Page {
         if (!group.mistake.empty()) html += "<p>A common mistake: “" + as_html(group.mistake) + "”</p>\n";
         if (group.is_same_file) html += "<p>Their files are the same, byte for byte.</p>\n";
         return html
-               + fold("What comes out",
-                      "<p>✗ " + as_html(group.verdict.test) + "</p>\n" + preformatted(explain(group.verdict, 0)))
+               + fold("What comes out", "<p>✗ " + as_html(group.verdict.test) + "</p>\n"
+                                            + picture_of(group.verdict).value_or("")
+                                            + preformatted(explain(group.verdict, 0)))
                + "</div>\n";
     }
 
@@ -359,9 +361,9 @@ std::string report_page(const GradedClass &graded, const std::map<std::string, s
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>"
-           + page.title() + "</title>\n<style>" + std::string{report_style} + "</style>\n</head>\n<body>\n<main>\n"
-           + page.head(missing.size()) + "<nav aria-label=\"On this page\">\n" + links + "</nav>\n" + html
-           + "</main>\n</body>\n</html>\n";
+           + page.title() + "</title>\n<style>" + std::string{report_style} + style_of_pictures()
+           + "</style>\n</head>\n<body>\n<main>\n" + page.head(missing.size()) + "<nav aria-label=\"On this page\">\n"
+           + links + "</nav>\n" + html + "</main>\n</body>\n</html>\n";
 }
 
 } // namespace course

@@ -236,7 +236,8 @@ ${sorted(lasts).map((frames) => `@keyframes f${frames} { 0% { visibility: visibl
   return `<?xml version="1.0" encoding="utf-8"?>
 <svg width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" xmlns="http://www.w3.org/2000/svg" stroke-linecap="round" stroke-linejoin="round" font-family="Inter,Segoe UI,Helvetica,Arial,sans-serif" font-size="16" role="img">
 <title>${escaped(about.title)}</title><style>
-svg { color-scheme: light dark }
+svg { color-scheme: light dark; background: #fdfcfa }
+@media (prefers-color-scheme: dark) { svg { background: #14171d } }
 ${style.map(([name, light]) => `.${name}{${light}}\n`).join('')}@media (prefers-color-scheme: dark) {
 ${style.map(([name, , dark]) => `.${name}{${dark}}\n`).join('')}}
 ${film}${sheet.styles}</style>
