@@ -170,9 +170,10 @@
     const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
     const caption = figure.querySelector('figcaption');
     const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), holds, make('div', { className: 'rows' }, buttons, quiet, choose), readouts, answers, lamps, keys);
-    const board = make('div', { className: 'board' }, seen, controls);
-    figure.replaceChildren(board);
-    if (caption) figure.prepend(caption);
+    const board = make('div', { className: 'board' }, seen, controls), result = make('p', { className: 'hidden' }); // for those who hear it
+    result.setAttribute('aria-live', 'polite');
+    const paper = figure.querySelector(':scope > img'); // what is printed
+    figure.replaceChildren(...[caption, board, result, paper].filter(Boolean));
     const ownKeys = [], shownOf = []; // what is shown for each of the demo's own keys, and for each control
     const values = [], first = [], dials = []; // of the controls: they outlive a restart; as the place has them; what shows them
     const lifted = new Set(); // keys that were held until now: a tap is down for one frame
@@ -235,7 +236,6 @@
 
     // Everything that about says, as elements; once
     function describe() {
-      canvas.setAttribute('aria-label', about.title);
       for (const setting of figure.dataset.start?.split(', ') ?? []) begins(...setting.split(': '));
       about.controls.forEach((control, i) => {
         values[i] = first[i] = control.value;
@@ -255,6 +255,8 @@
       about.controls.forEach((control, i) => shownOf[i].forEach((shown) => (shown.hidden = !counts(control))));
       about.keys.forEach((key, i) => ownKeys[i].forEach((shown) => (shown.hidden = !counts(key))));
       if (pauses) pauses.hidden = about.keys.some((key) => jumps(key) && counts(key));
+      const game = about.controls.findIndex(choosesGames);
+      canvas.setAttribute('aria-label', game < 0 ? about.title : `${about.title} Here: ${about.controls[game].options[values[game]]}`);
       fit();
     }
     // Beside the picture is room for controls; where there's one at most, it has that room itself, unless it's too high.
@@ -368,8 +370,17 @@
         readouts.replaceChildren(...seen.readouts.map(({ name: title, unit }) => make('div', {}, make('dt', { textContent: title }), make('dd', {}, make('b'), ` ${unit}`))));
       readouts.querySelectorAll('b').forEach((shown, i) => (shown.textContent = digits(seen.readouts[i].value, seen.readouts[i].decimals)));
       hung.forEach(light);
+      tellResult(seen.shapes);
       if (whose === 'yours' && !world.ofMany) tellWhose();
       draw();
+    }
+    // What stands in the picture, once it has stood there for a second and a reader has done something
+    let stands = '', since = 0, touched = false;
+    for (const kind of ['pointerdown', 'keydown']) figure.addEventListener(kind, () => (touched = true));
+    function tellResult(shapes) {
+      const words = shapes.filter(({ kind, material }) => kind === 'words' && material === 'solid').map(({ text }) => text).join(', ');
+      if (words !== stands) stands = words, since = performance.now();
+      else if (touched && performance.now() - since > 1000 && result.textContent !== words) result.textContent = words;
     }
     const howToPlayOnes = () => answers.append('This is our code. To play with yours, type ', make('code', { textContent: `./course play ${figure.dataset.exercise ?? parseInt(name, 10)} --mine` }));
     function tellWhose() {
