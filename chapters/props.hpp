@@ -55,6 +55,13 @@ inline void flag(Canvas &canvas, const Vec2 &foot, const std::string &words, Col
     canvas.plate(foot + Vec2{0, height + 1}, words, colour, size);
 }
 
+/// Links of steel from joint to joint, and a bolt in each joint [m].
+inline void steel_arm(Canvas &canvas, const std::vector<Vec2> &joints, Colour colour, double width = 15,
+                      double bolt = 0.17) {
+    canvas.bar(joints, colour, width);
+    canvas.balls(joints, bolt, Colour::ink);
+}
+
 /// A small spaceship.
 /// @param at     its middle
 /// @param ahead  where its nose points, a unit vector

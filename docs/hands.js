@@ -34,9 +34,6 @@ globalThis.demoHands = {
       press('t', 1.75), drag(0, 2, 3.75, [-0.4, -0.4], [-3.2, -1.5], [0, 1])),
     'The game: above the ground (9.7)': all(drag(0, 0, 2.4, [-0.38, 4.17], [2.2, 2], [-2, 2.6], [-0.38, 4.17]), drag(2, 2.5, 3.9, [2.1, 5.5], [2.6, 2.5], [2.1, 5.5])),
   },
-  '10_inverse_kinematics': { // beside the cross, since both answers are the reader's to find
-    '': all(drag(1, 0, 0.75, [-2.25, 3.47], [-0.8, 2.4]), drag(0, 1, 2.25, [-2.6, 1.5], [0, 3], [2.6, 1.5]), drag(1, 2.5, 3.25, [2, -0.4], [4.4, 0.6]), drag(0, 3.4, 3.9, [2.6, 1.5], [2.3, -1.9])),
-  },
   '12_time_based_motion': { // it only wonders: where your ship is then is the reader's to say
     '': drag(0, 0.2, 3.8, [600, -150], [770, -150], [440, -150], [690, -150], [600, -150]),
     'The game: run and jump (12.4)': all(press('j', 0.25), press('j', 0.90625), press('j', 3.0625)),

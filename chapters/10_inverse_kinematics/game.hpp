@@ -1,5 +1,5 @@
 #pragma once
-// The game of this chapter, as it grows: eyes, an arm that reaches, apples, motors, a tentacle, a race, and a pen.
+// The game of this chapter, as it grows: eyes, an arm that reaches, apples, motors, a tentacle, and a pen.
 #include "inverse_kinematics.hpp"
 
 #include <algorithm>
@@ -55,32 +55,6 @@ inline void next_frame(Pose &now, const Pose &goal, double dt) {
 /// One frame of the game: one sweep, from where the tentacle was.
 inline void next_frame(const Vec2 &base, std::vector<Link> &tentacle, const Vec2 &fly) {
     tentacle = ccd_sweep(base, tentacle, fly);
-}
-
-//> Two that race
-/// Two arms that were the same at the start, and how many steps each has needed so far.
-struct Race {
-    std::vector<Link> damped, sweeping;
-    int steps{}, sweeps{};
-};
-
-/// Whether the hand is within 1 cm of the target.
-inline bool is_there(const Vec2 &base, const std::vector<Link> &links, const Vec2 &target) {
-    return (forward_kinematics::joints(base, links).back() - target).norm() < 0.01;
-}
-
-//> A race
-/// One step of the race, for each arm that isn't there yet.
-inline void next_step(Race &race, const Vec2 &base, const std::vector<Limits> &limits, const Vec2 &target,
-                      double damping) {
-    if (!is_there(base, race.damped, target)) {
-        race.damped = damped_step(base, race.damped, limits, target, damping);
-        ++race.steps;
-    }
-    if (!is_there(base, race.sweeping, target)) {
-        race.sweeping = ccd_sweep(base, race.sweeping, target);
-        ++race.sweeps;
-    }
 }
 
 //> A pen
