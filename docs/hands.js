@@ -15,7 +15,6 @@ const press = (key, from, to = from + 1 / 64, each = 1) => (t) => (t >= from && 
 // Where a picture moves by its demo's own key, and the page waits for a reader to press it
 const onPageOnly = (hand) => Object.assign(hand, { onPageOnly: true });
 const all = (...hands) => (t) => Object.assign({}, ...hands.map((hand) => hand(t)));
-const swing = (t) => Math.sin(2 * Math.PI * t / 3.90625); // once in a film
 const circle = Array.from({ length: 65 }, (_, i) => [2 * Math.cos(0.6435 + i * Math.PI / 32), 2 * Math.sin(0.6435 + i * Math.PI / 32)]);
 
 globalThis.demoHands = {
@@ -24,15 +23,6 @@ globalThis.demoHands = {
     'The game: break shot (8.3), restitution: 0.9': onPageOnly(all(drag(0, 0, 1.2, [-2, 0.2], [-2.3, 1.1], [-2, 0.2]), press('f', 1.5))),
     'The game: contact that turns (8.1)': drag(0, 0, 3.9, ...circle),
     'The game: pushed apart (8.5)': drag(0, 0, 3.9, [-6, 0], [0, 3], [6, 0], [0, -3], [-6, 0]),
-  },
-  '09_forward_kinematics': {
-    '': drag(0, 0, 3.9, [4, 2], [0.9, 3.3], [4.9, 0.5], [4, 2]), // it only wonders: the answer is the reader's
-    'The game: a digger (9.2)': (t) => ({ place: -3 + 1.5 * swing(t), boom: 50 - 25 * swing(t), stick: -70 - 40 * swing(t), bucket: -30 + 50 * swing(t) }),
-    'The game: in the cab (9.4)': all((t) => ({ drive: t < 1.15625 ? 0.865 : t < 3 ? -0.9 : 0, 'lift the boom': t < 1.15625 ? -0.5 : t < 2.8 ? 0.8 : 0 }), press('c', 1.15625), press('c', 3.25)),
-    'The game: how the hand moves (9.5)': drag(1, 0, 3.9, [-0.29, 1.04], [3, 1.6], [3.5, -1], [3, 1.6], [-0.29, 1.04]),
-    'The game: pick up (9.6)': all(drag(0, 0, 0.5, [-1.38, -0.33], [0, 1]), drag(1, 0.5, 1, [1.3, 0.8], [2.5, 0.5]), drag(2, 1, 1.5, [2.5, 1.3], [2.5, 0.5]),
-      press('t', 1.75), drag(0, 2, 3.75, [-0.4, -0.4], [-3.2, -1.5], [0, 1])),
-    'The game: above the ground (9.7)': all(drag(0, 0, 2.4, [-0.38, 4.17], [2.2, 2], [-2, 2.6], [-0.38, 4.17]), drag(2, 2.5, 3.9, [2.1, 5.5], [2.6, 2.5], [2.1, 5.5])),
   },
   '12_time_based_motion': { // it only wonders: where your ship is then is the reader's to say
     '': drag(0, 0.2, 3.8, [600, -150], [770, -150], [440, -150], [690, -150], [600, -150]),
