@@ -74,7 +74,7 @@ class Button {
     Button() = default;
 };
 
-/// A point that the reader may drag, within its bounds. It's drawn on top of all.
+/// A point that the reader may drag, within its bounds. It's drawn on top of all, or below: see `handles_below`.
 class Handle {
   public:
     Vec2 at() const;
@@ -120,6 +120,8 @@ class Scene {
     bool untouched = true;
     /// When its still picture is taken, after the start [s].
     double still_time = 2;
+    /// Where a body is what the reader grabs: its handle lies under all that's drawn, and shows only as a rim.
+    bool handles_below = false;
 
   protected:
     Slider slider(std::string_view name, std::string_view unit, double low, double high, double step, double value) {
@@ -135,8 +137,8 @@ class Scene {
         acts.push_back(std::move(act));
         return {};
     }
-    Handle handle(const Vec2 &at, const Vec2 &low, const Vec2 &high) {
-        handles.push_back({at, low, high});
+    Handle handle(const Vec2 &at, const Vec2 &low, const Vec2 &high, Colour colour = Colour::orange) {
+        handles.push_back({at, low, high, colour});
         return {*this, handles.size() - 1};
     }
 
@@ -147,6 +149,7 @@ class Scene {
     friend class Player;
     struct Within {
         Vec2 at, low, high;
+        Colour colour;
     };
     Slider add(Control control) {
         controls.push_back(std::move(control));

@@ -73,8 +73,9 @@ class Player {
         const View view = scene->view();
         Picture &seen = canvas.picture;
         seen.low = view.low, seen.high = view.high, seen.stage = view.stage, seen.ground = view.ground;
-        for (const auto &handle : scene->handles)
-            seen.shapes.push_back({.kind = Shape::handle, .colour = Colour::orange, .points = {handle.at}});
+        auto next = scene->handles_below ? seen.shapes.begin() : seen.shapes.end();
+        for (const auto &[at, low, high, colour] : scene->handles)
+            next = seen.shapes.insert(next, {.kind = Shape::handle, .colour = colour, .points = {at}}) + 1;
         return seen;
     }
 

@@ -1,5 +1,5 @@
 // places.mjs NATIVE: what moves fills a third of each picture, which is high enough on a phone; it plays before anybody
-// does; and its score stands in it, as its readouts say it.
+// does.
 import assert from 'node:assert';
 import { filled, film, heightOnPhone, placesOf } from '../play/places.mjs';
 
