@@ -1,6 +1,6 @@
 // What a player does where nothing moves without one: a ghost on the page, until the reader takes over (docs/play.js), and in
 // the pictures of these places (tools/play/stills.cjs). For each time since it started [s]: `handle`, which is held, and
-// `at`, the point where [m]; `press`, a key; controls by name, keys that are held among them. By section, and by how a place starts its demo.
+// `at`, the point where [m]; `press`, a key. By section, and by how a place starts its demo.
 (function () {
 'use strict';
 
@@ -23,11 +23,6 @@ globalThis.demoHands = {
     'The game: break shot (8.3), restitution: 0.9': onPageOnly(all(drag(0, 0, 1.2, [-2, 0.2], [-2.3, 1.1], [-2, 0.2]), press('f', 1.5))),
     'The game: contact that turns (8.1)': drag(0, 0, 3.9, ...circle),
     'The game: pushed apart (8.5)': drag(0, 0, 3.9, [-6, 0], [0, 3], [6, 0], [0, -3], [-6, 0]),
-  },
-  '12_time_based_motion': { // it only wonders: where your ship is then is the reader's to say
-    '': drag(0, 0.2, 3.8, [600, -150], [770, -150], [440, -150], [690, -150], [600, -150]),
-    'The game: run and jump (12.4)': all(press('j', 0.25), press('j', 0.90625), press('j', 3.0625)),
-    'The game: a busy machine (12.7)': (t) => ({ 'cost of a step': t < 0.75 ? 4 : t < 1.5 ? 8 : 12 }),
   },
 };
 })();

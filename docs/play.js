@@ -412,9 +412,8 @@
       if (!world) return;
       for (spare += Math.min(dt, 0.1); spare >= beat && !failed; spare -= beat) {
         if (ghost === film) beginAgain();
-        const { at, handle = -1, press: pressed, ...chosen } = helps(ghost++ * beat);
+        const { at, handle = -1, press: pressed } = helps(ghost++ * beat);
         Object.assign(hand, { x: at?.[0] ?? 0, y: at?.[1] ?? 0, inside: Boolean(at), down: handle >= 0, handle, ghost: at, key: about.keys.findIndex(({ key }) => key === pressed) });
-        about.controls.forEach(({ name: title }, i) => title in chosen && turn(i, chosen[title]));
         seen = advance(beat) ?? seen;
       }
       if (seen && !failed) show(seen);

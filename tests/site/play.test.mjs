@@ -200,13 +200,6 @@ describe('a ghost plays where nothing moves without a player', { concurrency: 2 
     assert.ok((await demo.read('A off by')) > 0);
   });
 
-  test('where it moves sliders, they are back where the chapter wants them when the reader plays', async (t) => {
-    const demo = await inChapter(t, '12_time_based_motion', 'The game: a busy machine (12.7)'), cost = demo.figure.getByRole('slider', { name: 'cost of a step' });
-    await demo.page.waitForFunction((it) => Number(it.value) === 12, await cost.elementHandle());
-    await demo.canvas.click({ position: { x: 12, y: 12 } });
-    assert.equal(Number(await cost.inputValue()), 4);
-  });
-
   test('but not for readers who want less motion', async (t) => {
     const demo = await inChapter(t, eight, '', { reducedMotion: 'reduce' });
     assert.equal(await demo.moves(1000), false);

@@ -258,8 +258,8 @@ function play(program, start) {
   const [described, [time, key, ...values]] = run(['--picture', start], ''), about = aboutOf(reader(described));
   const helps = hands[path.basename(program)]?.[start], hand = helps?.onPageOnly ? undefined : helps, taken = Math.ceil(64 * time);
   const doings = Array.from({ length: taken + 256 }, (_, i) => (hand && i >= taken ? hand((i - taken) / 64) : {}));
-  const lines = doings.map(({ at, handle = -1, press, ...chosen }, i) => [1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle >= 0 ? 1 : 0, handle,
-    i === 0 ? key : about.keys.findIndex((each) => each.key === press), ...about.controls.map(({ name }, k) => chosen[name] ?? values[k])].join(' '));
+  const lines = doings.map(({ at, handle = -1, press }, i) => [1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle >= 0 ? 1 : 0, handle,
+    i === 0 ? key : about.keys.findIndex((each) => each.key === press), ...values].join(' '));
   const shown = run([], `${lines.join('\n')}\n`).map((row) => frameOf(reader(row)));
   shown.forEach((picture, i) => doings[i].at && picture.shapes.push(finger(doings[i].at, viewOf(picture, width))));
   let picture;
