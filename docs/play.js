@@ -175,7 +175,7 @@
     const paper = figure.querySelector(':scope > img'); // what is printed
     figure.replaceChildren(...[caption, board, result, paper].filter(Boolean));
     const ownKeys = [], shownOf = []; // what is shown for each of the demo's own keys, and for each control
-    const values = [], first = [], dials = []; // of the controls: they outlive a restart; as the place has them; what shows them
+    const values = [], dials = []; // of the controls: they outlive a restart; what shows them
     const lifted = new Set(); // keys that were held until now: a tap is down for one frame
 
     function fail(words) {
@@ -238,7 +238,7 @@
     function describe() {
       for (const setting of figure.dataset.start?.split(', ') ?? []) begins(...setting.split(': '));
       about.controls.forEach((control, i) => {
-        values[i] = first[i] = control.value;
+        values[i] = control.value;
         const made = isHeld(control) ? holder(control, i) : control.options.length > 0 ? choice(control, i) : slider(control, i);
         shownOf[i] = [made];
         if (isHeld(control)) holds.append(made);
@@ -399,7 +399,6 @@
       ghost &&= 0;
       spare = 0;
       attempt(() => world.begin());
-      first.forEach((value, i) => turn(i, value));
     }
     function turn(i, value) {
       values[i] = value;
@@ -425,8 +424,7 @@
       if (!world || failed) return;
       const grabs = event.type === 'pointerdown' && event.target === canvas && near(event).handle >= 0;
       letGo();
-      if (grabs) first.forEach((value, i) => turn(i, value));
-      else beginAgain();
+      if (!grabs) beginAgain();
       frame(0);
     }
     for (const kind of ['pointerdown', 'keydown', 'focusin']) figure.addEventListener(kind, takeOver, true);
