@@ -116,7 +116,7 @@ describe('a demo', { concurrency: 2 }, () => {
     const demo = await openDemo(t, first);
     await demo.choose('across the screen (1.2)');
     await demo.wait(300);
-    await demo.page.evaluate(() => scrollTo(0, 0));
+    await demo.page.evaluate(() => scrollTo(0, document.body.scrollHeight));
     await demo.wait(200);
     const time = await demo.read('time');
     await demo.wait(2500);

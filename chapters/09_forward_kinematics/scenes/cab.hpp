@@ -58,7 +58,8 @@ struct Cab : HoldScene {
         return {0, 0.6, 0, 0, closed};
     }
     void step(double dt) override {
-        site = next_frame(site, untouched ? film() : handles(), dt);
+        const Handles now = untouched ? film() : handles(); // first: a film that's over puts the site back
+        site = next_frame(site, now, dt);
         time += dt;
         if (!untouched && took < 0 && !site.held && site.stone.y() <= 0.2 && std::abs(site.stone.x() - mat) < 0.4)
             took = time;
