@@ -77,16 +77,17 @@ Trace::Row parse_row(std::string_view line, std::size_t number, const Trace &tra
 std::string six_digits(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); } // no negative zero
 
 /// How far two values of this column may be apart.
-double tolerance(double kept, double most) {
+double tolerance(double kept, double largest_value) {
     const double digit = kept == 0 ? 0 : std::pow(10, std::floor(std::log10(std::abs(kept))) - 5);
-    return std::max(digit, 1e-12 * most) * (1 + 1e-9); // exactly one unit still passes, however that was rounded
+    return std::max(digit, 1e-12 * largest_value)
+           * (1 + 1e-9); // exactly one unit still passes, however that was rounded
 }
 
 std::vector<double> largest_values(const Trace &trace) {
-    std::vector<double> most(trace.columns.size(), 0);
+    std::vector<double> values(trace.columns.size(), 0);
     for (const Trace::Row &row : trace.rows)
-        for (std::size_t i = 0; i < row.values.size(); ++i) most[i] = std::max(most[i], std::abs(row.values[i]));
-    return most;
+        for (std::size_t i = 0; i < row.values.size(); ++i) values[i] = std::max(values[i], std::abs(row.values[i]));
+    return values;
 }
 
 } // namespace
@@ -133,14 +134,14 @@ std::string difference(const Trace &kept, const Trace &now, const std::string &n
         return fmt::format("{}, the columns: they were {}, they are {}", name, fmt::join(kept.columns, ", "),
                            fmt::join(now.columns, ", "));
 
-    const std::vector<double> most = largest_values(kept);
+    const std::vector<double> largest_of_column = largest_values(kept);
     for (std::size_t row = 0; row < std::min(kept.rows.size(), now.rows.size()); ++row) {
         const auto &was = kept.rows[row].values, &is = now.rows[row].values;
         const std::string where = fmt::format("{}, row {}", name, row + 1);
         if (was.size() != is.size())
             return where + ": it was " + (was.empty() ? "a gap, it is a row" : "a row, it is a gap");
         for (std::size_t i = 0; i < was.size(); ++i)
-            if (!(std::abs(was[i] - is[i]) <= tolerance(was[i], most[i])))
+            if (!(std::abs(was[i] - is[i]) <= tolerance(was[i], largest_of_column[i])))
                 return fmt::format("{}, column {}: it was {}, it is {:.9g}", where, kept.columns[i], six_digits(was[i]),
                                    is[i]);
     }

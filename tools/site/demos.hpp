@@ -10,10 +10,10 @@
 
 namespace course {
 
-/// A demo, as the first mark of a chapter has it.
+/// A demo, as the chapter has it.
 struct Demo {
     Section section;
-    DemoMark mark;
+    DemoMark mark;                   ///< the first place of the scene that the chapter is shown by
     std::vector<std::string> starts; ///< see demo_starts
     std::string about;               ///< what it shows, as the title of the picture says; "" if there is no picture
 };
@@ -28,6 +28,9 @@ std::string demo_file(const Section &section);
 inline std::filesystem::path compiled_demo(const Workspace &workspace, const Section &section) {
     return workspace.build / "play" / (section.name + ".js");
 }
+
+/// The picture of the demo as it begins at this place, or else the first.
+std::string demo_picture_file(const Demo &demo, const DemoMark &mark);
 
 /// The address of a demo's place within a page, after so many others: "demo-room", "demo-room-2".
 std::string demo_id(const DemoMark &mark, std::size_t others_before);

@@ -56,22 +56,10 @@ std::string begin_link(const Workspace &workspace, const std::vector<Entry> &ent
            + "</a>" + (demos(workspace).empty() ? "" : "\n<a href=\"play.html\">Play all</a>");
 }
 
-/// What a chapter is shown by, where that isn't its opening: the exercise whose scene it is.
-constexpr std::pair<int, std::string_view> shown_by[] = {
-    {1, "(1.3)"}, {8, "(8.3)"}, {9, "(9.2)"}, {10, "(10.4)"}, {12, "(12.4)"}};
-
-/// The place of that scene, as one of `starts`.
-std::size_t best_start(const Demo &demo) {
-    for (const auto &[number, exercise] : shown_by)
-        for (std::size_t i = 0; i < demo.starts.size(); ++i)
-            if (demo.section.number() == number && contains(demo.starts[i], exercise)) return i;
-    return 0;
-}
-
 /// The picture of the section's best scene; "" if there is none.
 std::string picture_of(const std::vector<Demo> &all, int number) {
     const auto demo = std::ranges::find_if(all, [&](const Demo &d) { return d.section.number() == number; });
-    return demo == all.end() || demo->about.empty() ? "" : demo_picture_file(demo->section, best_start(*demo));
+    return demo == all.end() || demo->about.empty() ? "" : demo_picture_file(*demo, demo->mark);
 }
 
 /// "Where will it land?", from "# 4 Where will it land?"; the title in the contents, if a chapter has no such line.
@@ -92,13 +80,6 @@ Card card_of(const Workspace &workspace, const Entry &entry, const std::vector<D
             .foot = "<span>" + escaped(entry.title)
                     + (entry.minutes.empty() ? "" : ", " + escaped(entry.minutes) + "&nbsp;minutes")
                     + "</span> <span data-progress=\"" + number + "\"></span>"};
-}
-
-/// The first place in the chapter that begins with its best scene.
-DemoMark best_mark(const Workspace &workspace, const Demo &demo) {
-    const std::vector<DemoMark> marks = demo_marks(read_file(workspace.chapter(demo.section)));
-    const auto best = std::ranges::find(marks, demo.starts[best_start(demo)], &DemoMark::start);
-    return best == marks.end() ? demo.mark : *best;
 }
 
 std::string sections_of(const Workspace &workspace, const std::vector<Entry> &entries) {
@@ -135,7 +116,7 @@ std::string play_page(const Workspace &workspace) {
         const std::string number = demo.section.short_number();
         const std::string title = row == rows.end() ? demo.section.slug() : row->title;
         const std::string words = number + ' ' + title;
-        const DemoMark best = best_mark(workspace, demo);
+        const DemoMark &best = demo.mark;
         demos += "\n## " + words + "\n\n<!-- demo: " + best.name + (best.start.empty() ? "" : ", " + best.start) + " | "
                  + best.task + " -->\n\nIts code is yours to write in [section " + number + "](chapters/"
                  + demo.section.name + "/README.md)"
