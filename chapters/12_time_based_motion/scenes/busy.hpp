@@ -29,7 +29,7 @@ struct Busy : Scene {
     double cost_ms() const { return untouched ? 5 - 2.5 * std::cos(2.4 * time) : double(cost); }
     View view() const override { return {{-5, -2.6}, {5, 3.025}, Stage::night}; }
     void step(double dt) override {
-        time += dt;
+        if ((time += dt) > 3600) begin(); // a page that's left open: game time has a limit, too
         for (int i = 0; i < 2; ++i) {
             Machine &machine = machines[i];
             if (!machine.game.jobs.empty()) machine.game.jobs[0].cost = cost_ms() / 1000;
