@@ -1,12 +1,6 @@
 #pragma once
-// A demo: a small world that a reader may touch. Values in, values out: no clock, no random device, no printing.
-// chapters/NN_slug/demo.cpp has, in namespace play:
-//     const demo::About about{...};                              what the page must know before it begins
-//     const demo::Still still{...};                              the moment of its still picture
-//     State begin();                                             the world at the start, and after a reset
-//     State next(State, const demo::Input &);                    one frame later
-//     demo::Picture draw(const State &, const demo::Input &);    what is seen
-// Whatever it asks of its section's functions is answered by ours or by yours: the page lets the reader choose.
+// What a demo and the page that shows it tell each other: its controls, what the reader does, and what is seen. Scenes are
+// written with scene.hpp.
 #include "course.hpp"
 
 #include <algorithm>
@@ -59,13 +53,6 @@ struct About {
     std::vector<Key> keys;
 };
 
-/// When the picture is taken that stands for the demo on paper, on a forge and in a browser without JavaScript.
-struct Still {
-    double time;                               ///< after the start [s]
-    std::string_view key{};                    ///< one of the demo's own, pressed at the start
-    std::vector<std::string_view> only_with{}; ///< as a Control's: only there it's pressed
-};
-
 /// What somebody does in one frame.
 struct Input {
     double dt{};                     ///< since the frame before [s], at most 0.1; 0 while the demo is paused
@@ -83,9 +70,6 @@ struct Input {
         throw std::invalid_argument{"there is no control " + std::string{name}};
     }
 };
-
-/// The moment of a demo that has one for all of its games.
-inline Still moment(const Still &still, const Input &) { return still; }
 
 /// How many steps of `length` seconds this frame takes; the time that is left over waits in `spare` for the next.
 inline int steps_due(double &spare, const Input &in, double length) {
@@ -120,7 +104,7 @@ struct Picture {
     std::vector<Shape> shapes{};
     std::vector<Readout> readouts{};
     Stage stage{Stage::paper};
-    Vec2 low{0, 0}, high{0, 0}; ///< the part of the world that's seen in this mode [m]; if they're the same: About's
+    Vec2 low{0, 0}, high{0, 0}; ///< the part of the world that's seen [m]
     double ground{0};           ///< how high a yard's ground is [m]
 };
 } // namespace demo

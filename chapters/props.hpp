@@ -7,6 +7,19 @@ namespace demo {
 /// A quarter turn anticlockwise.
 inline Vec2 turned(const Vec2 &v) { return {-v.y(), v.x()}; }
 
+inline double direction_of(const Vec2 &v) { return std::atan2(v.y(), v.x()); }
+/// From one direction to another [rad], positive if that's anticlockwise.
+inline double turn(const Vec2 &from, const Vec2 &to) {
+    return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+}
+/// What lies between two directions.
+inline void draw_angle(Canvas &canvas, const Vec2 &at, double radius, const Vec2 &from, const Vec2 &to,
+                       Colour colour = Colour::amber) {
+    const double first = direction_of(from), last = first + turn(from, to);
+    canvas.area(sector(at, radius, first, last), colour).strength = 0.5;
+    canvas.line(arc(at, radius, first, last), colour, 3);
+}
+
 /// A gun on a wheel, 8 m long.
 /// @param direction  of the barrel, a unit vector
 inline void cannon(Canvas &canvas, const Vec2 &muzzle, const Vec2 &direction) {
@@ -74,4 +87,18 @@ inline void ship(Canvas &canvas, const Vec2 &at, const Vec2 &ahead, double size,
                 colour);
     canvas.ball(spot(0.05, 0), 0.12 * size, Colour::ink);
 }
+
+/// Sparks where a ball has met something.
+struct Knock {
+    Vec2 at{0, 0}, out{0, 1};
+    double age = 9; ///< [s]
+
+    void draw(Canvas &canvas) const {
+        if (age > 0.35) return;
+        std::vector<Spark> all{{at, 0.35, 0.7 - 2 * age}};
+        for (int i = -2; i <= 2; ++i)
+            all.push_back({at + 4 * age * (out + 0.6 * i * turned(out)), 0.13, 1 - age / 0.35});
+        canvas.sparks(all, Colour::amber);
+    }
+};
 } // namespace demo

@@ -36,7 +36,9 @@ class Scenes {
 
     std::size_t chosen(const Input &in) const { return entries.size() > 1 ? std::size_t(in["The game"]) : 0; }
     std::unique_ptr<Scene> make(std::size_t number) const { return entries[number].make(); }
-    friend Still moment(const Scenes &scenes, const Input &in) { return {scenes.make(scenes.chosen(in))->still_time}; }
+    /// When the picture is taken that stands for a demo on paper, on a forge and in a browser without JavaScript: after the
+    /// start [s].
+    double still_time(const Input &in) const { return make(chosen(in))->still_time; }
 
   private:
     template <class T> static void merge(std::vector<T> &all, T one, std::string_view T::*name,

@@ -302,8 +302,5 @@
     pen.fillStyle = colour;
     if (marked) pen.beginPath(), pen.arc(x, y, 4, 0, 7), pen.fill();
   }
-  // Where a hand helps that isn't the reader's: a pale finger, of so many pixels.
-  const finger = (at, { scale }, radius = 10, strength = 0.3) => ({ kind: 'discs', colour: 'ink', size: radius / scale, strength, points: [at], text: '', material: 'flat' });
-
-  globalThis.demoPicture = { colours, paints, grounds, outlines, reader, aboutOf, frameOf, viewOf, draw, finger };
+  globalThis.demoPicture = { colours, paints, grounds, outlines, reader, aboutOf, frameOf, viewOf, draw };
 })();

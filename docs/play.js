@@ -1,12 +1,9 @@
 // Demos: each <figure class="play" data-demo="07_segment_intersection"> becomes a picture that one can play with.
-// Its world is C++, compiled to WebAssembly: ours, or the reader's. This file shows it, and tells it what the reader does; docs/draw.js draws,
-// and docs/hands.js plays until the reader does.
+// Its world is C++, compiled to WebAssembly: ours, or the reader's. This file shows it, and tells it what the reader does; docs/draw.js draws.
 (function () {
   'use strict';
-  const { colours, reader, aboutOf, frameOf, viewOf, finger } = demoPicture;
+  const { colours, reader, aboutOf, frameOf, viewOf } = demoPicture;
   const branches = 3e7; // in one frame, about a tenth of a second: more counts as an endless loop
-  const beat = 1 / 64; // of a hand that helps [s]
-  const film = 250; // how many of them it plays, before it starts again
   const glow = 0.3; // of a lamp, after its function was called [s]
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   const playable = (self.playable ??= {});
@@ -151,8 +148,6 @@
     let world, about, picture, running = !still.matches, visible = false, failed = false, last = 0, waiting = false, starts = 0;
     const broken = new Set(figure.dataset.bug ? [figure.dataset.bug] : []); // functions that have a bug here
     let whose = 'mine' in figure.dataset && (mine() || trouble()) ? 'yours' : 'ours';
-    const helps = demoHands[name]?.[figure.dataset.start ?? ''];
-    let ghost = helps && !still.matches ? 0 : null; // how many beats it has played, until the reader does
     const hand = { x: 0, y: 0, inside: false, pressed: false, down: false, handle: -1, chosen: -1, key: -1 };
     const canvas = make('canvas', { tabIndex: 0 }), pen = canvas.getContext('2d');
     canvas.setAttribute('role', 'img');
@@ -208,7 +203,6 @@
       if (start !== starts) return; // another one has overtaken this one
       world = fresh;
       letGo();
-      if (ghost !== null) ghost = 0;
       attempt(() => (world.initialize(), (about = world.begin())));
       if (!about) return;
       if (keys.childElementCount === 0) describe();
@@ -390,45 +384,14 @@
       if (answers.textContent !== told) answers.textContent = told;
     }
 
-    // A hand that helps: it plays beat by beat, so that each time it comes out the same, and hands over to the reader.
     function letGo() {
       Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false, down: false });
-      delete hand.ghost;
-    }
-    function beginAgain() {
-      ghost &&= 0;
-      spare = 0;
-      attempt(() => world.begin());
     }
     function turn(i, value) {
       values[i] = value;
       dials[i]?.(value);
       attempt(() => world?.control(i, value));
     }
-    let spare = 0; // of the time it has had [s]
-    function haunt(dt) {
-      let seen = null;
-      if (!world) return;
-      for (spare += Math.min(dt, 0.1); spare >= beat && !failed; spare -= beat) {
-        if (ghost === film) beginAgain();
-        const { at, handle = -1, press: pressed } = helps(ghost++ * beat);
-        Object.assign(hand, { x: at?.[0] ?? 0, y: at?.[1] ?? 0, inside: Boolean(at), down: handle >= 0, handle, ghost: at, key: about.keys.findIndex(({ key }) => key === pressed) });
-        seen = advance(beat) ?? seen;
-      }
-      if (seen && !failed) show(seen);
-    }
-    // Whoever grabs a handle goes on from there; all others begin anew.
-    function takeOver(event) {
-      if (ghost === null) return;
-      ghost = null;
-      if (!world || failed) return;
-      const grabs = event.type === 'pointerdown' && event.target === canvas && near(event).handle >= 0;
-      letGo();
-      if (!grabs) beginAgain();
-      frame(0);
-    }
-    for (const kind of ['pointerdown', 'keydown', 'focusin']) figure.addEventListener(kind, takeOver, true);
-
     const view = () => viewOf(picture, canvas.clientWidth);
     let palettes = null, font; // as the page's style says, looked up when that may have changed
     function look() {
@@ -449,8 +412,7 @@
       if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
       pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
       pen.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
-      const seen = hand.ghost ? { ...picture, shapes: [...picture.shapes, finger(hand.ghost, view(), 13, 0.45)] } : picture;
-      demoPicture.draw(pen, seen, view(), palettes, {
+      demoPicture.draw(pen, picture, view(), palettes, {
         font,
         strength: failed ? 0.35 : 1,
         held: (index) => index === hand.handle || index === hand.chosen,
@@ -474,7 +436,7 @@
       waiting = false;
       if (!running || failed || !visible) return (last = 0);
       const dt = last ? Math.max(0, now - last) / 1000 : 0;
-      ghost === null ? frame(dt) : haunt(dt);
+      frame(dt);
       last = now;
       run(true);
     }
@@ -505,7 +467,7 @@
       rest();
     });
     canvas.addEventListener('pointermove', (event) => {
-      if (!picture || ghost !== null) return;
+      if (!picture) return;
       const { x, y, handle: nearest } = near(event);
       Object.assign(hand, { x, y, inside: event.pointerType === 'mouse' || event.buttons > 0 });
       canvas.style.cursor = hand.handle >= 0 ? 'grabbing' : nearest >= 0 ? 'grab' : '';

@@ -14,4 +14,3 @@ namespace play {
 const Scenes scenes = demo::scenes<Opening, Speeds, Across, Chase, Breaks, Three, Plate, Sightings>(
     "A helicopter crosses the screen at a constant velocity. A missile behind it gets faster.");
 } // namespace play
-#include "../play.hpp"

@@ -13,4 +13,3 @@ namespace play {
 const Scenes scenes = demo::scenes<Opening, Ropes, Point, Rubber, Clay, Walls, Cradle>(
     "Carts on a straight rail, or balls on strings, which collide.");
 } // namespace play
-#include "../play.hpp"

@@ -14,4 +14,3 @@ namespace play {
 const Scenes scenes = demo::scenes<Opening, Hole, Falling, Landing, Circles, Softened, FourIntegrators, Kepler>(
     "Falling, and falling around.");
 } // namespace play
-#include "../play.hpp"

@@ -14,4 +14,3 @@ namespace play {
 const Scenes scenes = demo::scenes<Opening, Flies, Lands, Ranges, Apexes, Dots, Aims, Loops>(
     "A cannon among hills, and where its shells land.");
 } // namespace play
-#include "../play.hpp"

@@ -14,4 +14,3 @@ namespace play {
 const Scenes scenes = demo::scenes<Opening, Slows, Stops, Presses, Slides, Critical, Hockey, Slips>(
     "A box on a board, a glass on a bar, and a block on a spring.");
 } // namespace play
-#include "../play.hpp"

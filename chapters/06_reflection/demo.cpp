@@ -13,4 +13,3 @@ namespace play {
 const Scenes scenes = demo::scenes<Opening, OnScreen, OffWall, Ends, Rough, Crooked, Pool>(
     "A ball on a screen, a wall that you turn, and a pool table.");
 } // namespace play
-#include "../play.hpp"

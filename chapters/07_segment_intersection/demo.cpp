@@ -12,4 +12,3 @@ namespace play {
 const Scenes scenes =
     demo::scenes<Opening, Dots, Once, Common, Race, Disc>("A ball in a room with seven walls, which you throw.");
 } // namespace play
-#include "../play.hpp"

@@ -14,4 +14,3 @@ namespace play {
 const Scenes scenes =
     demo::scenes<Opening, Draws, DiggerScene, Beast, Cab, Arrows, Carry, Wall>("Arms, and where their hands are.");
 } // namespace play
-#include "../play.hpp"

@@ -14,4 +14,3 @@ namespace play {
 const Scenes scenes =
     demo::scenes<Opening, Eyes, Both, Ring, Apples, Around, Tentacle, Letter>("Arms that find their angles.");
 } // namespace play
-#include "../play.hpp"

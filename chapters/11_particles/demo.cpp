@@ -13,4 +13,3 @@
 namespace play {
 const Scenes scenes = demo::scenes<Opening, Colours, Three, Ring, Disc, Rate, Walls, Gaps>("Fireworks over a town.");
 } // namespace play
-#include "../play.hpp"

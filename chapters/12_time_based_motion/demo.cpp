@@ -14,4 +14,3 @@ namespace play {
 const Scenes scenes = demo::scenes<Opening, Three, Sleeping, Whole, Running, TwoCameras, Busy, Friends>(
     "The same game on screens that are fast and slow.");
 } // namespace play
-#include "../play.hpp"

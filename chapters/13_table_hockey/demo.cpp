@@ -9,4 +9,3 @@ namespace play {
 const Scenes scenes =
     demo::scenes<Opening, Friends, Machines>("A table with a disc, and two arms with mallets that play for goals.");
 } // namespace play
-#include "../play.hpp"

@@ -1,13 +1,10 @@
-// What is seen at the places of a demo: each is played as its film is, by the hand that helps there, if there is one.
+// What is seen at the places of a demo, played as its film is.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
-import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import '../../docs/hands.js';
 import { aboutOf, frameOf, line, printedRow, reader } from './rows.mjs';
 
 const beats = 250; // of 1/64 s: a film
-const hands = globalThis.demoHands;
 
 /// How the places of this section's chapter start its demo, in their order.
 export function placesOf(section) {
@@ -18,12 +15,10 @@ export function placesOf(section) {
 /// The pictures of a place's film; then, if `answer` is one of its demo's keys, those of a second more after it's pressed.
 export function film(program, start, answer) {
   const run = (words, input) => execFileSync(program, words, { input, maxBuffer: 1 << 30 }).toString().trim().split('\n').map(printedRow);
-  const [described, [, key, ...values]] = run(['--picture', start], ''), about = aboutOf(reader(described));
-  const helps = hands[path.basename(program)]?.[start], keyOf = (name) => about.keys.findIndex((each) => each.key === name);
+  const [described, [, ...values]] = run(['--picture', start], ''), about = aboutOf(reader(described));
   const lines = Array.from({ length: beats + (answer ? 64 : 0) }, (_, i) => {
-    const { at, handle = -1, press = i === beats ? answer : undefined, ...chosen } = helps && i < beats ? helps(i / 64) : {};
-    const pressed = i === 0 && key >= 0 ? key : keyOf(press);
-    return `${line([1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle >= 0 ? 1 : 0, handle, pressed], about.controls.map(({ name }, k) => chosen[name] ?? values[k]))}\n`;
+    const key = i === beats ? about.keys.findIndex((each) => each.key === answer) : -1;
+    return `${line([1 / 64, 0, 0, 0, 0, 0, 0, -1, key], values)}\n`;
   });
   return run([], lines.join('')).map((row) => frameOf(reader(row)));
 }

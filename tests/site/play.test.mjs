@@ -171,11 +171,13 @@ describe('a demo', { concurrency: 2 }, () => {
   });
 });
 
-describe('a ghost plays where nothing moves without a player', { concurrency: 2 }, () => {
+describe('a scene plays by itself', { concurrency: 2 }, () => {
   const takes = {
     'a click on an empty place': (demo) => demo.canvas.click({ position: { x: 12, y: 60 } }),
-    'a key': async (demo) => (await demo.canvas.focus(), demo.page.keyboard.press('h')),
-    'the focus': (demo) => demo.figure.locator('summary').focus(),
+    'an arrow key, which moves a handle': async (demo) => {
+      await demo.canvas.focus();
+      for (const key of ['h', 'ArrowUp']) await demo.page.keyboard.press(key);
+    },
   };
   for (const [what, take] of Object.entries(takes))
     test(`until there is ${what}`, async (t) => {
@@ -185,30 +187,6 @@ describe('a ghost plays where nothing moves without a player', { concurrency: 2 
       await demo.wait(100);
       assert.equal(await demo.moves(1000), false, 'it is the reader who plays now');
     });
-
-  test('and a reader who grabs what the ghost moved goes on from there', async (t) => {
-    const demo = await inChapter(t, eight, 'The game: pushed apart (8.5)');
-    await demo.wait(1500);
-    await demo.button('Step').click();
-    assert.equal(await demo.moves(500), false);
-  });
-
-  test('in the opening it wonders for the length of its film, and never shows the answer', async (t) => {
-    const demo = await inChapter(t, eight, '');
-    await demo.figure.evaluate((it) => new MutationObserver(() => it.querySelector('dl').childElementCount && (it.dataset.told = '')).observe(it.querySelector('dl'), { childList: true }));
-    await demo.wait(4500);
-    assert.ok(await demo.moves(2000));
-    assert.equal(await demo.figure.getAttribute('data-told'), null);
-    await demo.button('Roll').click();
-    assert.ok((await demo.read('A off by')) > 0);
-  });
-
-  test('but not for readers who want less motion', async (t) => {
-    const demo = await inChapter(t, eight, '', { reducedMotion: 'reduce' });
-    assert.equal(await demo.moves(1000), false);
-    await demo.button('Play').click();
-    assert.equal(await demo.moves(1000), false, 'they are asked to play, not to watch');
-  });
 });
 
 describe('a place is for one game', { concurrency: 2 }, () => {

@@ -7,8 +7,8 @@
 //   stills.cjs --check PROGRAM NAME START...  only says what would
 'use strict';
 const { execFileSync } = require('node:child_process'), fs = require('node:fs'), path = require('node:path');
-require('../../docs/draw.js'), require('../../docs/hands.js');
-const { reader, aboutOf, frameOf, viewOf, draw, finger } = globalThis.demoPicture, hands = globalThis.demoHands;
+require('../../docs/draw.js');
+const { reader, aboutOf, frameOf, viewOf, draw } = globalThis.demoPicture;
 const root = path.join(__dirname, '../..'), width = 640; // [px]
 const most = 90 * 1024; // what a picture may weigh [bytes]
 
@@ -251,20 +251,15 @@ function showTheSame(one, other) {
   return one.replace(number, '') === other.replace(number, '') && these.every((x, i) => Math.abs(x - those[i]) < 0.11);
 }
 
-// What a demo's own program plays from this start: up to its picture, and on. Where a hand has to help, it does from the
-// picture on, and the film begins there; elsewhere it has the time before, too.
+// What a demo's own program plays from this start: up to its picture, and on.
 function play(program, start) {
   const run = (words, input) => execFileSync(program, words, { input, timeout: 60000, encoding: 'utf8', stdio: 'pipe', maxBuffer: 1 << 30 }).trim().split('\n').map((row) => row.split(' ').map(Number));
-  const [described, [time, key, ...values]] = run(['--picture', start], ''), about = aboutOf(reader(described));
-  const helps = hands[path.basename(program)]?.[start], hand = helps?.onPageOnly ? undefined : helps, taken = Math.ceil(64 * time);
-  const doings = Array.from({ length: taken + 256 }, (_, i) => (hand && i >= taken ? hand((i - taken) / 64) : {}));
-  const lines = doings.map(({ at, handle = -1, press }, i) => [1 / 64, 0, ...(at ?? [0, 0]), at ? 1 : 0, 0, handle >= 0 ? 1 : 0, handle,
-    i === 0 ? key : about.keys.findIndex((each) => each.key === press), ...values].join(' '));
-  const shown = run([], `${lines.join('\n')}\n`).map((row) => frameOf(reader(row)));
-  shown.forEach((picture, i) => doings[i].at && picture.shapes.push(finger(doings[i].at, viewOf(picture, width))));
+  const [described, [time, ...values]] = run(['--picture', start], ''), about = aboutOf(reader(described));
+  const taken = Math.ceil(64 * time), frame = [1 / 64, 0, 0, 0, 0, 0, 0, -1, -1, ...values].join(' ');
+  const shown = run([], `${frame}\n`.repeat(taken + 256)).map((row) => frameOf(reader(row)));
   let picture;
   for (const film of films) {
-    const [count, each] = film, before = hand ? 0 : Math.min(Math.floor((taken - 1) / each), count - 1);
+    const [count, each] = film, before = Math.min(Math.floor((taken - 1) / each), count - 1);
     const pictures = Array.from({ length: count }, (_, i) => shown[taken - 1 + each * (i - before)]);
     picture = filmOf(about, pictures, before, film);
     if (picture.length <= most) break;

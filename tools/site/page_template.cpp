@@ -138,7 +138,7 @@ class Surroundings {
                 scripts += "<script src=\"" + demo_file(section) + "\"></script>\n";
         return scripts.empty() ? ""
                                : scripts
-                                     + "<script src=\"draw.js\"></script>\n<script src=\"hands.js\"></script>\n"
+                                     + "<script src=\"draw.js\"></script>\n"
                                        "<script src=\"play.js\"></script>\n";
     }
 

@@ -10,19 +10,6 @@ using namespace reflection;
 
 constexpr double speed = 5; ///< of each ball [m/s]
 
-inline double direction_of(const Vec2 &v) { return std::atan2(v.y(), v.x()); }
-/// From one direction to another [rad], positive if that's anticlockwise.
-inline double turn(const Vec2 &from, const Vec2 &to) {
-    return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
-}
-/// What lies between two directions.
-inline void draw_angle(Canvas &canvas, const Vec2 &at, double radius, const Vec2 &from, const Vec2 &to,
-                       Colour colour = Colour::amber) {
-    const double first = direction_of(from), last = first + turn(from, to);
-    canvas.area(sector(at, radius, first, last), colour).strength = 0.5;
-    canvas.line(arc(at, radius, first, last), colour, 3);
-}
-
 /// A white ball with a stripe, which turns as the ball rolls: it has come so far [m].
 inline void rolling_ball(Canvas &canvas, const Vec2 &at, double radius, const Vec2 &velocity, double way) {
     canvas.ball(at, radius, Colour::ink);
@@ -46,20 +33,6 @@ inline void draw_wall(Canvas &canvas, const Vec2 &start, const Vec2 &end) {
     for (double x = 0.5; x < (end - start).norm(); x += 1.2) inlays.push_back(start + x * along - 0.7 * out);
     canvas.dots(std::move(inlays), 0.09, Colour::amber);
 }
-
-/// Sparks where a ball has met something.
-struct Knock {
-    Vec2 at{0, 0}, out{0, 1};
-    double age = 9; ///< [s]
-
-    void draw(Canvas &canvas) const {
-        if (age > 0.35) return;
-        std::vector<Spark> all{{at, 0.35, 0.7 - 2 * age}};
-        for (int i = -2; i <= 2; ++i)
-            all.push_back({at + 4 * age * (out + 0.6 * i * turned(out)), 0.13, 1 - age / 0.35});
-        canvas.sparks(all, Colour::amber);
-    }
-};
 
 /// A ball comes from above to a wall through the origin, again and again, and waits while the reader's hand is down.
 struct ThrowScene : Scene {

@@ -9,10 +9,6 @@ namespace play {
 using namespace demo;
 using namespace forward_kinematics;
 
-/// From one direction to another, the shorter way [rad].
-inline double turn(const Vec2 &from, const Vec2 &to) {
-    return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
-}
 /// How far a film is at this time, softly from 0 to 1 [s].
 inline double eased(double time, double from, double to) {
     return 0.5 - 0.5 * std::cos(std::numbers::pi * std::clamp((time - from) / (to - from), 0.0, 1.0));

@@ -1,14 +1,15 @@
 #pragma once
-// A demo and what surrounds it, wherever it runs: its state, and a frame of it as a row of numbers.
+// A demo, which is `const demo::Scenes scenes` in namespace play, wherever it runs: its state, and a frame of it as a row of
+// numbers. No clock, no random device, no printing.
 #include "scenes.hpp"
 
 #include DEMO
 
-#include <utility>
 #include <vector>
 
 namespace host {
-inline play::State now;
+const demo::About about = play::scenes.about();
+inline demo::Player now;
 inline demo::Input in;
 inline std::vector<double> row;
 
@@ -29,25 +30,24 @@ inline void put_texts(const std::vector<std::string_view> &texts) {
 
 inline void begin() {
     in = {};
-    in.controls = play::about.controls;
-    now = play::begin();
+    in.controls = about.controls;
+    now = demo::Player{play::scenes};
     row.clear();
-    put(play::about.title), put(play::about.low), put(play::about.high);
-    put_all(play::about.controls, [](const demo::Control &c) {
+    put(about.title), put(about.low), put(about.high);
+    put_all(about.controls, [](const demo::Control &c) {
         put(c.name), put(c.unit), put(c.low), put(c.high), put(c.step), put(c.value);
         put_texts(c.options), put_texts(c.only_with);
     });
-    put_all(play::about.keys, [](const demo::Key &key) { put(key.key), put(key.meaning), put_texts(key.only_with); });
+    put_all(about.keys, [](const demo::Key &key) { put(key.key), put(key.meaning), put_texts(key.only_with); });
 }
 
 inline void frame() {
-    now = play::next(std::move(now), in);
+    now.next(in);
     in.pressed = in.one_step = false, in.key = {};
-    const demo::Picture seen = play::draw(now, in);
-    const bool has_bounds = (seen.high - seen.low).norm() > 0;
+    const demo::Picture seen = now.draw();
     row.clear();
     put(double(seen.stage)), put(seen.ground);
-    put(has_bounds ? seen.low : play::about.low), put(has_bounds ? seen.high : play::about.high);
+    put(seen.low), put(seen.high);
     put_all(seen.shapes, [](const demo::Shape &shape) {
         put(double(shape.kind)), put(double(shape.colour)), put(shape.size), put(shape.strength);
         put_all(shape.points, [](const demo::Vec2 &point) { put(point); });
@@ -59,5 +59,5 @@ inline void frame() {
     });
 }
 
-inline std::string_view key(int number) { return number < 0 ? "" : play::about.keys[std::size_t(number)].key; }
+inline std::string_view key(int number) { return number < 0 ? "" : about.keys[std::size_t(number)].key; }
 } // namespace host

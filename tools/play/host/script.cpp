@@ -1,7 +1,7 @@
 // A demo without a page. It reads one line of input for each frame, and writes the frame's numbers, to the last bit; or,
-// as `NN_slug --picture "wind: 2"`, writes what it is about, and what the lines of a player begin with who has this
-// control so and wants to get to the moment of its still picture; or, as `NN_slug --wild 36000`, plays every game by a
-// wild hand for so many frames; or, as `NN_slug --alone 36000`, leaves each alone.
+// as `NN_slug --picture "wind: 2"`, writes what it is about, and then, for who has this control so, the moment of its still
+// picture and all controls; or, as `NN_slug --wild 36000`, plays every game by a wild hand for so many frames; or, as
+// `NN_slug --alone 36000`, leaves each alone.
 #include "interface.hpp"
 
 #undef COURSE_EXERCISE // here the section's exercises are called through the border, in checked.cpp
@@ -48,14 +48,10 @@ void begin_with(std::string_view settings) {
     }
 }
 
-/// What there is, then the moment of its picture, the key that is pressed at the start, and the controls as they are.
+/// What there is, then the moment of its picture, and the controls as they are.
 void tell() {
     print_row();
-    const demo::Still still = moment(play::still, host::in);
-    const auto &keys = play::about.keys;
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const auto &k) { return k.key == still.key; });
-    const bool pressed = key != keys.end() && host::counts(still.only_with);
-    host::row = {still.time, pressed ? double(key - keys.begin()) : -1};
+    host::row = {play::scenes.still_time(host::in)};
     for (const demo::Control &control : host::in.controls) host::row.push_back(control.value);
     print_row();
 }
@@ -79,9 +75,9 @@ constexpr unsigned seed = 7;
 
 /// Every game anew, as the first choice has them. Whether all go on to the end; of one that doesn't it prints why.
 bool play_all(bool alone, int frames) {
-    const auto &controls = play::about.controls;
+    const auto &controls = host::about.controls;
     const std::vector<std::string_view> games =
-        controls.empty() || controls[0].options.empty() ? std::vector{play::about.title} : controls[0].options;
+        controls.empty() || controls[0].options.empty() ? std::vector{host::about.title} : controls[0].options;
     bool good = true;
     for (std::size_t game = 0; game < games.size(); ++game) {
         host::begin();

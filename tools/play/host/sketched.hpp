@@ -5,4 +5,3 @@
 namespace play {
 const demo::Scenes scenes = sketched_scenes();
 }
-#include "play.hpp"

@@ -23,7 +23,7 @@ inline bool counts(const std::vector<std::string_view> &only_with) {
 /// How many handles there are to take hold of.
 inline int handles() {
     int count = 0;
-    for (const demo::Shape &shape : play::draw(now, in).shapes)
+    for (const demo::Shape &shape : now.draw().shapes)
         if (shape.kind == demo::Shape::handle) count += int(shape.points.size());
     return count;
 }
@@ -60,7 +60,7 @@ class WildHand {
 
     /// Up to 12 pictures away, as far as a large screen reaches around a small one; or exactly at an edge.
     demo::Vec2 anywhere() {
-        const demo::Vec2 low = play::about.low, size = play::about.high - low;
+        const demo::Vec2 low = about.low, size = about.high - low;
         const double far = chance() < 0.3 ? 12 : chance() < 0.5 ? 1 : 0;
         const auto part = [&] { return chance() < 0.1 ? any(2) : (2 * far + 1) * chance() - far; };
         const double across = part(), up = part();
@@ -88,9 +88,8 @@ class WildHand {
         in.pressed = in.inside && chance() < 0.1;
         in.down = in.handle >= 0 || in.pressed || (in.down && chance() < 0.9);
         in.key = {};
-        if (!play::about.keys.empty() && chance() < 0.1)
-            if (const demo::Key &key = play::about.keys[std::size_t(any(play::about.keys.size()))];
-                counts(key.only_with))
+        if (!about.keys.empty() && chance() < 0.1)
+            if (const demo::Key &key = about.keys[std::size_t(any(about.keys.size()))]; counts(key.only_with))
                 in.key = key.key;
         in.one_step = chance() < 0.02;
         in.dt = in.one_step || chance() < 0.05 ? 0 : chance() < 0.1 ? 0.1 : chance() < 0.5 ? 1 / 60.0 : 1 / 144.0;
@@ -103,7 +102,7 @@ inline void leave_alone(double game, int frames) {
     in.dt = 0.1;
     for (int i = 0; i < frames; ++i) {
         if (i % 1000 != 0) {
-            now = play::next(std::move(now), in);
+            now.next(in);
             continue;
         }
         frame();
