@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { browser, open, site, wrong } from './browser.mjs';
+import { browser, open, root, site, wrong } from './browser.mjs';
 import { demoOn, openDemo, room, said, seven, wrongFiles } from './demo.mjs';
 
 const four = '04_trajectories', eight = '08_nt_collisions', nine = '09_forward_kinematics', eleven = '11_particles', first = '01_motion';
@@ -353,4 +353,36 @@ describe('your code in the page', { concurrency: 2, skip: !fs.existsSync(wrong) 
       await demo.wait(300);
       assert.equal(await demo.said(), '');
     });
+});
+
+describe('the gallery', { concurrency: 2 }, () => {
+  for (const name of fs.readdirSync(path.join(root, 'docs/gallery')).map((file) => file.replace('.cpp', '')))
+    test(`${name} plays by itself, and its few lines are below it`, async (t) => {
+      const demo = await openDemo(t, `sketch_${name}`), code = demo.figure.locator('+ details');
+      assert.ok(await demo.moves(2000));
+      const [, lines] = /^(\d+) lines of code$/.exec(await code.locator('summary').textContent());
+      assert.ok(lines <= 60, `${lines} lines`);
+      await code.locator('summary').click();
+      assert.match(await code.locator('pre').innerText(), /^#include "sketch.hpp"$[^]*^SKETCH\(/m);
+    });
+});
+
+test('a line that is taken away from the front page\'s code changes what its balls do, until it is back', async (t) => {
+  const { page, troubles } = await open(t, 'index.html', { reducedMotion: 'reduce' });
+  const demo = await demoOn(page, eight), lever = page.getByLabel('Take the marked line away');
+  const after = async () => {
+    await demo.button('Roll').click();
+    for (let i = 0; i < 80; i++) await demo.button('Step').click();
+    return demo.picture();
+  };
+  const rolled = await after();
+  await lever.check();
+  await demo.wait(200);
+  const without = await after();
+  assert.notEqual(without, rolled);
+  assert.match(await page.locator('.behind .taken').evaluate((it) => getComputedStyle(it).textDecorationLine), /line-through/);
+  await lever.uncheck();
+  await demo.wait(200);
+  assert.equal(await after(), rolled);
+  assert.deepEqual(troubles, []);
 });

@@ -110,12 +110,25 @@ describe('a sketch', { concurrency: 1, skip }, () => {
     }
   });
 
-  test('begins with a scene of the book, the first and the last of each chapter', (t) => {
+  test('begins with a scene of the book, the first and the last of each chapter', () => {
     for (const section of fs.readdirSync(path.join(root, 'chapters')).filter((each) => fs.existsSync(path.join(root, 'chapters', each, 'scenes'))))
       for (const scene of fs.readdirSync(path.join(root, 'chapters', section, 'scenes')).filter((each) => fs.readFileSync(path.join(root, 'chapters', section, 'scenes', each), 'utf8').includes('string_view name')).filter((_, i, all) => i === 0 || i === all.length - 1)) {
         forget();
         const made = sketch('--from', `${parseInt(section, 10)}/${scene.replace('.hpp', '')}`);
         assert.equal(made.status, 0, `${section}/${scene}: ${made.stdout}${made.stderr}`);
       }
+  });
+
+  test('begins with one of the gallery, and is in the list', () => {
+    const all = fs.readdirSync(path.join(root, 'docs/gallery')).map((each) => each.replace('.cpp', ''));
+    for (const each of [all[0], all.at(-1)]) {
+      forget();
+      const made = sketch('--from', each);
+      assert.equal(made.status, 0, `${each}: ${made.stdout}${made.stderr}`);
+    }
+    const listed = spawnSync(path.join(root, 'course'), ['list'], { encoding: 'utf8' });
+    assert.match(listed.stdout, new RegExp(`^./course sketch ${name}$`, 'm'));
+    forget();
+    assert.match(sketch('--from', 'chess').stderr, new RegExp(`a sketch of the gallery: ${all.join(', ')}`));
   });
 });

@@ -377,6 +377,7 @@ TEST_CASE("a bracket too many or missing costs no more than any other slip in it
 }
 
 TEST_CASE("each bracket in each function costs no more than any other slip in it", "[.each-bracket]") {
+    if (sanitized) SKIP("hundreds of checks, which without sanitizers take a tenth of the time");
     for (const Exercise &exercise : catalogue(built_course(), section_five()))
         for (const std::string &slip : slips) check_slip(exercise, slip);
 }
@@ -514,6 +515,7 @@ TEST_CASE("outcomes are the same when they come back from a file, and half a fil
 }
 
 TEST_CASE("a class is graded into the gradebook, and another call judges only what's new") {
+    if (sanitized) SKIP("a quarter of an hour there, and others grade with sanitizers, too");
     static const SmallClass grade;
     static const OwnFolder kept{"a graded class XXXXXX"}; // each section goes on from this
     const fs::path graded = kept.path / "class";
@@ -817,6 +819,7 @@ TEST_CASE("Ctrl-C keeps what's judged, says so, and the same command goes on") {
 }
 
 TEST_CASE("parts that were judged apart join to the same as a whole") {
+    if (sanitized) SKIP("minutes there, and others grade with sanitizers, too");
     const SmallClass grade;
     grade.write_gradebook({"1", "2", "3"});
     grade.hand_in("1", answer_of_ours());

@@ -59,6 +59,7 @@ struct Workspace {
     }
     /// Tests that the student has written, if any.
     std::filesystem::path own_tests(const Section &s) const { return own() / "exercises" / (s.name + "_tests.cpp"); }
+    std::filesystem::path sketches() const { return own() / "exercises" / "sketches"; } ///< a reader's own scenes
     /// The student's file, for reading. @throws UserError that says how to get it back, if the student's file is not there.
     std::filesystem::path written_exercise(const Section &s) const;
     std::filesystem::path stub(const Section &s) const { return tests_folder(s) / "stub.cpp"; }

@@ -26,14 +26,14 @@ constexpr const char *about_publish = R"(
 Copies each drawn figure to plots/*.svg, where the chapters show it, and the trace that it was drawn
 from to plots/*.tsv, with six significant digits. Look at the figures first: ./course plot
 A picture of each demo as it begins at its places is kept in demos/*.svg, and where there is a compiler for WebAssembly, the demo
-itself beside it.
+itself beside it; so are the sketches of docs/gallery.
 
 --check compares the kept traces with what the programs write today. Header, rows and gaps must be
 equal, and each number within one unit of its sixth digit (half of it is the rounding), or within
 1e-12 of the largest in its column (a zero with its rounding errors). It also names a figure that is
 not published, and a published one that has lost its script. The SVGs are not compared: another
 gnuplot draws the same figure in other bytes. A kept demo must be, byte for byte, what its sources
-give, and no more than 65,000 bytes, or 120,000 with PLAYS_YOURS; its picture may differ by a tenth of a pixel.
+give, and no more than 90,000 bytes, or 160,000 with PLAYS_YOURS; its picture may differ by a tenth of a pixel.
 
 --mistakes keeps, for ./course check, what comes out of the mutants whose words begin
 with "you". It takes minutes, so that ./course test --all tells when it's due, and not --check.
@@ -42,56 +42,77 @@ Example: ./course dev publish --check)";
 
 // Demos
 
-/// Builds a target of the section's demo. @return false if it has no demo
-bool build_demo(const Workspace &workspace, const Section &section, const char *target) {
-    if (!fs::exists(workspace.chapter(section).parent_path() / "demo.cpp")) return false;
-    if (const Finished built = build_target(workspace, section.name + target); built.code != 0)
-        throw UserError{"the demo of section " + section.short_number()
-                        + " cannot be compiled: " + first_error(built.out + built.err)};
-    return true;
+/// What a page loads for a demo, at most: the program, packed [bytes]; for one with the functions of many sections, too.
+constexpr std::uintmax_t heaviest_demo = 90000, heaviest_of_many = 160000;
+
+/// A chapter's demo, or a sketch of the gallery: demos/NAME.js, and its pictures.
+struct Shown {
+    std::string name;                ///< "07_segment_intersection", "sketch_pinball"
+    std::string page, program;       ///< targets of the build
+    std::vector<std::string> starts; ///< of its pictures
+    std::uintmax_t heaviest = heaviest_demo;
+
+    std::string file() const { return "demos/" + name + ".js"; }
+    fs::path packed(const Workspace &workspace) const { return workspace.build / "play" / (name + ".js"); }
+};
+
+std::vector<Shown> shown_of(const Workspace &workspace, const std::vector<Section> &sections) {
+    std::vector<Shown> all;
+    for (const Section &section : sections)
+        if (fs::exists(workspace.chapter(section).parent_path() / "demo.cpp"))
+            all.push_back({section.name, section.name + "_play", section.name + "_demo",
+                           demo_starts(demo_marks(read_file(workspace.chapter(section)))),
+                           build_config(workspace, section).plays_yours ? heaviest_of_many : heaviest_demo});
+    if (sections.size() < workspace.sections().size()) return all;
+    for (const fs::path &file : files_in(workspace.root / "docs" / "gallery", ".cpp")) {
+        const std::string name = "sketch_" + file.stem().string();
+        all.push_back({name, name + "_page", name, {""}});
+    }
+    return all;
 }
 
-/// Sections with a compiled demo that is not the one that is kept; none without a compiler for pages.
-std::vector<Section> changed_demos(const Workspace &workspace, const std::vector<Section> &sections) {
-    std::vector<Section> changed;
+void build_shown(const Workspace &workspace, const Shown &one, const std::string &target) {
+    if (const Finished built = build_target(workspace, target); built.code != 0)
+        throw UserError{one.name + " cannot be compiled: " + first_error(built.out + built.err)};
+}
+
+std::string node(const Workspace &workspace) { return build_config(workspace, workspace.sections().front()).node; }
+
+/// Those whose compiled demo is not the one that is kept; none without a compiler for pages.
+std::vector<Shown> changed_demos(const Workspace &workspace, const std::vector<Shown> &all) {
+    std::vector<Shown> changed;
     if (!can_compile_demos(workspace)) return changed;
-    for (const Section &section : sections) {
-        if (!build_demo(workspace, section, "_play")) continue;
-        const fs::path kept = workspace.root / demo_file(section);
+    for (const Shown &one : all) {
+        build_shown(workspace, one, one.page);
+        const fs::path kept = workspace.root / one.file();
         if (!fs::exists(kept)
-            || run({build_config(workspace, section).node, (workspace.root / "tools/play/pack.cjs").string(), "--same",
-                    compiled_demo(workspace, section).string(), kept.string()})
+            || run({node(workspace), (workspace.root / "tools/play/pack.cjs").string(), "--same",
+                    one.packed(workspace).string(), kept.string()})
                        .code
                    != 0)
-            changed.push_back(section);
+            changed.push_back(one);
     }
     return changed;
 }
 
-/// What a page loads for a demo, at most: the program, packed [bytes]; for one with the functions of many sections, too.
-constexpr std::uintmax_t heaviest_demo = 90000, heaviest_of_many = 160000;
-
 /// "" if the kept demo isn't too heavy.
-std::string too_heavy(const Workspace &workspace, const Section &section) {
-    const fs::path kept = workspace.root / demo_file(section);
-    const std::uintmax_t most = build_config(workspace, section).plays_yours ? heaviest_of_many : heaviest_demo;
-    if (!fs::exists(kept) || fs::file_size(kept) <= most) return "";
-    return demo_file(section) + " has " + std::to_string(fs::file_size(kept))
-           + " bytes, and a page waits for each: " + std::to_string(most) + " at most.";
+std::string too_heavy(const Workspace &workspace, const Shown &one) {
+    const fs::path kept = workspace.root / one.file();
+    if (!fs::exists(kept) || fs::file_size(kept) <= one.heaviest) return "";
+    return one.file() + " has " + std::to_string(fs::file_size(kept))
+           + " bytes, and a page waits for each: " + std::to_string(one.heaviest) + " at most.";
 }
 
-/// Keeps the still pictures of the section's demo; a line for each that was not what the demo shows today.
+/// Keeps the still pictures of a demo; a line for each that was not what the demo shows today.
 /// @param how  "--check": it only looks
-std::vector<std::string> draw_demo(const Workspace &workspace, const Section &section, const std::string &how) {
-    if (!build_demo(workspace, section, "_demo")) return {};
-    std::vector<std::string> command{
-        build_config(workspace, section).node, (workspace.root / "tools/play/stills.cjs").string(), how,
-        (workspace.build / "demo" / section.name).string(), (workspace.root / "demos" / section.name).string()};
-    for (const std::string &start : demo_starts(demo_marks(read_file(workspace.chapter(section)))))
-        command.push_back(start);
+std::vector<std::string> draw_demo(const Workspace &workspace, const Shown &one, const std::string &how) {
+    build_shown(workspace, one, one.program);
+    std::vector<std::string> command{node(workspace), (workspace.root / "tools/play/stills.cjs").string(), how,
+                                     (workspace.build / "demo" / one.name).string(),
+                                     (workspace.root / "demos" / one.name).string()};
+    std::ranges::copy(one.starts, std::back_inserter(command));
     const Finished drawn = run(command);
-    if (drawn.code != 0)
-        throw UserError{"the demo of section " + section.short_number() + " cannot be drawn: " + drawn.err};
+    if (drawn.code != 0) throw UserError{one.name + " cannot be drawn: " + drawn.err};
     std::vector<std::string> changed;
     for (const Line &line : split_lines(drawn.out)) changed.emplace_back(line.text);
     return changed;
@@ -102,12 +123,12 @@ void publish_all(const Workspace &workspace, const std::vector<Section> &section
     for (const Section &section : sections) draw_figures(workspace, section);
     for (const Section &section : sections)
         for (const auto &file : publish(workspace, section)) changed.push_back(workspace.relative_name(file));
-    for (const Section &section : changed_demos(workspace, sections)) {
-        write_file(workspace.root / demo_file(section), read_file(compiled_demo(workspace, section)));
-        changed.push_back(demo_file(section));
+    const std::vector<Shown> shown = shown_of(workspace, sections);
+    for (const Shown &one : changed_demos(workspace, shown)) {
+        write_file(workspace.root / one.file(), read_file(one.packed(workspace)));
+        changed.push_back(one.file());
     }
-    for (const Section &section : sections)
-        std::ranges::copy(draw_demo(workspace, section, ""), std::back_inserter(changed));
+    for (const Shown &one : shown) std::ranges::copy(draw_demo(workspace, one, ""), std::back_inserter(changed));
     for (const std::string &file : changed) std::cout << file << '\n';
     if (changed.empty()) std::cout << "What is published is up to date.\n";
 }
@@ -134,12 +155,13 @@ void require_published(const Workspace &workspace, const std::vector<Section> &s
     std::vector<std::string> differences = strays(workspace);
     for (const Section &section : sections)
         std::ranges::copy(outdated(workspace, section), std::back_inserter(differences));
-    for (const Section &section : changed_demos(workspace, sections))
-        differences.push_back(demo_file(section) + " is not what its sources give today.");
-    for (const Section &section : sections)
-        if (std::string heavy = too_heavy(workspace, section); !heavy.empty()) differences.push_back(std::move(heavy));
-    for (const Section &section : sections)
-        std::ranges::copy(draw_demo(workspace, section, "--check"), std::back_inserter(differences));
+    const std::vector<Shown> shown = shown_of(workspace, sections);
+    for (const Shown &one : changed_demos(workspace, shown))
+        differences.push_back(one.file() + " is not what its sources give today.");
+    for (const Shown &one : shown)
+        if (std::string heavy = too_heavy(workspace, one); !heavy.empty()) differences.push_back(std::move(heavy));
+    for (const Shown &one : shown)
+        std::ranges::copy(draw_demo(workspace, one, "--check"), std::back_inserter(differences));
     for (const std::string &text : differences) std::cout << text << '\n';
     if (differences.empty()) {
         std::cout << "The published figures agree with the programs.\n";

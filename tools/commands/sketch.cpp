@@ -23,10 +23,11 @@ namespace {
 constexpr const char *about_sketch = R"(
 A sketch is a small world of your own, exercises/sketches/moon.cpp. The first call writes one that runs; docs/sketches.md
 says what else there is. It may call every function of the course: yours where you've done it, ours elsewhere.
---from begins with a scene of the book.
+--from begins with a scene of the book, or with a sketch of its gallery.
 
 Example: ./course sketch moon --watch
          ./course sketch splash --from "11/with walls"
+         ./course sketch mine --from pinball
          ./course sketch moon --share moon.html)";
 
 struct SketchOptions {
@@ -38,10 +39,9 @@ struct SketchOptions {
 /// A reader's scene: its file, and what's made of it.
 struct Sketch {
     Sketch(const Workspace &workspace, std::string its_name) : name{std::move(its_name)} {
-        file = sketches_folder(workspace) / (name + ".cpp");
+        file = workspace.sketches() / (name + ".cpp");
         play = workspace.work() / "play" / "sketches";
     }
-    static fs::path sketches_folder(const Workspace &workspace) { return workspace.own() / "exercises" / "sketches"; }
     fs::path packed() const { return play / (name + ".js"); }
     fs::path page() const { return play / (name + ".html"); }
     /// Where docs/play.js looks for news, beside the page.
@@ -50,15 +50,6 @@ struct Sketch {
     std::string name;
     fs::path file, play;
 };
-
-std::vector<std::string> names_of_sketches(const Workspace &workspace) {
-    std::vector<std::string> names;
-    if (const fs::path folder = Sketch::sketches_folder(workspace); fs::exists(folder))
-        for (const auto &entry : fs::directory_iterator{folder})
-            if (entry.path().extension() == ".cpp") names.push_back(entry.path().stem());
-    std::ranges::sort(names);
-    return names;
-}
 
 // What it begins with
 
@@ -99,10 +90,20 @@ std::vector<std::pair<std::string, fs::path>> scenes_of(const Workspace &workspa
     return scenes;
 }
 
+/// The code of a sketch of the gallery.
+std::string gallery_sketch(const Workspace &workspace, const std::string &name) {
+    const fs::path folder = workspace.root / "docs" / "gallery", file = folder / (name + ".cpp");
+    if (fs::exists(file)) return read_file(file);
+    std::string names;
+    for (const fs::path &each : files_in(folder, ".cpp")) names += (names.empty() ? "" : ", ") + each.stem().string();
+    throw UserError{"--from names a section and a scene of it, as 4/lands does, or a sketch of the gallery"
+                    + (names.empty() ? "" : ": " + names)};
+}
+
 /// One of the book's scenes as a sketch: what it shares with others stays where it is.
 std::string sketch_of(const Workspace &workspace, const std::string &from) {
     const auto slash = from.find('/');
-    if (slash == from.npos) throw UserError{"--from names a section and a scene of it, as 4/lands does"};
+    if (slash == from.npos) return gallery_sketch(workspace, from);
     const Section section = workspace.section(from.substr(0, slash));
     const auto scenes = scenes_of(workspace, section);
     const std::string wanted = from.substr(slash + 1);
@@ -119,7 +120,9 @@ std::string sketch_of(const Workspace &workspace, const std::string &from) {
         if (const auto at = text.find(old); at != text.npos) text.replace(at, old.size(), by);
     };
     replace("#pragma once\n", "#include \"sketch.hpp\"\n");
-    replace("#include \"shared.hpp\"", "#include \"" + section.name + "/scenes/shared.hpp\"");
+    for (const fs::path &beside : files_in(scene->second.parent_path(), ".hpp"))
+        replace("#include \"" + beside.filename().string() + '"',
+                "#include \"" + section.name + "/scenes/" + beside.filename().string() + '"');
     const auto type = text.find("struct "), end = text.find(" : ", type);
     return text + "SKETCH(play::" + text.substr(type + 7, end - type - 7) + ", \"" + scene->first + "\")\n";
 }
@@ -175,7 +178,8 @@ bool build_sketch(const Workspace &workspace, const Sketch &sketch) {
 
 void sketch_for(const Workspace &workspace, const SketchOptions &options) {
     if (options.name.empty()) {
-        for (const std::string &name : names_of_sketches(workspace)) std::cout << "./course sketch " << name << '\n';
+        for (const fs::path &file : files_in(workspace.sketches(), ".cpp"))
+            std::cout << "./course sketch " << file.stem().string() << '\n';
         std::cout << "A new one: ./course sketch moon\n";
         return;
     }
@@ -221,7 +225,8 @@ void add_sketch(CLI::App &app, const Workspace &workspace) {
     const auto options = std::make_shared<SketchOptions>();
     CLI::App *command = app.add_subcommand("sketch", "Make a small world of your own, and see it in your browser");
     command->add_option("name", options->name, "what it's called; without it, the names of those that are there");
-    command->add_option("--from", options->from, "begin with a scene of the book: a section, a slash, and its name")
+    command
+        ->add_option("--from", options->from, "begin with a scene of the book, as 4/lands, or a sketch of its gallery")
         ->type_name("SCENE");
     command->add_flag("-w,--watch", options->watch, "again whenever you save; the open page takes it up");
     command->add_option("--share", options->share, "write one page with it, to send to a friend")->type_name("FILE");

@@ -50,16 +50,51 @@ std::string demo_id(const DemoMark &mark, std::size_t others_before) {
     return "demo-" + mark.name + (others_before > 0 ? '-' + std::to_string(others_before + 1) : "");
 }
 
-std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark &mark, const std::string &task) {
-    return "<figure class=\"play\" id=\"" + id + "\" data-demo=\"" + demo.section.name + '"'
-           + (mark.exercise.empty() ? "" : " data-exercise=\"" + mark.exercise + '"') + (mark.mine ? " data-mine" : "")
-           + (mark.start.empty() ? "" : " data-start=\"" + escaped(mark.start) + '"') + "><figcaption>" + task
-           + "</figcaption>"
-           + (demo.about.empty()
-                  ? ""
-                  : "<img src=\"" + demo_picture_file(demo, mark) + "\" alt=\""
-                        + escaped(words_of(parse_markdown(picture_words(demo.about, mark)).get())) + "\">")
+namespace {
+
+/// @param attributes   what the page's script reads of the place, each with a blank before it
+/// @param task         as HTML
+/// @param picture,words  the still picture, and what it shows, as text; "" for none
+std::string figure(const std::string &id, const std::string &attributes, const std::string &task,
+                   const std::string &picture, const std::string &words) {
+    return "<figure class=\"play\" id=\"" + id + '"' + attributes + "><figcaption>" + task + "</figcaption>"
+           + (words.empty() ? "" : "<img src=\"" + picture + "\" alt=\"" + escaped(words) + "\">")
            + "<p class=\"without-js\">Here is a demo to play with, for a browser with JavaScript.</p></figure>\n";
+}
+std::string attribute(const std::string &name, const std::string &value) {
+    return ' ' + name + "=\"" + escaped(value) + '"';
+}
+
+} // namespace
+
+std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark &mark, const std::string &task) {
+    return figure(id,
+                  attribute("data-demo", demo.section.name)
+                      + (mark.exercise.empty() ? "" : attribute("data-exercise", mark.exercise))
+                      + (mark.mine ? " data-mine" : "")
+                      + (mark.start.empty() ? "" : attribute("data-start", mark.start)),
+                  task, demo.about.empty() ? "" : demo_picture_file(demo, mark),
+                  demo.about.empty() ? "" : words_of(parse_markdown(picture_words(demo.about, mark)).get()));
+}
+
+std::string sketch_file(const std::string &name, std::string_view ending) {
+    return "demos/sketch_" + name + std::string{ending};
+}
+
+std::vector<GallerySketch> gallery(const Workspace &workspace) {
+    std::vector<GallerySketch> all;
+    for (const fs::path &file : files_in(workspace.root / "docs" / "gallery", ".cpp")) {
+        const std::string name = file.stem();
+        if (fs::exists(workspace.root / sketch_file(name)))
+            all.push_back({name, file, without_entities(picture_title(workspace.root / sketch_file(name, ".svg")))});
+    }
+    return all;
+}
+
+std::string sketch_figure(const GallerySketch &sketch) {
+    const std::string name = "sketch_" + sketch.name;
+    return figure(name, attribute("data-demo", name), escaped(sketch.about), sketch_file(sketch.name, ".svg"),
+                  sketch.about);
 }
 
 } // namespace course

@@ -18,16 +18,22 @@ struct Demo {
     std::string about;               ///< what it shows, as the title of the picture says; "" if there is no picture
 };
 
+/// A sketch of docs/gallery, which is shown beside the demos.
+struct GallerySketch {
+    std::string name;           ///< of its file: "pinball"
+    std::filesystem::path file; ///< its code
+    std::string about;          ///< what it shows, as the title of the picture says
+};
+std::vector<GallerySketch> gallery(const Workspace &workspace);
+/// In which it is kept, and read by the site's pages: "demos/sketch_pinball.js"; and its picture.
+std::string sketch_file(const std::string &name, std::string_view ending = ".js");
+std::string sketch_figure(const GallerySketch &sketch);
+
 /// The demos of all chapters, in order, where demos/ has them.
 std::vector<Demo> demos(const Workspace &workspace);
 
 /// The file in which a section's demo is kept, and is read by the site's pages: "demos/07_segment_intersection.js".
 std::string demo_file(const Section &section);
-
-/// The same, as the build compiles it where there is a compiler for pages.
-inline std::filesystem::path compiled_demo(const Workspace &workspace, const Section &section) {
-    return workspace.build / "play" / (section.name + ".js");
-}
 
 /// The picture of the demo as it begins at this place, or else the first.
 std::string demo_picture_file(const Demo &demo, const DemoMark &mark);

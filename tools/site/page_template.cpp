@@ -136,6 +136,9 @@ class Surroundings {
         for (const Section &section : sections)
             if (contains(body, "data-demo=\"" + section.name + '"'))
                 scripts += "<script src=\"" + demo_file(section) + "\"></script>\n";
+        for (const GallerySketch &sketch : sketches)
+            if (contains(body, "data-demo=\"sketch_" + sketch.name + '"'))
+                scripts += "<script src=\"" + sketch_file(sketch.name) + "\"></script>\n";
         return scripts.empty() ? ""
                                : scripts
                                      + "<script src=\"draw.js\"></script>\n"
@@ -189,6 +192,7 @@ class Surroundings {
     const Workspace &workspace;
     const std::string page_template = read_file(workspace.root / "docs" / "page.html");
     const std::vector<Section> sections = workspace.sections();
+    const std::vector<GallerySketch> sketches = gallery(workspace);
     const bool has_demos = !demos(workspace).empty();
     std::vector<Destination> before, rows, after, interfaces, others, order;
 };
