@@ -188,6 +188,17 @@
       }
     }
 
+    // The code beside it, and a switch that takes a line of that away
+    for (const code of document.querySelectorAll(`[data-of="${figure.id}"]`)) {
+      const label = code.querySelector('label'), lever = label.querySelector('input'), listing = code.querySelector('pre code');
+      listing.innerHTML = listing.innerHTML.split('\n').map((line, at) => (at === Number(code.dataset.line) ? `<span class="taken">${line}</span>` : line)).join('\n');
+      label.hidden = lever.checked = false;
+      lever.addEventListener('change', () => {
+        broken[lever.checked ? 'add' : 'delete'](code.dataset.breaks);
+        restart();
+      });
+    }
+
     async function restart() {
       const start = ++starts;
       world = undefined;

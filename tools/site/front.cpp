@@ -1,15 +1,19 @@
 #include "site/front.hpp"
 
 #include "base/files.hpp"
+#include "base/lines.hpp"
 #include "base/text.hpp"
+#include "book/chunks.hpp"
 #include "book/contents.hpp"
 #include "book/links.hpp"
+#include "check/bugs.hpp"
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
 #include "site/page_template.hpp"
 #include "site/section_map.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -95,6 +99,57 @@ std::string sections_of(const Workspace &workspace, const std::vector<Entry> &en
            + (to_come.empty() ? "" : "\n<p class=\"coming\">To come</p>\n<ul class=\"coming\">\n" + to_come + "</ul>");
 }
 
+std::string as_listing(const std::string &code) { return "\n```cpp\n" + code + "```\n\n"; }
+
+/// What answers at each hit of the front page's demo, and a switch that takes away what the exercise's bug lacks.
+std::string code_of_demo(const Workspace &workspace) {
+    constexpr std::string_view exercise = "8.3", called = "8.3 resolve_collision";
+    for (const Section &section : workspace.sections()) {
+        if (section.number() != 8 || !workspace.has_answers(section)) continue;
+        const auto bugs = bugs_of(workspace, section);
+        const auto bug = std::ranges::find(bugs, exercise, &Bug::exercise);
+        const auto chunks = cut(workspace.solution(section));
+        const auto chunk = std::ranges::find_if(chunks, [&](const Chunk &c) { return contains(c.title, exercise); });
+        if (bug == bugs.end() || chunk == chunks.end()) continue;
+        const std::string without = code_of(workspace, section, *bug).text;
+        std::string code;
+        std::size_t taken = 0; // the line, from 0
+        for (std::size_t i = 1; i < chunk->lines.size(); ++i) {
+            code += chunk->lines[i] + '\n';
+            if (!contains(without, chunk->lines[i])) taken = i - 1;
+        }
+        return fmt::format("<div class=\"behind\" data-of=\"demo-balls\" data-breaks=\"{}\" data-line=\"{}\">\n"
+                           "<label hidden><input type=\"checkbox\"> Take the marked line away</label>\n{}</div>",
+                           called, taken, as_listing(code));
+    }
+    return "";
+}
+
+/// Without blank lines, and without those that only comment.
+std::ptrdiff_t lines_of_code(const std::string &code) {
+    return std::ranges::count_if(split_lines(code), [](const Line &line) {
+        const std::string_view words = trim(line.text);
+        return !words.empty() && !words.starts_with("//");
+    });
+}
+
+/// The gallery, each with its code.
+std::string sketches(const Workspace &workspace) {
+    const std::vector<GallerySketch> all = gallery(workspace);
+    std::string page;
+    if (!all.empty())
+        page +=
+            "\n## Sketches\n\nEach of these is one short file, which calls functions of the course. "
+            "[Make something of your own](docs/sketches.md), or begin with one of them: `./course sketch mine --from "
+            + all.front().name + "`.\n";
+    for (const GallerySketch &sketch : all) {
+        const std::string code = read_file(sketch.file);
+        page += '\n' + sketch_figure(sketch) + "\n<details><summary>" + std::to_string(lines_of_code(code))
+                + " lines of code</summary>\n" + as_listing(code) + "</details>\n";
+    }
+    return page;
+}
+
 } // namespace
 
 std::string front_page(const Workspace &workspace) {
@@ -102,6 +157,7 @@ std::string front_page(const Workspace &workspace) {
     return fill_template(read_file(workspace.root / "docs" / "front.md"),
                          {{"begin", begin_link(workspace, entries)},
                           {"sections", sections_of(workspace, entries)},
+                          {"code", code_of_demo(workspace)},
                           {"map", section_map(workspace, entries)}},
                          "docs/front.md");
 }
@@ -110,19 +166,18 @@ std::string play_page(const Workspace &workspace) {
     const std::vector<Demo> all = demos(workspace);
     if (all.empty()) return "";
     const std::vector<Entry> rows = contents(read_file(workspace.root / "book.md"));
-    std::string demos;
+    std::string page = "# Play\n\n*A scene of each chapter, and each runs on code that you will write there.*\n";
     for (const Demo &demo : all) {
         const auto row = std::ranges::find(rows, demo.section.number(), &Entry::number);
         const std::string number = demo.section.short_number();
         const std::string title = row == rows.end() ? demo.section.slug() : row->title;
-        const std::string words = number + ' ' + title;
         const DemoMark &best = demo.mark;
-        demos += "\n## " + words + "\n\n<!-- demo: " + best.name + (best.start.empty() ? "" : ", " + best.start) + " | "
-                 + best.task + " -->\n\nIts code is yours to write in [section " + number + "](chapters/"
-                 + demo.section.name + "/README.md)"
-                 + (row == rows.end() || row->about.empty() ? "" : ": " + row->about) + ".\n";
+        page += "\n## " + number + ' ' + title + "\n\n<!-- demo: " + best.name
+                + (best.start.empty() ? "" : ", " + best.start) + " | " + best.task
+                + " -->\n\nIts code is yours to write in [section " + number + "](chapters/" + demo.section.name
+                + "/README.md)" + (row == rows.end() || row->about.empty() ? "" : ": " + row->about) + ".\n";
     }
-    return "# Play\n\n*A scene of each chapter, and each runs on code that you will write there.*\n" + demos;
+    return page + sketches(workspace);
 }
 
 } // namespace course
