@@ -1,62 +1,59 @@
-// Fireworks over a town: press where a shell is to burst.
+// Fireworks above a river: a shell flies to where you press, and bursts there. Hold the press down for more of them.
 #include "chance.hpp"
 #include "sketch.hpp"
 using namespace demo;
-using particles::Particle;
+using particles::Particle, motion::uniform_motion;
 
 struct Fireworks : Scene {
-    static constexpr double gravity = 9.81; // [m/s²]
+    static constexpr double gravity = 9.81, speed = 33, bank = 10; // [m/s²], of a shell [m/s], how high the town is [m]
     static constexpr Colour colours[]{Colour::amber, Colour::pink, Colour::blue, Colour::green, Colour::violet};
-    std::vector<motion::State> shells;
-    std::vector<Particle> stars[5]; // of each colour
+    std::vector<Particle> all[6]; // stars of five colours, and the shells
     course::Dice dice{12};
-    double wait = 0; // until the next shell flies by itself [s]
-    unsigned count = 0;
+    double wait = 0; // until the next shell [s]
 
-    View view() const override { return {{0, 0}, {96, 54}, Stage::skyline, 4}; }
-    void begin() override { burst({48, 42}); }
-    void press(const Vec2 &at) override {
-        const double speed = std::sqrt(2 * gravity * std::max(at.y() - 4, 6.0)); // so that it's highest there
-        if (shells.size() < 12) shells.push_back({{at.x(), 4}, trajectories::launch_velocity(speed, 90)});
+    View view() const override { return {{0, 0}, {96, 54}, Stage::skyline, bank}; }
+    void begin() override { burst({30, 38}); }
+    void fire(const Vec2 &target) {
+        const Vec2 muzzle{target.x() - 6, bank};
+        const std::vector<double> angles = trajectories::launch_angles(speed, target - muzzle, gravity);
+        if (angles.empty()) return; // it's too high
+        const Vec2 velocity = trajectories::launch_velocity(speed, angles[0]);
+        all[5].push_back({muzzle, velocity, 0, std::clamp(6 / velocity.x(), 0.1, 5.0)}); // then it bursts
+        wait = hand.down ? 0.2 : 0.4;
+    }
+    void burst(const Vec2 &at) {
+        const unsigned kind = dice.roll() >> 16;
+        std::vector<double> numbers;
+        for (int i = 0; i < 180; ++i) numbers.push_back(dice.one());
+        for (const Vec2 &flies : kind % 4 == 1 ? particles::ring_burst(60, 19, 0) : particles::disc_burst(numbers, 22))
+            all[kind % 5].push_back({at, flies, 0, 1.2 + 1.4 * dice.one()});
+        for (const Vec2 &flies : particles::ring_burst(20, 8, 0)) all[(kind + 2) % 5].push_back({at, flies, 0, 1.5});
     }
     void step(double dt) override {
         wait -= dt;
-        if (untouched && wait <= 0) {
-            press({12 + 72 * dice.one(), 41 + 8 * std::sin(double(count))});
-            wait = 0.6;
-        }
-        for (motion::State &shell : shells) {
-            shell = motion::accelerated_motion(shell, {0, -gravity}, dt);
-            if (shell.velocity.y() <= 0) burst(shell.position);
-        }
-        std::erase_if(shells, [](const motion::State &shell) { return !(shell.velocity.y() > 0); });
-        for (std::vector<Particle> &all : stars) {
-            for (Particle &star : all) {
-                star.velocity = std::exp(-0.9 * dt) * star.velocity - Vec2{0, 3 * dt}; // air, and gravity
-                star.position += dt * star.velocity;
-                star.age += dt;
-            }
-            std::erase_if(all, [](const Particle &star) { return star.age > star.life; });
+        if (wait <= 0 && hand.down) fire(hand.at);
+        if (wait <= 0 && untouched) fire({14 + 68 * dice.one(), 28 + 17 * dice.one()});
+        for (unsigned i = 0; i < 6; ++i) {
+            const std::vector<Particle> before = all[i];
+            all[i].clear();
+            for (const Particle &each : before)
+                if (auto later = particles::step(each, {i < 5 ? 4 : gravity, 0, 96, 54}, dt)) {
+                    if (i < 5) later->velocity *= std::exp(-1.2 * dt); // air slows stars down
+                    all[i].push_back(*later);
+                } else if (i == 5) burst(each.position);
         }
     }
-    void burst(const Vec2 &at) {
-        std::vector<double> numbers(200);
-        for (double &each : numbers) each = dice.one();
-        const bool ring = count % 3 == 0;
-        for (const Vec2 &flies : ring ? particles::ring_burst(48, 15, 0) : particles::disc_burst(numbers, 18))
-            stars[count % 5].push_back({at, flies, 0, 1.3 + 1.2 * dice.one()});
-        ++count;
-    }
-
     void draw(Canvas &canvas) const override {
-        for (std::size_t i = 0; i < 5; ++i) {
+        for (unsigned i = 0; i < 6; ++i) {
             std::vector<Spark> lights;
-            for (const Particle &star : stars[i])
-                for (const double ago : {0.0, 0.06, 0.12}) // it has a tail
-                    lights.push_back({star.position - ago * star.velocity, 0.6 - 3 * ago, 1 - star.age / star.life});
-            canvas.sparks(lights, colours[i]);
+            for (const auto &[at, velocity, age, life] : all[i]) {
+                const double left = 1 - age / life, depth = 0.22 * (at.y() - bank); // of its mirror image in the river
+                for (const double ago : {0.0, 0.05, 0.1})                           // it has a tail
+                    lights.push_back({uniform_motion(at, velocity, -ago), 0.55 - 2 * ago, left});
+                lights.push_back({{at.x() + 0.4 * std::sin(9 * age + depth), bank - depth}, 0.5, 0.4 * left});
+            }
+            canvas.sparks(lights, colours[i % 5]);
         }
-        for (const auto &[at, velocity] : shells) canvas.beam({at, at - 0.12 * velocity}, Colour::amber, 3);
     }
 };
-SKETCH(Fireworks, "Fireworks over a town")
+SKETCH(Fireworks, "Fireworks above a river")

@@ -1,63 +1,60 @@
-// Land on the platform, and softly: below 2 m/s. Thrust with the arrow keys before the fuel is gone.
+// Land on the green platform, slower than 2 m/s: left and right tilt the lander, and up burns its fuel.
 #include "chance.hpp"
 #include "props.hpp"
 #include "sketch.hpp"
 using namespace demo;
 
 struct Lander : Scene {
-    HeldKey left = held("left", "ArrowLeft"), thrust = held("thrust", "ArrowUp"), right = held("right", "ArrowRight");
+    static constexpr double gravity = 1.6, thrust = 4.5, height = 2.2; // [m/s²], [m/s²], of its middle [m]
+    HeldKey left = held("left", "ArrowLeft"), engine = held("thrust", "ArrowUp"), right = held("right", "ArrowRight");
     std::vector<Vec2> ground;
-    motion::State ship{{6, 30}, {6, 0}};
-    Vec2 push{0, 0};  // of the engines [m/s²]
-    double fuel = 10; // [s] of thrust
-    double down = 0;  // since it touched the ground [s]
-    bool good = false;
+    Vec2 platform{0, 0};
+    motion::State ship{{0, 0}, {0, 0}};
+    double angle = 0, burn = 0, fuel = 0, down = 0; // to the left [rad], 0 to 1, left [s], since it's on the ground [s]
+    unsigned flight = 0;
 
-    View view() const override { return {{0, 0}, {64, 36}, Stage::night}; }
+    View view() const override { return {{0, 0}, {48, 27}, Stage::night}; }
     void begin() override {
-        for (unsigned i = 0; i <= 32; ++i) ground.push_back({2.0 * i, i / 4 == 5 ? 4 : 2 + 9 * course::chance(3, i)});
-        ground.insert(ground.end(), {{64, -1}, {0, -1}}); // below what's seen
+        platform = {24 + 1.5 * std::floor(11 * course::chance(++flight, 0)), 3};
+        ground = {{48, -1}, {0, -1}};
+        for (unsigned i = 0; i <= 32; ++i)
+            ground.push_back({1.5 * i, std::abs(1.5 * i - platform.x()) < 4 ? 3 : 2 + 5 * course::chance(flight, i)});
+        ship = {{6, 20}, {6, 0}}, angle = burn = down = 0, fuel = 9;
     }
-    void take_over() override { start(); }
-    void start() {
-        ship = {{6, 30}, {6, 0}};
-        fuel = 10;
-        down = 0;
+    Vec2 autopilot() const { // what acceleration brings it to the platform [m/s²]
+        const Vec2 way = platform - ship.position;
+        const double sink = std::abs(way.x()) > 3 ? 0.4 * (way.y() + 11) : 0.4 * way.y(); // [m/s]
+        return 1.5 * (Vec2{std::clamp(0.5 * way.x(), -8.0, 8.0), sink} - ship.velocity) + Vec2{0, gravity};
     }
-    /// Until somebody plays: to the platform, and slower the lower it is.
-    Vec2 autopilot() const {
-        const double wanted = std::clamp(0.3 * (43 - ship.position.x()), -6.0, 6.0);
-        const bool too_fast = ship.velocity.y() < -0.6 - 0.2 * (ship.position.y() - 5);
-        return {std::clamp(4 * (wanted - ship.velocity.x()), -2.0, 2.0), too_fast ? 5.0 : 0.0};
-    }
+    Vec2 up() const { return {-std::sin(angle), std::cos(angle)}; }
     void step(double dt) override {
-        if (down > 0) return (down += dt) > 3 ? start() : void();
-        push = untouched ? autopilot() : Vec2{2.0 * (right - left), 5.0 * thrust};
-        if (fuel <= 0) push = {0, 0};
-        if (push.y() > 0) fuel -= dt;
-        const Vec2 legs{0, -1.7}, before = ship.position + legs;
-        ship = motion::accelerated_motion(ship, push - Vec2{0, 1.62}, dt);
-        for (std::size_t i = 0; i < 32; ++i)
-            if (segment_intersection::segments_intersect({before, ship.position + legs}, {ground[i], ground[i + 1]})) {
-                good = i >= 20 && i < 23 && ship.velocity.norm() < 2;
-                down = dt;
-            }
-        if (std::abs(ship.position.x() - 32) > 34 || std::abs(ship.position.y()) > 60) start();
+        if ((ship.position - Vec2{24, 9}).cwiseAbs().maxCoeff() > 24 || (down > 0 && (down += dt) > 3)) begin();
+        if (down > 0) return;
+        const Vec2 push = autopilot();
+        const double tilt = untouched ? std::atan2(-push.x(), std::max(push.y(), 1.5)) : 0.6 * (left - right);
+        angle += 4 * dt * (tilt - angle);
+        burn = fuel <= 0 ? 0 : untouched ? std::clamp(push.dot(up()) / thrust, 0.0, 1.0) : engine;
+        fuel -= burn * dt;
+        ship = motion::accelerated_motion(ship, burn * thrust * up() - Vec2{0, gravity}, dt);
+        const segment_intersection::Segment body{ship.position, ship.position - height * up()};
+        for (std::size_t i = 3; i < ground.size(); ++i)
+            if (segment_intersection::segments_intersect(body, {ground[i - 1], ground[i]})) down = dt;
     }
-
     void draw(Canvas &canvas) const override {
+        const auto &[at, velocity] = ship;
+        canvas.ball({42, 22}, 2.5, Colour::blue);
+        if (down == 0 && at.y() > 0) canvas.dots(trajectories::dotted_arc(ship, gravity, 0.4), 0.13, Colour::amber);
         canvas.body(ground, Colour::dim);
-        canvas.bar({ground[20], ground[23]}, Colour::green, 8);
-        canvas.bar({{2, 2}, {2 + 1.4 * std::max(fuel, 0.1), 2}}, fuel > 3 ? Colour::green : Colour::pink, 10);
-        const std::string speed = number(ship.velocity.norm(), 1, "m/s");
-        if (down > 0) canvas.plate({32, 22}, (good ? "landed at " : "crash: ") + speed, Colour::amber, 36);
+        canvas.bar({platform - Vec2{2.7, 0}, platform + Vec2{2.7, 0}}, Colour::green, 9);
+        const bool good = velocity.norm() < 2 && std::abs(at.x() - platform.x()) < 2.7;
         if (down > 0 && !good)
-            for (const Vec2 &flies : particles::ring_burst(24, 9, 0.1))
-                canvas.lamp(ship.position + down * flies, 0.5 / (1 + down), Colour::orange);
-        if (down > 0 && !good) return;
-        if (push.x() != 0) canvas.beam({ship.position, ship.position - Vec2{1.5 * push.x(), 0}}, Colour::amber, 5);
-        demo::ship(canvas, ship.position, {0, 1}, 4, Colour::blue, down > 0 ? 0 : push.y() / 5);
-        if (down == 0) canvas.plate(ship.position + Vec2{0, 3.6}, speed, Colour::ink, 22);
+            for (const double speed : {1.5, 3.0, 5.0})
+                for (const Vec2 &flies : particles::ring_burst(24, speed, speed))
+                    canvas.lamp(at + down * flies, 0.7 / (1 + down), Colour::orange);
+        else demo::ship(canvas, at, up(), 4, Colour::orange, down > 0 ? 0 : burn);
+        canvas.bar({at + Vec2{-1.5, 2.8}, at + Vec2{0.35 * fuel - 1.5, 2.8}}, Colour::blue, 6); // what's left
+        const Vec2 above{std::clamp(at.x(), 4.0, 44.0), at.y() + 4};
+        canvas.plate(above, number(velocity.norm(), 1, "m/s"), good ? Colour::green : Colour::pink);
     }
 };
 SKETCH(Lander, "A lander on the moon")

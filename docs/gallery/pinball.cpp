@@ -1,65 +1,60 @@
-// Pinball: the flippers are yours, by the arrow keys. A bumper kicks, and gives 100 points.
+// Pinball: an arrow key or a press at its side lifts a flipper, and either of them shoots the ball that waits.
 #include "props.hpp"
 #include "sketch.hpp"
 using namespace demo;
-using segment_intersection::Segment;
+using segment_intersection::Segment, segment_intersection::time_of_impact;
 
 struct Pinball : Scene {
-    HeldKey left = held("left flipper", "ArrowLeft"), right = held("right flipper", "ArrowRight");
-    const std::vector<Segment> walls{{{2, 0}, {2, 7}},      {{2, 7}, {4.5, 9}}, {{4.5, 9}, {11.5, 9}},
-                                     {{11.5, 9}, {14, 7}},  {{14, 7}, {14, 0}}, {{2, 3}, {5.8, 1.6}},
-                                     {{14, 3}, {10.2, 1.6}}};
-    const std::vector<Vec2> bumpers{{5, 6.3}, {11, 6.3}, {8, 7.2}, {8, 4.8}};
-    const double radius = 0.24; // of the ball [m]
-    motion::State ball{{8.3, 8.5}, {2.5, 0}};
-    double up[2]{0, 0}, lit[4]{}; // how far up each flipper is, from 0 to 1; how bright each bumper is
-    int points = 0;
+    static constexpr double radius = 0.22, tick = 1.0 / 240, side[]{1, -1}; // of the ball [m], a step [s]
+    HeldKey keys[2]{held("left flipper", "ArrowLeft"), held("right flipper", "ArrowRight")};
+    const std::vector<Vec2> outline{{5.1, 1.5},  {0.4, 3},    {0.4, 7},    {2, 8.6},  {14, 8.6}, {15.6, 7},
+                                    {15.6, 0.4}, {14.6, 0.4}, {14.6, 6.7}, {14.6, 3}, {9.9, 1.5}};
+    const std::vector<Vec2> bumpers{{3.6, 6.2}, {7.5, 6.9}, {11.4, 6.2}, {5.5, 4.5}, {9.5, 4.5}};
+    motion::State ball{{15, 0.7}, {0, 0}};
+    std::vector<Vec2> way{ball.position};
+    Segment flippers[2]{{{5.15, 1.4}, {6.7, 0.6}}, {{9.85, 1.4}, {8.3, 0.6}}};
+    double angle[2]{-0.5, -0.5}, lit[5]{}; // of each flipper [rad]; how bright each bumper is
+    int points = 0, balls = 0;
 
-    View view() const override { return {{0, 0}, {16, 9.2}, Stage::felt}; }
-    double step_time() const override { return 1.0 / 480; } // the ball goes 4 cm in that, at most
-    Segment flipper(int i) const {
-        const double side = i == 0 ? 1 : -1, angle = -0.45 + 0.95 * up[i];
-        const Vec2 pivot{8 - 2.2 * side, 1.6};
-        return {pivot, pivot + 1.85 * Vec2{side * std::cos(angle), std::sin(angle)}};
+    View view() const override { return {{0, 0}, {16, 9}, Stage::night}; }
+    double step_time() const override { return tick; }
+    bool is_wanted(int i) const {
+        return untouched ? ball.position.y() < 1.4 : keys[i] || (hand.down && (hand.at.x() < 7.5) == (i == 0));
     }
-    bool wants_up(int i) const {
-        return untouched ? (ball.position - Vec2{i == 0 ? 7.1 : 8.9, 1.2}).norm() < 0.8 : i == 0 ? left : right;
-    }
-    void step(double dt) override {
-        ball = motion::accelerated_motion(ball, {0, -6}, dt);
-        for (const Segment &wall : walls) bounces(nearest(wall), radius, {0, 0}, 0);
+    void step(double) override {
+        const bool waits = ball.position.x() > 14.7 && ball.position.y() < 0.8;
+        if (waits && (is_wanted(0) || is_wanted(1))) ball.velocity.y() = 14 + 0.4 * (balls % 5);
+        ball = motion::accelerated_motion(ball, {0, -6}, tick);
+        for (std::size_t i = 1; i < outline.size(); ++i) bounces({outline[i - 1], outline[i]}, 0.06, {0, 0});
         for (const int i : {0, 1}) {
-            const double more = std::clamp((wants_up(i) ? 12 : -6) * dt, -up[i], 1 - up[i]);
-            up[i] += more;
-            const double turns = (i == 0 ? 0.95 : -0.95) * more / dt; // [rad/s]
-            bounces(nearest(flipper(i)), radius, turns * turned(ball.position - flipper(i).start), 0);
+            const double turn = std::clamp(is_wanted(i) ? 8 * tick : -8 * tick, -0.5 - angle[i], 0.5 - angle[i]);
+            bounces(flippers[i], 0.16, side[i] * turn / tick * turned(ball.position - flippers[i].start));
+            angle[i] += turn;
+            flippers[i].end = flippers[i].start + 1.75 * Vec2{side[i] * std::cos(angle[i]), std::sin(angle[i])};
         }
-        for (std::size_t i = 0; i < 4; ++i) {
-            lit[i] = std::max(0.0, lit[i] - 3 * dt);
-            if (bounces(bumpers[i], 0.65 + radius, {0, 0}, 6)) lit[i] = 1, points += 100;
+        for (std::size_t i = 0; i < 5; ++i) {
+            const Vec2 kick = 4 * (ball.position - bumpers[i]).normalized();
+            lit[i] = bounces({bumpers[i], bumpers[i]}, 0.6, kick) ? 1 : std::max(0.0, lit[i] - 2 * tick);
+            if (lit[i] == 1) points += 100;
         }
-        if (std::abs(ball.position.y() - 5) > 6) // it's gone: the next one
-            ball = {{8.3, 8.5}, {2.5 - 0.01 * (points % 500), 0}}, points = 0;
+        way.push_back(ball.position);
+        if (way.size() > 70) way.erase(way.begin());
+        if (std::abs(ball.position.y() - 5) > 6) ball = {{15, 0.7}, {0, 0}}, way = {ball.position}, points = 0, ++balls;
     }
-    Vec2 nearest(const Segment &wall) const {
-        const Vec2 along = wall.end - wall.start;
-        return wall.start + std::clamp((ball.position - wall.start).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
-    }
-    /// Whether the ball bounces off this point, which moves so [m/s], and kicks [m/s].
-    bool bounces(const Vec2 &point, double distance, const Vec2 &moves, double kick) {
-        const Vec2 out = ball.position - point, approach = ball.velocity - moves;
-        if (out.norm() > distance || approach.dot(out) >= 0) return false;
-        ball.velocity = moves + reflection::bounce(approach, out.normalized(), {0.5, 0}) + kick * out.normalized();
+    bool bounces(const Segment &wall, double thick, const Vec2 &moves) { // off something that moves so [m/s]
+        const auto impact = time_of_impact({way.back(), ball.position - tick * moves}, radius + thick, wall);
+        if (!impact) return false;
+        ball.velocity = moves + reflection::bounce(ball.velocity - moves, impact->centre - impact->point, {0.55, 0});
+        ball.position = impact->centre + tick * ball.velocity;
         return true;
     }
-
     void draw(Canvas &canvas) const override {
-        for (const auto &[from, to] : walls) canvas.bar({from, to}, Colour::wood, 12);
-        for (std::size_t i = 0; i < 4; ++i)
-            canvas.ball(bumpers[i], 0.65 + 0.12 * lit[i], lit[i] > 0 ? Colour::amber : Colour::violet);
-        for (const int i : {0, 1}) canvas.bar({flipper(i).start, flipper(i).end}, Colour::orange, 15);
+        canvas.beam(outline, Colour::blue, 5);
+        for (std::size_t i = 0; i < 5; ++i) canvas.lamp(bumpers[i], 0.6, lit[i] > 0 ? Colour::amber : Colour::violet);
+        for (const auto &[pivot, tip] : flippers) canvas.bar({pivot, tip}, Colour::orange, 14);
+        canvas.trail(way, Colour::pink, 11);
         canvas.ball(ball.position, radius, Colour::ink);
-        canvas.plate({8, 0.35}, number(points, 0), Colour::amber, 26);
+        canvas.plate({12.4, 0.8}, number(points, 0), Colour::amber, 30);
     }
 };
 SKETCH(Pinball, "Pinball")

@@ -1,66 +1,60 @@
-// A spider that walks after the pointer. Each foot stays where it is, until the body has gone too far.
+// A spider follows the pointer over stones: each of its feet stays where it is, until its leg is too far behind.
 #include "props.hpp"
 #include "sketch.hpp"
 using namespace demo;
 
 struct Spider : Scene {
-    static constexpr inverse_kinematics::Arm leg{1.1, 1.4}; // [m]
-    struct Foot {
-        Vec2 at{0, 0}, from{0, 0}, to{0, 0}; // now, and where its step begins and ends [m]
-        double part = 1;                     // of its step
-    };
-    Vec2 body{9.4, 3.6}, ahead{0, 1};
-    Foot feet[8];
-    double time = 0; // [s]
+    static constexpr inverse_kinematics::Arm leg{2.7, 3.8}; // [m]
+    Vec2 body{12, 5}, feet[8], from[8], to[8]; // a foot's step begins and ends there; the legs behind come first
+    double part[8]{1, 1, 1, 1, 1, 1, 1, 1};    // of its step
+    double looks = -1, turn = 0;               // to the left -1, to the right 1; of the fly [rad]
 
-    View view() const override { return {{0, 0}, {12.8, 7.2}, Stage::felt}; }
-    Vec2 goal() const {
-        if (hand.inside) return hand.at;
-        return {6.4 + 4 * std::cos(0.6 * time), 3.6 + 1.8 * std::sin(1.2 * time)};
+    View view() const override { return {{0, 0}, {24, 13.5}, Stage::hills, 2}; }
+    Vec2 fly() const { return hand.inside ? hand.at : Vec2{12 - 8 * std::cos(turn), 9 + 2.5 * std::sin(3 * turn)}; }
+    Vec2 hip(int i) const { return body + Vec2{-0.9 + 0.6 * (i % 4), -0.5}; }
+    double best(int i) const { return body.x() - 4.2 + 2.8 * (i % 4) + (i < 4 ? 0.3 : -0.3); } // where it stands
+    static double stone(double x) { return 1.3 + 0.4 * std::sin(2 * std::round(x / 4.8)); }    // its radius [m]
+    static Vec2 on_ground(double x) {
+        return {x, 1.4 + std::sqrt(std::max(0.25, std::pow(stone(x), 2) - std::pow(std::remainder(x, 4.8), 2)))};
     }
-    /// Four legs on each side, from the front to the back.
-    static int side(int i) { return i < 4 ? 1 : -1; }
-    Vec2 on_body(double forward, double left) const { return body + forward * ahead + left * turned(ahead); }
-    Vec2 hip(int i) const { return on_body(0.45 - 0.3 * (i % 4), 0.32 * side(i)); }
-    Vec2 rest_of(int i) const { return on_body(1.75 - 1.15 * (i % 4), 1.6 * side(i)); }
-
     void begin() override {
-        for (int i = 0; i < 8; ++i) feet[i].at = rest_of(i);
+        for (int i = 0; i < 8; ++i) feet[i] = from[i] = to[i] = on_ground(best(i));
     }
     void step(double dt) override {
-        time = std::fmod(time + dt, 2 * std::numbers::pi / 0.6);
-        const Vec2 way = goal() - body;
-        if (way.norm() > 0.3) {
-            ahead = (ahead + 5 * dt * way.normalized()).normalized();
-            body += std::min(3.4, 3 * way.norm()) * dt * ahead;
-        }
+        turn = std::fmod(turn + 0.5 * dt, 2 * std::numbers::pi);
+        const Vec2 goal = fly().cwiseMax(Vec2{5, 4}).cwiseMin(Vec2{19, 12});
+        body.x() += dt * std::clamp(2 * (goal.x() - body.x()), -4.5, 4.5);
+        body.y() += 3 * dt * (3.7 + 0.25 * goal.y() + 0.15 * std::sin(5 * body.x()) - body.y());
+        looks += 5 * dt * ((goal.x() < body.x() ? -1 : 1) - looks);
         for (int i = 0; i < 8; ++i) walk(i, dt);
     }
-    /// A leg steps while its neighbours stand: the one across, and the next one on its side.
     void walk(int i, double dt) {
-        Foot &foot = feet[i];
-        const bool firm = feet[(i + 4) % 8].part >= 1 && feet[i % 2 == 0 ? i + 1 : i - 1].part >= 1;
-        if (foot.part >= 1 && firm && (rest_of(i) - foot.at).norm() > 0.6)
-            foot = {foot.at, foot.at, rest_of(i) + 0.5 * ahead, 0};
-        foot.part = std::min(1.0, foot.part + 8 * dt);
-        if (foot.part < 1) foot.at = foot.from + foot.part * (foot.to - foot.from);
-    }
-
-    void draw(Canvas &canvas) const override {
-        for (int i = 0; i < 8; ++i) draw_leg(canvas, i);
-        canvas.ball(on_body(-0.75, 0), 0.8, Colour::violet);
-        canvas.ball(on_body(0.3, 0), 0.5, Colour::violet);
-        for (const double left : {-0.2, 0.2}) canvas.lamp(on_body(0.65, left), 0.1, Colour::amber);
-    }
-    void draw_leg(Canvas &canvas, int i) const {
-        const Vec2 foot = inverse_kinematics::nearest_reachable(leg, feet[i].at - hip(i));
-        Vec2 knee{0, 0};
-        for (const auto &pose : inverse_kinematics::poses(leg, foot)) { // the knee that's farther in front
-            const Vec2 at = leg.first * Vec2{std::cos(pose.first), std::sin(pose.first)};
-            if (knee.isZero(0) || (at - knee).dot(ahead) * (i % 4 < 2 ? 1 : -1) > 0) knee = at;
+        const bool others_stand = part[(i + 4) % 8] == 1 && part[i % 2 == 0 ? i + 1 : i - 1] == 1;
+        if (part[i] == 1 && others_stand && std::abs(best(i) - to[i].x()) > 0.9) {
+            from[i] = to[i];
+            to[i] = on_ground(best(i) + 0.7 * looks);
+            part[i] = 0;
         }
-        canvas.bar({hip(i), hip(i) + knee, hip(i) + foot}, Colour::ink, 8);
-        canvas.ball(hip(i) + foot, 0.1, Colour::ink);
+        part[i] = std::min(1.0, part[i] + 6 * dt);
+        feet[i] = from[i] + part[i] * (to[i] - from[i]) + Vec2{0, std::sin(part[i] * std::numbers::pi)};
+    }
+    void draw(Canvas &canvas) const override {
+        for (int i = 0; i < 6; ++i) canvas.ball({4.8 * i, 1.4}, stone(4.8 * i), Colour::dim);
+        for (int i = 0; i < 4; ++i) draw_leg(canvas, i, Colour::dim);
+        canvas.ball(body + Vec2{-1.2 * looks, 0.6}, 1.7, Colour::violet);
+        for (int i = 4; i < 8; ++i) draw_leg(canvas, i, Colour::ink);
+        canvas.ball(body + Vec2{1.4 * looks, 0.3}, 1.1, Colour::violet);
+        for (const double side : {-0.4, 0.4}) {
+            const Vec2 eye = body + Vec2{side + 1.7 * looks, 0.7};
+            canvas.lamp(eye, 0.38, Colour::amber);
+            canvas.dot(eye + 0.18 * (fly() - eye).normalized(), 0.18, Colour::wood);
+        }
+        canvas.lamp(fly(), 0.2, Colour::amber);
+    }
+    void draw_leg(Canvas &canvas, int i, Colour colour) const {
+        const forward_kinematics::Pose up{i % 4 < 2 ? 2.2 : 0.9, i % 4 < 2 ? 1.4 : -1.4}; // that's where its knee is
+        const auto [first, second] = inverse_kinematics::continued(leg, up, feet[i] - hip(i));
+        steel_arm(canvas, forward_kinematics::joints(hip(i), {{leg.first, first}, {leg.second, second}}), colour, 9);
     }
 };
 SKETCH(Spider, "A spider that follows you")
