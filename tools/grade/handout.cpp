@@ -152,15 +152,6 @@ void without_part(Lines &lines, const std::string &heading) {
             [](const std::string &line) { return line.starts_with("## ") || line.starts_with("MIT licence"); });
 }
 
-/// On the front page of the site: without the door that has this heading.
-void without_door(Lines &lines, const std::string &heading) {
-    const auto at = std::ranges::find_if(lines, beginning("## " + heading));
-    if (at == lines.end()) return;
-    const auto open = std::find_if(std::make_reverse_iterator(at), lines.rend(), beginning("<div>")).base() - 1;
-    const auto close = std::find_if(at, lines.end(), beginning("</div>"));
-    if (close != lines.end()) lines.erase(open, close + 1);
-}
-
 bool is_text(const fs::path &file) {
     return is_any_of(file.extension().string(), {".md", ".html", ".js", ".json", ".txt", ".tsv", ".hpp", ".cpp", ".svg",
                                                  ".gp", ".cjs", ".mjs", ".sh", ".cmake", ".diff", ""});
@@ -260,12 +251,18 @@ void find_leaks(const Workspace &workspace, const std::vector<Telling> &lines, c
 }
 
 /// Words of pages, and what stands there in a handout.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> replaced_words{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> replaced_words{{
     {"then our solution of 3.2 answers, whether you have written yours or not.", "then your own 3.2 answers."},
-    {"`./course dev bench pairs` measures both ways on your machine.", "We measured both ways."},
+    {"`./course dev bench pairs` measures all three ways on your machine.", "We measured all three ways."},
     {"`./course dev bench particles` measures three pools on your machine; in", "We measured three pools: in"},
     {"; how to fix a line or add a section is in [CONTRIBUTING](CONTRIBUTING.md)", ""},
     {" What has changed: [CHANGELOG](CHANGELOG.md).", ""},
+    {R"(**You teach?** Sections stand alone, and `./course check 7 --file ann.cpp` gives you the verdict that your student sees: [how to judge a class](instructors.md).
+)",
+     ""},
+    {R"(**You'd mend a line, or add a section?** Every number in the text is computed, and a check says what no longer agrees: [how you do it](../CONTRIBUTING.md), and [where things are](../ARCHITECTURE.md).
+)",
+     ""},
     {"\nOn Debian 12 or later",
      "\nThis edition is [a handout](HANDOUT.md): your instructor has the solutions.\n\nOn Debian 12 or later"},
 }};
@@ -294,8 +291,6 @@ std::string page_in_handout(const std::string &file, std::string page) {
     without_what_needs_answers(lines);
     if (file == "README.md")
         for (const char *heading : {"I want to fix a line", "I teach with it"}) without_part(lines, heading);
-    if (file == "docs/front.md")
-        for (const char *heading : {"I want to fix a line", "I teach with it"}) without_door(lines, heading);
     page = joined(lines);
     for (const auto &[words, instead] : replaced_words) replace_all(page, words, instead);
     return page;
