@@ -1,5 +1,6 @@
 // `course export handout`: what's in it, what isn't, and that a line of ours that is left in it is found.
 
+#include "base/text.hpp"
 #include "check/which_tests.hpp"
 #include "grade/handout.hpp"
 #include "small_course.hpp"
@@ -9,6 +10,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 using namespace course;
+namespace fs = std::filesystem;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -193,6 +195,22 @@ TEST_CASE("a page loses what needs our answers, and keeps what stands around it"
     const std::string measured =
         page_in_handout("x.md", "`./course dev bench pairs` measures all three ways on your machine.\n");
     CHECK(measured == "We measured all three ways.\n");
+    const std::string front =
+        page_in_handout("docs/front.md", "**You teach?** [How](a.md).\n**You'd mend a line?** No.\nB.\n");
+    CHECK(front == "B.\n");
+}
+
+TEST_CASE("the course's own handout gives nothing away, and no page of it leads nowhere") {
+    const SmallCourse course;
+    const fs::path made = course.workspace.root / "made";
+    fs::create_directories(made);
+    for (const auto &each : fs::directory_iterator{COURSE_ROOT})
+        if (!is_any_of(each.path().filename().string(), {"build", ".git", ".course"}))
+            fs::copy(each.path(), made / each.path().filename(), fs::copy_options::recursive);
+    make_handout(made);
+    const Workspace ours{.root = COURSE_ROOT, .build = COURSE_BUILD};
+    for (const Finding &each : leaks(ours, made))
+        FAIL_CHECK(each.file.string() << ':' << each.line << ": " << each.message);
 }
 
 TEST_CASE(

@@ -251,18 +251,12 @@ void find_leaks(const Workspace &workspace, const std::vector<Telling> &lines, c
 }
 
 /// Words of pages, and what stands there in a handout.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> replaced_words{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> replaced_words{{
     {"then our solution of 3.2 answers, whether you have written yours or not.", "then your own 3.2 answers."},
     {"`./course dev bench pairs` measures all three ways on your machine.", "We measured all three ways."},
     {"`./course dev bench particles` measures three pools on your machine; in", "We measured three pools: in"},
     {"; how to fix a line or add a section is in [CONTRIBUTING](CONTRIBUTING.md)", ""},
     {" What has changed: [CHANGELOG](CHANGELOG.md).", ""},
-    {R"(**You teach?** Sections stand alone, and `./course check 7 --file ann.cpp` gives you the verdict that your student sees: [how to judge a class](instructors.md).
-)",
-     ""},
-    {R"(**You'd mend a line, or add a section?** Every number in the text is computed, and a check says what no longer agrees: [how you do it](../CONTRIBUTING.md), and [where things are](../ARCHITECTURE.md).
-)",
-     ""},
     {"\nOn Debian 12 or later",
      "\nThis edition is [a handout](HANDOUT.md): your instructor has the solutions.\n\nOn Debian 12 or later"},
 }};
@@ -291,6 +285,8 @@ std::string page_in_handout(const std::string &file, std::string page) {
     without_what_needs_answers(lines);
     if (file == "README.md")
         for (const char *heading : {"I want to fix a line", "I teach with it"}) without_part(lines, heading);
+    if (file == "docs/front.md")
+        for (const char *words : {"**You teach?**", "**You'd mend a line"}) std::erase_if(lines, beginning(words));
     page = joined(lines);
     for (const auto &[words, instead] : replaced_words) replace_all(page, words, instead);
     return page;
