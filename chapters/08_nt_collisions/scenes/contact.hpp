@@ -23,8 +23,8 @@ struct Contact : Scene {
 
     void draw(Canvas &canvas) const override {
         const Vec2 to_b = n(), t = turned(to_b), velocity = tip.at() / scale;
-        draw_ball(canvas, {0, 0}, -0.5 * to_b, 0);
-        draw_ball(canvas, 2 * to_b, 2.5 * to_b, 1);
+        draw_lettered(canvas, {0, 0}, 1, 0, -0.5 * to_b);
+        draw_lettered(canvas, 2 * to_b, 1, 1, 0.5 * to_b);
         draw_axis(canvas, to_b, "n");
         draw_axis(canvas, t, "t");
         const auto [normal, tangential] = arrows(velocity, {0, 0}, 2 * to_b);
@@ -38,10 +38,6 @@ struct Contact : Scene {
                      Colour::pink, 22);
         canvas.plate(scale * tangential + (parts.tangential < 0 ? -0.5 : 0.5) * t, number(parts.tangential, 2, "m/s"),
                      Colour::green, 22);
-    }
-    static void draw_ball(Canvas &canvas, const Vec2 &at, const Vec2 &letter, int which) {
-        canvas.ball(at, 1, colours[which]);
-        canvas.text(letter - Vec2{0, 0.17}, which == 0 ? "A" : "B", Colour::ink, 22, Anchor::middle);
     }
     static void draw_axis(Canvas &canvas, const Vec2 &along, const std::string &letter) {
         canvas.dotted({-9 * along, 9 * along}, Colour::ink, 1.5).strength = 0.6;

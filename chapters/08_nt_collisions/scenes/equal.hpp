@@ -27,8 +27,8 @@ struct Equal : OffCentre {
         draw_both(canvas);
         if (angle) {
             const Vec2 middle = (a.velocity.normalized() + b.velocity.normalized()).normalized();
-            const double degrees = std::abs(turn(a.velocity, b.velocity)) * 180 / std::numbers::pi;
-            canvas.plate(touched[0] + 2.2 * middle, number(degrees, 1) + "°", Colour::amber, 24);
+            canvas.plate(touched[0] + 2.2 * middle, number(angle_between(a.velocity, b.velocity), 1) + "°",
+                         Colour::amber, 24);
         }
         if (parting)
             canvas.plate(a.position - Vec2{0, 1}, number((b.position - a.position).norm(), 2, "m apart"), Colour::amber,

@@ -25,11 +25,10 @@ struct Fast : Meeting {
     void take_over() override { begin(); }
     void changed() override { begin(); }
     std::size_t number_of_speed() const { return std::size_t(std::lround((speed - 10) / 5)); }
+    static Vec2 lamp_of(std::size_t speed_number) { return {-6.3 + 0.7 * double(speed_number), -3.1}; }
     void move(double /*dt*/) override {
-        if (contact == 1) return next_frame_with_contact(a, b, 1, frame_time);
-        if (touch(a, b)) collide(a, b, 1);
-        a.position += frame_time * a.velocity;
-        b.position += frame_time * b.velocity;
+        if (contact == 1) next_frame_with_contact(a, b, 1, frame_time);
+        else collide_and_roll(1, frame_time);
     }
     bool is_through() const { return !met && a.position.x() > b.position.x() + 1; }
     void step(double dt) override {
@@ -47,14 +46,14 @@ struct Fast : Meeting {
         if (met || is_through())
             canvas.plate({-1.6, 1.5}, met ? "caught" : "through!", met ? Colour::green : Colour::pink, 26);
         for (std::size_t i = 0; i < 19; ++i) { // a lamp for each speed
-            const Vec2 at{-6.3 + 0.7 * double(i), -3.1};
+            const Vec2 at = lamp_of(i);
             if (const Colour colour = tried[contact][i]; colour == Colour::dim)
                 canvas.dot(at, 0.19, Colour::ink).strength = 0.35;
             else canvas.lamp(at, 0.21, colour);
             if (i % 6 == 0)
                 canvas.text(at - Vec2{0, 0.8}, number(double(10 + 5 * i), 0, "m/s"), Colour::ink, 18, Anchor::middle);
         }
-        canvas.dotted(arc({-6.3 + 0.7 * double(number_of_speed()), -3.1}, 0.36), Colour::amber, 2);
+        canvas.dotted(arc(lamp_of(number_of_speed()), 0.36), Colour::amber, 2);
     }
 };
 } // namespace play

@@ -22,11 +22,7 @@ struct Masses : OffCentre {
         begun = energy_of(a) + energy_of(b);
         momentum = a.mass * a.velocity.norm() + b.mass * b.velocity.norm();
     }
-    void move(double dt) override {
-        if (touch(a, b)) collide(a, b, restitution);
-        a.position += dt * a.velocity;
-        b.position += dt * b.velocity;
-    }
+    void move(double dt) override { collide_and_roll(restitution, dt); }
 
     void draw(Canvas &canvas) const override {
         draw_both(canvas);

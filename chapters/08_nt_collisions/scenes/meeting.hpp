@@ -25,6 +25,12 @@ struct Meeting : Scene {
         since = 0;
         for (std::vector<Vec2> &path : paths) path.clear();
     }
+    /// The frame of 8.3: they collide if they touch, and roll on.
+    void collide_and_roll(double restitution, double dt) {
+        if (touch(a, b)) collide(a, b, restitution);
+        a.position += dt * a.velocity;
+        b.position += dt * b.velocity;
+    }
     void roll(double dt) {
         const Vec2 before = a.velocity, at[]{a.position, b.position};
         move(dt);

@@ -28,7 +28,7 @@ struct Opening : Meeting {
     void aim(int i, const Vec2 &way) { tips[i].move(centre(i) + length * way); }
     void back() {
         place(n, {{0, 0}, {5, 0}, 0.5, 1}, {{0, 0}, {0, 0}, 0.5, 1}, 48);
-        rolling = untouched;
+        rolling = false;
     }
     void begin() override {
         back();
@@ -96,8 +96,7 @@ struct Opening : Meeting {
     void draw_words(Canvas &canvas, int i) const {
         const Vec2 beside = tips[i].at() + 0.6 * guess(i);
         if (!met) return void(canvas.plate(beside, i == 0 ? "A?" : "B?", colours[i], 24));
-        const double off = std::abs(turn(guess(i), ball(i).velocity));
-        canvas.plate(beside, number(off * 180 / std::numbers::pi, 0) + "° off", colours[i], 24);
+        canvas.plate(beside, number(angle_between(guess(i), ball(i).velocity), 0) + "° off", colours[i], 24);
         canvas.plate(ball(i).position + 0.95 * ball(i).velocity.normalized(), number(ball(i).velocity.norm(), 1, "m/s"),
                      Colour::ink, 18);
     }

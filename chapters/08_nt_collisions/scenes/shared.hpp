@@ -32,10 +32,13 @@ inline void draw_table(Canvas &canvas) {
         for (const double y : {-5.05, 5.05}) canvas.dot({x, y}, 0.07, Colour::amber);
 }
 
-/// A ball with its letter on it.
-inline void draw_lettered(Canvas &canvas, const Vec2 &at, double radius, int which) {
+/// The angle between two directions [°].
+inline double angle_between(const Vec2 &a, const Vec2 &b) { return std::abs(turn(a, b)) * 180 / std::numbers::pi; }
+
+/// A ball with its letter on it, so far from its centre.
+inline void draw_lettered(Canvas &canvas, const Vec2 &at, double radius, int which, const Vec2 &off = {0, 0}) {
     canvas.ball(at, radius, colours[which]);
-    canvas.text(at - Vec2{0, 0.17}, which == 0 ? "A" : "B", Colour::ink, 22, Anchor::middle);
+    canvas.text(at + off - Vec2{0, 0.17}, which == 0 ? "A" : "B", Colour::ink, 22, Anchor::middle);
 }
 /// Where it will be, or was.
 inline void draw_outline(Canvas &canvas, const Vec2 &at, double radius, Colour colour) {
