@@ -113,6 +113,20 @@ macro(section_demo)
   endif()
 endmacro()
 
+# test_demo(name program kept alone): that a demo agrees with the one that is kept for a page, and goes on under a wild hand; if
+# tests are thorough, ten minutes of each game under that hand, and so many frames of 0.1 s alone.
+function(test_demo name program kept alone)
+  add_test(NAME ${name} COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/play/script.mjs $<TARGET_FILE:${program}>
+    ${PROJECT_SOURCE_DIR}/demos/${kept}.js)
+  add_test(NAME ${name}.wild COMMAND ${program} --wild 600)
+  set_tests_properties(${name} ${name}.wild PROPERTIES LABELS slow)
+  if(COURSE_THOROUGH)
+    add_test(NAME ${name}.wild_for_long COMMAND ${program} --wild 36000)
+    add_test(NAME ${name}.alone COMMAND ${program} --alone ${alone})
+    set_tests_properties(${name}.wild_for_long ${name}.alone PROPERTIES LABELS wild TIMEOUT 3600)
+  endif()
+endfunction()
+
 # The demo without a page, on our functions, and what plays it.
 macro(section_script)
   add_executable(${section}_demo tools/play/host/script.cpp tools/play/host/checked.cpp $<TARGET_OBJECTS:${section}_reference> ${earlier_objects})
@@ -122,27 +136,17 @@ macro(section_script)
   set_target_properties(${section}_demo PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/demo)
   add_dependencies(demo-tests ${section}_demo)
   add_dependencies(${section}_checks ${section}_demo)
-  set(tests ${section}.demo)
-  add_test(NAME ${section}.demo COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/play/script.mjs $<TARGET_FILE:${section}_demo>
-    ${PROJECT_SOURCE_DIR}/demos/${section}.js)
+  set(alone 1188000)
+  if(section MATCHES "^(08_nt_collisions|11_particles)$") # where balls or sparks are many
+    set(alone 36000)
+  endif()
+  test_demo(${section}.demo ${section}_demo ${section} ${alone})
   file(GLOB tasks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${section}/*.mjs) # what a place asks can be done
   foreach(task ${tasks})
     cmake_path(GET task STEM stem)
     add_test(NAME ${section}.demo.${stem} COMMAND ${NODE} ${task} $<TARGET_FILE:${section}_demo>)
-    list(APPEND tests ${section}.demo.${stem})
+    set_tests_properties(${section}.demo.${stem} PROPERTIES LABELS slow)
   endforeach()
-  add_test(NAME ${section}.demo.wild COMMAND ${section}_demo --wild 600)
-  list(APPEND tests ${section}.demo.wild)
-  set_tests_properties(${tests} PROPERTIES LABELS slow)
-  if(COURSE_THOROUGH) # ten minutes of each game under that hand, and 33 hours alone; or one, where balls or sparks are many
-    set(alone 1188000)
-    if(section MATCHES "^(08_nt_collisions|11_particles)$")
-      set(alone 36000)
-    endif()
-    add_test(NAME ${section}.demo.wild_for_long COMMAND ${section}_demo --wild 36000)
-    add_test(NAME ${section}.demo.alone COMMAND ${section}_demo --alone ${alone})
-    set_tests_properties(${section}.demo.wild_for_long ${section}.demo.alone PROPERTIES LABELS wild TIMEOUT 3600)
-  endif()
 endmacro()
 
 macro(section_wasm)

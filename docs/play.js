@@ -213,7 +213,7 @@
       const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours', parseInt(name, 10), broken);
       if (start !== starts) return; // another one has overtaken this one
       world = fresh;
-      letGo();
+      Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false, down: false });
       attempt(() => (world.initialize(), (about = world.begin())));
       if (!about) return;
       if (keys.childElementCount === 0) describe();
@@ -395,9 +395,6 @@
       if (answers.textContent !== told) answers.textContent = told;
     }
 
-    function letGo() {
-      Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false, down: false });
-    }
     function turn(i, value) {
       values[i] = value;
       dials[i]?.(value);

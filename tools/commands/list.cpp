@@ -71,10 +71,7 @@ void list(const Workspace &workspace) {
         print(workspace, section, progress(workspace, section));
         std::cout << '\n';
     }
-    if (const auto sketches = files_in(workspace.sketches(), ".cpp"); !sketches.empty()) {
-        for (const auto &file : sketches) std::cout << "./course sketch " << file.stem().string() << '\n';
-        std::cout << '\n';
-    }
+    if (print_sketches(workspace)) std::cout << '\n';
     const auto section = section_to_go_on_with(workspace);
     std::cout << (section ? "Next: " + next_step(workspace, *section) : "All exercises are passed.") << '\n';
 }

@@ -64,10 +64,8 @@ std::vector<Shown> shown_of(const Workspace &workspace, const std::vector<Sectio
                            demo_starts(demo_marks(read_file(workspace.chapter(section)))),
                            build_config(workspace, section).plays_yours ? heaviest_of_many : heaviest_demo});
     if (sections.size() < workspace.sections().size()) return all;
-    for (const fs::path &file : files_in(workspace.root / "docs" / "gallery", ".cpp")) {
-        const std::string name = "sketch_" + file.stem().string();
-        all.push_back({name, name + "_page", name, {""}});
-    }
+    for (const GallerySketch &sketch : gallery(workspace))
+        all.push_back({sketch.demo, sketch.demo + "_page", sketch.demo, {""}});
     return all;
 }
 

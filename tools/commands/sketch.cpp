@@ -8,6 +8,7 @@
 #include "check/diagnosis.hpp"
 #include "commands/commands.hpp"
 #include "site/build.hpp"
+#include "site/demos.hpp"
 #include "site/share.hpp"
 
 #include <algorithm>
@@ -92,12 +93,12 @@ std::vector<std::pair<std::string, fs::path>> scenes_of(const Workspace &workspa
 
 /// The code of a sketch of the gallery.
 std::string gallery_sketch(const Workspace &workspace, const std::string &name) {
-    const fs::path folder = workspace.root / "docs" / "gallery", file = folder / (name + ".cpp");
-    if (fs::exists(file)) return read_file(file);
     std::string names;
-    for (const fs::path &each : files_in(folder, ".cpp")) names += (names.empty() ? "" : ", ") + each.stem().string();
-    throw UserError{"--from names a section and a scene of it, as 4/lands does, or a sketch of the gallery"
-                    + (names.empty() ? "" : ": " + names)};
+    for (const GallerySketch &each : gallery(workspace)) {
+        if (each.name == name) return read_file(each.file);
+        names += (names.empty() ? ": " : ", ") + each.name;
+    }
+    throw UserError{"--from names a section and a scene of it, as 4/lands does, or a sketch of the gallery" + names};
 }
 
 /// One of the book's scenes as a sketch: what it shares with others stays where it is.
@@ -178,8 +179,7 @@ bool build_sketch(const Workspace &workspace, const Sketch &sketch) {
 
 void sketch_for(const Workspace &workspace, const SketchOptions &options) {
     if (options.name.empty()) {
-        for (const fs::path &file : files_in(workspace.sketches(), ".cpp"))
-            std::cout << "./course sketch " << file.stem().string() << '\n';
+        print_sketches(workspace);
         std::cout << "A new one: ./course sketch moon\n";
         return;
     }
@@ -220,6 +220,12 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
 }
 
 } // namespace
+
+bool print_sketches(const Workspace &workspace) {
+    const std::vector<fs::path> files = files_in(workspace.sketches(), ".cpp");
+    for (const fs::path &file : files) std::cout << "./course sketch " << file.stem().string() << '\n';
+    return !files.empty();
+}
 
 void add_sketch(CLI::App &app, const Workspace &workspace) {
     const auto options = std::make_shared<SketchOptions>();

@@ -132,9 +132,9 @@ class Builder {
                 files[picture] = read_file(workspace.root / picture);
             }
         }
-        for (const GallerySketch &sketch : gallery(workspace))
-            for (const char *ending : {".js", ".svg"})
-                files[sketch_file(sketch.name, ending)] = read_file(workspace.root / sketch_file(sketch.name, ending));
+        for (const GallerySketch &sketch : published_gallery(workspace))
+            for (const std::string &file : {sketch.script(), sketch.picture()})
+                files[file] = read_file(workspace.root / file);
         files["lunr.js"] = read_file(fs::path{tools.lunr}.replace_extension(".min.js"));
         // Every browser of the last ten years takes the first of the three formats.
         static const std::regex older{R"(,url\([^)]*\.(woff|ttf)\) format\([^)]*\))"};

@@ -77,24 +77,22 @@ std::string demo_figure(const Demo &demo, const std::string &id, const DemoMark 
                   demo.about.empty() ? "" : words_of(parse_markdown(picture_words(demo.about, mark)).get()));
 }
 
-std::string sketch_file(const std::string &name, std::string_view ending) {
-    return "demos/sketch_" + name + std::string{ending};
-}
-
 std::vector<GallerySketch> gallery(const Workspace &workspace) {
     std::vector<GallerySketch> all;
-    for (const fs::path &file : files_in(workspace.root / "docs" / "gallery", ".cpp")) {
-        const std::string name = file.stem();
-        if (fs::exists(workspace.root / sketch_file(name)))
-            all.push_back({name, file, without_entities(picture_title(workspace.root / sketch_file(name, ".svg")))});
-    }
+    for (const fs::path &file : files_in(workspace.root / "docs" / "gallery", ".cpp"))
+        all.push_back({file.stem(), file, "sketch_" + file.stem().string()});
     return all;
 }
 
-std::string sketch_figure(const GallerySketch &sketch) {
-    const std::string name = "sketch_" + sketch.name;
-    return figure(name, attribute("data-demo", name), escaped(sketch.about), sketch_file(sketch.name, ".svg"),
-                  sketch.about);
+std::vector<GallerySketch> published_gallery(const Workspace &workspace) {
+    std::vector<GallerySketch> all = gallery(workspace);
+    std::erase_if(all, [&](const GallerySketch &each) { return !fs::exists(workspace.root / each.script()); });
+    return all;
+}
+
+std::string sketch_figure(const Workspace &workspace, const GallerySketch &sketch) {
+    const std::string about = without_entities(picture_title(workspace.root / sketch.picture()));
+    return figure(sketch.demo, attribute("data-demo", sketch.demo), escaped(about), sketch.picture(), about);
 }
 
 } // namespace course

@@ -22,12 +22,16 @@ struct Demo {
 struct GallerySketch {
     std::string name;           ///< of its file: "pinball"
     std::filesystem::path file; ///< its code
-    std::string about;          ///< what it shows, as the title of the picture says
+    std::string demo;           ///< what it's called among the demos: "sketch_pinball"
+    std::string script() const { return "demos/" + demo + ".js"; }
+    std::string picture() const { return "demos/" + demo + ".svg"; }
 };
+/// All of them, by name; and those that are published.
 std::vector<GallerySketch> gallery(const Workspace &workspace);
-/// In which it is kept, and read by the site's pages: "demos/sketch_pinball.js"; and its picture.
-std::string sketch_file(const std::string &name, std::string_view ending = ".js");
-std::string sketch_figure(const GallerySketch &sketch);
+std::vector<GallerySketch> published_gallery(const Workspace &workspace);
+/// Whether something among the demos is one of them: it's on our functions alone.
+inline bool is_of_gallery(std::string_view demo) { return demo.starts_with("sketch_"); }
+std::string sketch_figure(const Workspace &workspace, const GallerySketch &sketch);
 
 /// The demos of all chapters, in order, where demos/ has them.
 std::vector<Demo> demos(const Workspace &workspace);

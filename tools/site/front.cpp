@@ -135,7 +135,7 @@ std::ptrdiff_t lines_of_code(const std::string &code) {
 
 /// The gallery, each with its code.
 std::string sketches(const Workspace &workspace) {
-    const std::vector<GallerySketch> all = gallery(workspace);
+    const std::vector<GallerySketch> all = published_gallery(workspace);
     std::string page;
     if (!all.empty())
         page +=
@@ -144,7 +144,7 @@ std::string sketches(const Workspace &workspace) {
             + all.front().name + "`.\n";
     for (const GallerySketch &sketch : all) {
         const std::string code = read_file(sketch.file);
-        page += '\n' + sketch_figure(sketch) + "\n<details><summary>" + std::to_string(lines_of_code(code))
+        page += '\n' + sketch_figure(workspace, sketch) + "\n<details><summary>" + std::to_string(lines_of_code(code))
                 + " lines of code</summary>\n" + as_listing(code) + "</details>\n";
     }
     return page;

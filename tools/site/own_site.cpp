@@ -146,11 +146,12 @@ std::string own_page(const Workspace &workspace, const std::string &page, const 
         const std::string source = before.attribute("src"), name{tag.name()};
         if (name == "main") insert(end, note_on(workspace, page));
         if (before.attribute("class") == "book-name") insert(begin, " <small>your copy</small>");
-        const bool of_gallery = tag.attribute("data-demo").starts_with("sketch_"); // which is on our functions alone
-        if (tag.attribute("class") == "play" && !tag.has("data-mine") && !of_gallery) insert(end - 1, " data-mine");
+        if (tag.attribute("class") == "play" && !tag.has("data-mine") && !is_of_gallery(tag.attribute("data-demo")))
+            insert(end - 1, " data-mine");
         if (name == "figcaption" && before.name() == "img" && has_own_drawing(workspace, source))
             insert(end, "<strong class=\"own\">With your curve.</strong> ");
-        if (before.name() == "script" && source.starts_with("demos/") && !source.starts_with("demos/sketch_"))
+        if (before.name() == "script" && source.starts_with("demos/")
+            && !is_of_gallery(fs::path{source}.stem().string()))
             insert(end, "\n<script src=\"" + own_demo_script(source) + "\"></script>");
         before = tag;
     });

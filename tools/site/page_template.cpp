@@ -137,12 +137,10 @@ class Surroundings {
             if (contains(body, "data-demo=\"" + section.name + '"'))
                 scripts += "<script src=\"" + demo_file(section) + "\"></script>\n";
         for (const GallerySketch &sketch : sketches)
-            if (contains(body, "data-demo=\"sketch_" + sketch.name + '"'))
-                scripts += "<script src=\"" + sketch_file(sketch.name) + "\"></script>\n";
+            if (contains(body, "data-demo=\"" + sketch.demo + '"'))
+                scripts += "<script src=\"" + sketch.script() + "\"></script>\n";
         return scripts.empty() ? ""
-                               : scripts
-                                     + "<script src=\"draw.js\"></script>\n"
-                                       "<script src=\"play.js\"></script>\n";
+                               : scripts + "<script src=\"draw.js\"></script>\n<script src=\"play.js\"></script>\n";
     }
 
     std::string sidebar(const SitePage &page) const {
@@ -192,7 +190,7 @@ class Surroundings {
     const Workspace &workspace;
     const std::string page_template = read_file(workspace.root / "docs" / "page.html");
     const std::vector<Section> sections = workspace.sections();
-    const std::vector<GallerySketch> sketches = gallery(workspace);
+    const std::vector<GallerySketch> sketches = published_gallery(workspace);
     const bool has_demos = !demos(workspace).empty();
     std::vector<Destination> before, rows, after, interfaces, others, order;
 };
