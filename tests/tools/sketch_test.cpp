@@ -42,6 +42,26 @@ TEST_CASE("a sketch is written once, and all are listed; what's missing is said 
     CHECK(small({"sketch"}).out == "./course sketch moon\nA new one: ./course sketch moon\n");
 }
 
+TEST_CASE("reset brings the first lines of a sketch back, and keeps a copy; where there is none it says so") {
+    const SmallCourse small;
+    small({"sketch", "moon"});
+    const std::string first = small.read("exercises/sketches/moon.cpp");
+    small.write("exercises/sketches/moon.cpp", "// mine\n");
+    CHECK_THAT(small({"reset", "moon", "--sketch"}).err,
+               ContainsSubstring("./course reset moon --sketch --yes does it"));
+    CHECK(small.read("exercises/sketches/moon.cpp") == "// mine\n");
+
+    CHECK_THAT(small({"reset", "moon", "--sketch", "--yes"}).out,
+               ContainsSubstring("moon.cpp is the empty one again. Yours is kept: .course/kept/moon-20"));
+    CHECK(small.read("exercises/sketches/moon.cpp") == first);
+    REQUIRE(small.kept().size() == 1);
+    CHECK(read_file(small.kept()[0]) == "// mine\n");
+
+    for (const char *none : {"sun", "../sketches/moon", ""})
+        CHECK_THAT(small({"reset", none, "--sketch", "--yes"}).err,
+                   ContainsSubstring("there is no sketch `" + std::string{none} + '`'));
+}
+
 TEST_CASE("a sketch begins with a scene of the book, by its name or its file, but not over another sketch") {
     const SmallCourse small;
     small.write("chapters/07_wall_meeting/scenes/lands.hpp", scene);

@@ -31,8 +31,10 @@ int check_file(const Workspace &workspace, const std::string &exercise, const st
 void print_unbuilt(const Verdict &verdict, const std::string &name);
 void print_warnings(const std::vector<std::string> &warnings, bool verbose);
 
-/// How each of the reader's sketches is shown, a line for each; sketch.cpp has it. @return whether there are any
+/// How each of the reader's sketches is shown, a line for each. @return whether there are any
 bool print_sketches(const Workspace &workspace);
+/// What a sketch of this name begins with; sketch.cpp has both.
+std::string first_sketch(const std::string &name);
 
 /// For a seed of generated values, as `check` and `grade` take one; check.cpp has it.
 CLI::Validator is_seed();

@@ -8,6 +8,7 @@
 #include "commands/commands.hpp"
 #include "site/progress_script.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace course {
@@ -23,15 +24,11 @@ void reset_bugs(const Workspace &workspace, const Section &section) {
     else if (was_there) std::cout << file << " is gone.\n";
 }
 
+/// @param call  what repeats it, without a question: "7 --tests"
 /// @return whether it was done, or there was nothing to do; else the student answered no
-bool reset(const Workspace &workspace, const Section &section, const std::string &words, bool tests, bool yes) {
-    const std::filesystem::path student_file = tests ? workspace.own_tests(section) : workspace.exercise(section);
-    const std::string file = workspace.relative_name(student_file),
-                      number = section.short_number() + (tests ? " --tests" : "");
-    if (is_number_of_exercise(words))
-        throw UserError{"`reset` brings back a whole section, not one exercise of it: ./course reset " + number};
-
-    const std::string empty = tests ? empty_own_tests(workspace, section) : read_file(workspace.stub(section));
+bool reset(const Workspace &workspace, const std::filesystem::path &student_file, const std::string &empty,
+           const std::string &call, bool yes) {
+    const std::string file = workspace.relative_name(student_file);
     if (!std::filesystem::exists(student_file)) {
         write_file(student_file, empty);
         std::cout << file << " is back, with nothing done yet.\n";
@@ -43,7 +40,7 @@ bool reset(const Workspace &workspace, const Section &section, const std::string
     }
     if (!yes && !can_ask())
         throw UserError{"`reset` asks before it replaces " + file
-                        + ", and there is no terminal to ask on; ./course reset " + number
+                        + ", and there is no terminal to ask on; ./course reset " + call
                         + " --yes does it, and keeps a copy"};
     if (!yes && !ask("Replace " + file + " by the empty one? Yours is kept in .course/kept.")) {
         std::cout << "Nothing has changed.\n";
@@ -55,21 +52,42 @@ bool reset(const Workspace &workspace, const Section &section, const std::string
     return true;
 }
 
+void reset_sketch(const Workspace &workspace, const std::string &name, bool yes) {
+    const auto sketches = files_in(workspace.sketches(), ".cpp");
+    const auto file =
+        std::ranges::find(sketches, name, [](const std::filesystem::path &each) { return each.stem().string(); });
+    if (file == sketches.end())
+        throw UserError{"there is no sketch `" + name + "`; ./course sketch shows those that are there"};
+    reset(workspace, *file, first_sketch(name), name + " --sketch", yes);
+}
+
+void reset_section(const Workspace &workspace, const std::string &words, bool tests, bool yes) {
+    const Section section = workspace.section(words);
+    const std::string call = section.short_number() + (tests ? " --tests" : "");
+    if (is_number_of_exercise(words))
+        throw UserError{"`reset` brings back a whole section, not one exercise of it: ./course reset " + call};
+    if (tests) reset(workspace, workspace.own_tests(section), empty_own_tests(workspace, section), call, yes);
+    else if (reset(workspace, workspace.exercise(section), read_file(workspace.stub(section)), call, yes))
+        reset_bugs(workspace, section);
+    write_progress_script(workspace);
+}
+
 } // namespace
 
 void add_reset(CLI::App &app, const Workspace &workspace) {
-    const auto section = std::make_shared<std::string>();
-    const auto tests = std::make_shared<bool>(), yes = std::make_shared<bool>();
+    const auto what = std::make_shared<std::string>();
+    const auto tests = std::make_shared<bool>(), sketch = std::make_shared<bool>(), yes = std::make_shared<bool>();
     CLI::App *command =
         app.add_subcommand("reset", "Bring back a section's empty exercises, and its bugs; yours are kept as a copy");
-    command->add_option("section", *section, "its number, name or file")->required();
-    command->add_flag("--tests", *tests, "your own tests instead, see mytests");
+    command->add_option("section", *what, "its number, name or file")->required();
+    CLI::Option *with_tests = command->add_flag("--tests", *tests, "your own tests instead, see mytests");
+    command->add_flag("--sketch", *sketch, "the sketch of that name instead")->excludes(with_tests);
     command->add_flag("--yes", *yes, "do not ask");
-    command->footer("The copy goes to .course/kept/, under a name with date and time.\n\nExample: ./course reset 7");
-    command->callback([&workspace, section, tests, yes] {
-        const Section chosen = workspace.section(*section);
-        if (reset(workspace, chosen, *section, *tests, *yes) && !*tests) reset_bugs(workspace, chosen);
-        write_progress_script(workspace);
+    command->footer("The copy goes to .course/kept/, under a name with date and time.\n\nExample: ./course reset 7\n"
+                    "         ./course reset moon --sketch");
+    command->callback([&workspace, what, tests, sketch, yes] {
+        if (*sketch) reset_sketch(workspace, *what, *yes);
+        else reset_section(workspace, *what, *tests, *yes);
     });
 }
 

@@ -54,28 +54,6 @@ struct Sketch {
 
 // What it begins with
 
-std::string first_sketch(const std::string &name) {
-    std::string type = with_capital(name);
-    return fmt::format(
-        R"(// `./course sketch {0} --watch` shows it, and again whenever you save; docs/sketches.md says what else there is.
-#include "sketch.hpp"
-using namespace demo;
-
-struct {1} : Scene {{
-    Slider pull = slider("pull", "1/s", 0.5, 9, 0.5, 3);
-    Vec2 at{{8, 4.5}}; // [m], in a world of 16 m by 9 m
-
-    View view() const override {{ return {{{{0, 0}}, {{16, 9}}, Stage::night}}; }}
-    void step(double dt) override {{
-        if (hand.inside) at += dt * pull * (hand.at - at);
-    }}
-    void draw(Canvas &canvas) const override {{ canvas.lamp(at, 1, Colour::amber); }}
-}};
-SKETCH({1}, "A disc that follows the pointer")
-)",
-        name, type);
-}
-
 /// The files of a section's scenes, by the name that a place of its chapter has for each.
 std::vector<std::pair<std::string, fs::path>> scenes_of(const Workspace &workspace, const Section &section) {
     std::vector<std::pair<std::string, fs::path>> scenes;
@@ -220,6 +198,28 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
 }
 
 } // namespace
+
+std::string first_sketch(const std::string &name) {
+    std::string type = with_capital(name);
+    return fmt::format(
+        R"(// `./course sketch {0} --watch` shows it, and again whenever you save; docs/sketches.md says what else there is.
+#include "sketch.hpp"
+using namespace demo;
+
+struct {1} : Scene {{
+    Slider pull = slider("pull", "1/s", 0.5, 9, 0.5, 3);
+    Vec2 at{{8, 4.5}}; // [m], in a world of 16 m by 9 m
+
+    View view() const override {{ return {{{{0, 0}}, {{16, 9}}, Stage::night}}; }}
+    void step(double dt) override {{
+        if (hand.inside) at += dt * pull * (hand.at - at);
+    }}
+    void draw(Canvas &canvas) const override {{ canvas.lamp(at, 1, Colour::amber); }}
+}};
+SKETCH({1}, "A disc that follows the pointer")
+)",
+        name, type);
+}
 
 bool print_sketches(const Workspace &workspace) {
     const std::vector<fs::path> files = files_in(workspace.sketches(), ".cpp");
