@@ -51,6 +51,7 @@ test('each page says what it is about; where it has a demo there is a picture of
     assert.ok(meta('description').length > 30 && meta('og:title') && meta('og:description') === meta('description'), name);
     assert.equal(Boolean(meta('og:image')), text.includes('data-demo="'), name);
     if (!meta('og:image')) continue;
+    if (name === 'chapter_08_nt_collisions.html') assert.match(meta('og:image'), /\/demos\/08_nt_collisions_[2-8]\.png$/, 'its best scene, as on its card');
     const png = fs.readFileSync(path.join(folder, meta('og:image').slice(address.length)));
     assert.deepEqual([png.toString('latin1', 1, 4), png.readUInt32BE(16)], ['PNG', 1280]);
   }

@@ -6,9 +6,12 @@
 #include "book/contents.hpp"
 #include "site/demos.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <regex>
 
 namespace course {
+namespace fs = std::filesystem;
 namespace {
 
 /// "75 + 155" as a sentence.
@@ -108,10 +111,9 @@ class Surroundings {
     }
 
   private:
-    /// For a search engine, and for whoever is sent a link: what the page is about, and a picture of the first demo. The
+    /// For a search engine, and for whoever is sent a link: what the page is about, and the picture of its best scene. The
     /// address is a relative one, and so is the base of 404.html, until tools/site/publish_at knows where the site goes.
     std::string about(const SitePage &page, const std::string &title) const {
-        static const std::regex first_demo{R"re(data-demo="(\w+)")re"};
         std::string words = page.name == "index"
                                 ? "You guess, you work it out, you write the C++ function, and you watch it "
                                   "move: a course in game physics that runs."
@@ -122,12 +124,22 @@ class Surroundings {
         const auto meta = [](const std::string &name, const std::string &html) {
             return "<meta " + name + " content=\"" + html + "\">\n";
         };
-        std::smatch demo;
+        const std::string picture = picture_of(page);
         return (page.name == "404" ? "<base href=\"404.html\">\n" : "") + meta("name=\"description\"", escaped(words))
                + meta("property=\"og:title\"", title) + meta("property=\"og:description\"", escaped(words))
-               + (std::regex_search(page.html, demo, first_demo)
-                      ? meta("property=\"og:image\"", "demos/" + demo[1].str() + ".png")
-                      : "");
+               + (picture.empty() ? ""
+                                  : meta("property=\"og:image\"", fs::path{picture}.replace_extension("png").string()));
+    }
+
+    /// The scene that its chapter is shown by, or else the first in it; "" if there is none.
+    std::string picture_of(const SitePage &page) const {
+        static const std::regex first{R"re(<img src="(demos/\w+\.svg)")re"};
+        std::smatch picture;
+        if (!std::regex_search(page.html, picture, first)) return "";
+        const auto demo = std::ranges::find_if(all_demos, [&](const Demo &each) {
+            return page_name(workspace, workspace.chapter(each.section)) == page.name;
+        });
+        return demo == all_demos.end() ? picture[1].str() : demo_picture_file(*demo, demo->mark);
     }
 
     /// What the demos of a page need, if it has some.
@@ -145,7 +157,7 @@ class Surroundings {
 
     std::string sidebar(const SitePage &page) const {
         std::string html = "<ul>\n" + item(page, order.front());
-        if (has_demos) html += item(page, {"play", "Play", "", ""});
+        if (!all_demos.empty()) html += item(page, {"play", "Play", "", ""});
         const auto add = [&](const std::string &heading, const std::vector<Destination> &places) {
             if (!heading.empty() && !places.empty()) html += "</ul>\n<p>" + heading + "</p>\n<ul>\n";
             for (const Destination &place : places) html += item(page, place);
@@ -191,7 +203,7 @@ class Surroundings {
     const std::string page_template = read_file(workspace.root / "docs" / "page.html");
     const std::vector<Section> sections = workspace.sections();
     const std::vector<GallerySketch> sketches = published_gallery(workspace);
-    const bool has_demos = !demos(workspace).empty();
+    const std::vector<Demo> all_demos = demos(workspace);
     std::vector<Destination> before, rows, after, interfaces, others, order;
 };
 
