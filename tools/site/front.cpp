@@ -144,8 +144,8 @@ std::string sketches(const Workspace &workspace) {
             + all.front().name + "`.\n";
     for (const GallerySketch &sketch : all) {
         const std::string code = read_file(sketch.file);
-        page += '\n' + sketch_figure(workspace, sketch) + "\n<details><summary>" + std::to_string(lines_of_code(code))
-                + " lines of code</summary>\n" + as_listing(code) + "</details>\n";
+        page += "\n<div class=\"sketch\">\n" + sketch_figure(workspace, sketch) + "\n<div>\n<p>"
+                + std::to_string(lines_of_code(code)) + " lines of code</p>\n" + as_listing(code) + "</div>\n</div>\n";
     }
     return page;
 }
