@@ -8,7 +8,7 @@
 
 namespace demo {
 
-/// A point of light: how large [m], and how bright, up to 1.
+/// A point of light, or a puff of smoke: how large [m], and how bright or dense, up to 1.
 struct Spark {
     Vec2 at{0, 0};
     double radius{0.1}, strength{1};
@@ -31,6 +31,12 @@ inline std::vector<Vec2> sector(const Vec2 &centre, double radius, double from, 
 }
 inline std::vector<Vec2> box(const Vec2 &low, const Vec2 &high) {
     return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+/// One that is turned.
+/// @param ahead  along its length, a unit vector
+inline std::vector<Vec2> box(const Vec2 &middle, const Vec2 &ahead, double length, double width) {
+    const Vec2 front = length / 2 * ahead, left = width / 2 * Vec2{-ahead.y(), ahead.x()};
+    return {middle - front - left, middle + front - left, middle + front + left, middle - front + left};
 }
 
 class Canvas {
@@ -74,15 +80,9 @@ class Canvas {
         shape.material = Material::glow;
         return shape;
     }
-    Shape &sparks(const std::vector<Spark> &all, Colour colour) {
-        Shape &shape = dots({}, 1, colour);
-        shape.material = Material::light;
-        for (const Spark &each : all) {
-            shape.points.push_back(each.at);
-            shape.each.insert(shape.each.end(), {each.radius, each.strength});
-        }
-        return shape;
-    }
+    Shape &sparks(const std::vector<Spark> &all, Colour colour) { return many(all, colour, Material::light); }
+    /// Smoke, dust, clouds: they cover what lies below, and fade towards their rims.
+    Shape &puffs(const std::vector<Spark> &all, Colour colour) { return many(all, colour, Material::mist); }
 
     /// Where something has been, the oldest point first: it fades and narrows towards that.
     Shape &trail(std::vector<Vec2> points, Colour colour, double width = 4) {
@@ -109,6 +109,7 @@ class Canvas {
     void readout(std::string_view name, double value, std::string_view unit, int decimals = 2) {
         picture.readouts.push_back({name, unit, value, decimals});
     }
+    void readout(std::string_view name, int value, std::string_view unit = {}) { readout(name, value, unit, 0); }
 
     Picture picture;
 
@@ -116,6 +117,15 @@ class Canvas {
     Shape &add(Shape shape) {
         picture.shapes.push_back(std::move(shape));
         return picture.shapes.back();
+    }
+    Shape &many(const std::vector<Spark> &all, Colour colour, Material material) {
+        Shape &shape = dots({}, 1, colour);
+        shape.material = material;
+        for (const Spark &each : all) {
+            shape.points.push_back(each.at);
+            shape.each.insert(shape.each.end(), {each.radius, each.strength});
+        }
+        return shape;
     }
     static Shape &solid(Shape &shape) {
         shape.material = Material::solid;

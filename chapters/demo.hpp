@@ -16,16 +16,16 @@ enum class Colour { ink, dim, line, blue, orange, green, amber, violet, pink, wo
 
 /// What a shape is made of. Solid: lit from the upper left, with an edge and a soft shadow, so that discs are balls,
 /// lines are bars and areas are painted bodies. Glow: with a halo of its colour, as a spark or a lamp has one.
-/// Light: what overlaps adds up, as sparks at night do.
-enum class Material { flat, solid, glow, light };
+/// Light: what overlaps adds up, as sparks at night do. Mist: soft, and it covers, as smoke does.
+enum class Material { flat, solid, glow, light, mist };
 
 /// Where words are, seen from their point.
 enum class Anchor { left, middle, right };
 
 /// Where it all happens. Felt is a billiard table's, and night is dark, on a light page, too: what's drawn there has the
-/// colours of a dark page. A yard has a sky, and ground below; hills are a yard in the country, and a skyline is a town at
-/// night.
-enum class Stage { paper, felt, yard, night, hills, skyline };
+/// colours of a dark page. A yard has a sky, and ground below; hills are a yard in the country, a skyline is a town at night,
+/// and the moon's ground has craters. A workshop has a wall and a floor. Paper may be squared, by the metre.
+enum class Stage { paper, felt, yard, night, hills, skyline, moon, workshop, squared };
 
 /// A slider; or, if it has `options`, a choice among them, whose value is the number of the one that is chosen, from 0; or,
 /// if its step is 0, a key that acts while it's held.
@@ -92,7 +92,7 @@ struct Shape {
     std::string text{};
     Material material{Material::flat}; ///< of words: solid if they are on a plate
     Anchor anchor{Anchor::left};
-    std::vector<double> each{}; ///< for each disc of light its radius [m] and its strength
+    std::vector<double> each{}; ///< for each disc of light or mist its radius [m] and its strength
 };
 struct Readout {
     std::string_view name, unit;
@@ -105,6 +105,6 @@ struct Picture {
     std::vector<Readout> readouts{};
     Stage stage{Stage::paper};
     Vec2 low{0, 0}, high{0, 0}; ///< the part of the world that's seen [m]
-    double ground{0};           ///< how high a yard's ground is [m]
+    double ground{0};           ///< how high the stage's ground is [m]
 };
 } // namespace demo

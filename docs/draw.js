@@ -2,9 +2,9 @@
 // has it draw on a canvas, tools/play/stills.cjs into an SVG.
 (function () {
   'use strict';
-  const kinds = ['discs', 'line', 'area', 'arrow', 'words', 'handle', 'trail'], materials = ['flat', 'solid', 'glow', 'light'], anchors = ['left', 'center', 'right'];
+  const kinds = ['discs', 'line', 'area', 'arrow', 'words', 'handle', 'trail'], materials = ['flat', 'solid', 'glow', 'light', 'mist'], anchors = ['left', 'center', 'right'];
   const colours = ['ink', 'dim', 'line', 'blue', 'orange', 'green', 'amber', 'violet', 'pink'], paintOnly = ['wood', 'earth'];
-  const stages = ['paper', 'felt', 'yard', 'night', 'hills', 'skyline'];
+  const stages = ['paper', 'felt', 'yard', 'night', 'hills', 'skyline', 'moon', 'workshop', 'squared'];
 
   // Takes one thing after the other from a row.
   function reader(numbers) {
@@ -63,6 +63,7 @@
   const spark = kept((paint) => [
     { away: [0, 0], radius: 2.4, shade: around([0.5, 0.5], [0.5, 0.5], 0.5, [0, both(paint, '#ffffff', 0.75)], [0.14, both(paint, '#ffffff', 0.45)], [0.3, paint, 0.6], [1, paint, 0]) },
   ]);
+  const puff = kept((paint) => [{ away: [0, 0], radius: 1, shade: around([0.5, 0.5], [0.5, 0.5], 0.5, [0, paint, 0.8], [0.5, paint, 0.5], [1, paint, 0]) }]);
   const body = kept((paint) => across([0, 0], [0.15, 1], [0, both(paint, '#ffffff', 0.38)], [0.45, paint], [1, both(paint, '#000000', 0.3)]));
   // Strokes, one upon the other: how wide, how far to the upper left, in widths of the bar; which colour, how opaque.
   const bar = kept((paint) => [[1.15, -0.42, black, 0.22], [1.18, 0, both(paint, '#000000', 0.55)], [0.96, 0, paint], [0.3, 0.2, both(paint, '#ffffff', 0.6)]]);
@@ -147,15 +148,16 @@
       along(pen, at.slice(from)), brush.strokeWhole();
     }
   }
-  // Each spark by its own radius and strength, in steps, so that few stamps are made.
-  function drawLight(pen, brush, { colour, each, strength }, at, { scale }, all) {
+  // Each spark or puff by its own radius and strength, in steps, so that few stamps are made.
+  function drawEach(pen, brush, { colour, each, strength, material }, at, { scale }, all) {
+    const light = material === 'light';
     const alike = new Map();
     at.forEach((point, i) => {
       const radius = 2 ** (Math.round(2 * Math.log2(Math.max(each[2 * i] * scale, 0.7))) / 2), much = Math.ceil(6 * Math.min(1, each[2 * i + 1])) / 6, key = `${radius} ${much}`;
       if (much > 0) alike.has(key) ? alike.get(key).at.push(point) : alike.set(key, { radius, much, at: [point] });
     });
-    brush.adding(true);
-    for (const { radius, much, at: places } of alike.values()) pen.globalAlpha = much * strength * all, brush.stamp(places, radius, spark(colour));
+    brush.adding(light);
+    for (const { radius, much, at: places } of alike.values()) pen.globalAlpha = much * strength * all, brush.stamp(places, radius, (light ? spark : puff)(colour));
     brush.adding(false);
   }
   // Whether it has been drawn: words and handles are flat, and so is what's dotted.
@@ -166,7 +168,7 @@
     if (material === 'flat' || kind === 'words' || size < 0) return false;
     pen.setLineDash([]);
     pen.globalAlpha = much;
-    if (material === 'light') drawLight(pen, brush, shape, at, { scale }, all);
+    if (material === 'light' || material === 'mist') drawEach(pen, brush, shape, at, { scale }, all);
     else if (kind === 'discs') brush.stamp(at, Math.max(size * scale, 1), (solid ? ball : lamp)(colour));
     else if (kind === 'line') strokes(pen, brush, (solid ? bar : beam)(colour), thick, much, () => along(pen, at));
     else if (kind === 'arrow' && !solid) strokes(pen, brush, beam(colour), thick, much, () => (pen.beginPath(), arrow(pen, ...at, (5 + 2 * size) * unit)));
@@ -181,21 +183,26 @@
     felt: [['#185c46', '#185c46'], ['#134b39', '#134b39'], ['#0a2e22', '#0a2e22']],
     night: [['#0a0f1f', '#0a0f1f'], ['#1b2344', '#1b2344']],
     yard: [['#c9e2f4', '#1a2136'], ['#faf3e6', '#463c55'], ['#dcc199', '#43362f'], ['#c9a97c', '#2a221e']],
+    workshop: [['#e4e2dc', '#20242e'], ['#d8d3c8', '#2b2e38'], ['#dbbf95', '#4a3628'], ['#c9a87b', '#2c211b']],
+    squared: [['#fdfcf8', '#161a22'], ['#fdfcf8', '#161a22']],
   };
   // Behind words, so that they're read over whatever lies below.
-  const outlines = { felt: ['#072018', '#072018'], night: ['#0a0f1f', '#0a0f1f'], yard: ['#fffdf8', '#171b2b'] };
-  // Hills are a yard, and a skyline is a night, with something before the sky: two layers, the farther one first. Each moves
-  // against the camera at its part of the ground's speed.
-  const likeIts = { hills: 'yard', skyline: 'night' }, ownOf = (stage) => likeIts[stage] ?? stage;
-  const layers = { hills: [[0.25, ['#a9c6c4', '#262f4a']], [0.5, ['#86ac8a', '#1d2a38']]], skyline: [[0.1, ['#202a52', '#202a52']], [0.2, ['#0e142b', '#0e142b']]] };
-  const grass = ['#6f9a4b', '#33492f'], windows = ['#f5c542', '#f5c542'], street = ['#060914', '#060914'];
+  const outlines = { felt: ['#072018', '#072018'], night: ['#0a0f1f', '#0a0f1f'], yard: ['#fffdf8', '#171b2b'], workshop: ['#fffdf8', '#171b2b'], squared: ['#fdfcf8', '#161a22'] };
+  // Hills are a yard, a skyline and the moon are a night, with something before the sky: layers, the farther one first. Each
+  // moves against the camera at its part of the ground's speed.
+  const likeIts = { hills: 'yard', skyline: 'night', moon: 'night' }, ownOf = (stage) => likeIts[stage] ?? stage;
+  const layers = { hills: [[0.25, ['#a9c6c4', '#262f4a']], [0.5, ['#86ac8a', '#1d2a38']]], skyline: [[0.1, ['#202a52', '#202a52']], [0.2, ['#0e142b', '#0e142b']]],
+    moon: [[0.1, ['#3b4052', '#3b4052']], [0.2, ['#525868', '#525868']]] };
+  const windows = ['#f5c542', '#f5c542'], craters = ['#565c6a', '#565c6a'], seams = ['#b9b2a4', '#3a3e49'], rules = ['#b4c7e4', '#2f3d57'];
+  // What lies along the horizon: its colour, and how high it is, in parts of the width; all that's below, without that.
+  const strips = { hills: [['#6f9a4b', '#33492f'], 1 / 80], skyline: [['#060914', '#060914']], moon: [['#787e8c', '#787e8c']] };
   const paper = ['#fdfcfa', '#14171d']; // of a plate on it
   const dark = ({ stage }) => ['felt', 'night'].includes(ownOf(stage));
-  const rows = { felt: ([middle, cloth, rim]) => [[0, 1, around([0.42, 0.36], [0.42, 0.36], 0.72, [0, middle], [0.6, cloth], [1, rim])]],
-    night: ([high, low]) => [[0, 1, across([0, 0], [0, 1], [0, high], [1, low])]],
-    yard: ([high, low, near, deep], ground) => [[0, ground, across([0, 0], [0, 1], [0, high], [1, low])], [ground, 1, across([0, 0], [0, 1], [0, near], [1, deep])]] };
+  const whole = ([high, low]) => [[0, 1, across([0, 0], [0, 1], [0, high], [1, low])]];
+  const upright = ([high, low, near, deep], ground) => [[0, ground, across([0, 0], [0, 1], [0, high], [1, low])], [ground, 1, across([0, 0], [0, 1], [0, near], [1, deep])]];
+  const rows = { felt: ([middle, cloth, rim]) => [[0, 1, around([0.42, 0.36], [0.42, 0.36], 0.72, [0, middle], [0.6, cloth], [1, rim])]], night: whole, squared: whole, yard: upright, workshop: upright };
   const stars = [[0.06, 0.1], [0.17, 0.3], [0.24, 0.07], [0.33, 0.2], [0.41, 0.44], [0.52, 0.09], [0.6, 0.27], [0.71, 0.13], [0.79, 0.38], [0.87, 0.08], [0.94, 0.24], [0.1, 0.55], [0.67, 0.6], [0.96, 0.62]];
-  function setStage(pen, brush, { stage, ground }, { width, height, onto }, all) {
+  function setStage(pen, brush, { stage, ground }, { width, height, scale, onto }, all) {
     const own = ownOf(stage);
     if (!grounds[own]) return;
     const horizon = Math.min(1, Math.max(0, onto([0, ground])[1] / height));
@@ -210,14 +217,48 @@
       pen.globalAlpha = 0.5 * all, pen.fillStyle = brush.tint(white);
       fillDots(pen, stars.map(([x, y]) => [x * width, y * height]), width / 640);
     }
+    const about = { width, height, scale, origin: onto([0, 0]), base: horizon * height };
     layers[stage]?.forEach(([speed, pair], nearness) => {
       pen.globalAlpha = all, pen.fillStyle = brush.tint(pair);
-      (stage === 'hills' ? drawHills : drawTown)(pen, brush, { width, base: horizon * height, shift: (speed * onto([0, 0])[0]) / width, nearness }, all);
+      (stage === 'skyline' ? drawTown : drawHills)(pen, brush, { ...about, shift: (speed * about.origin[0]) / width, nearness }, all);
     });
-    if (!layers[stage] || horizon >= 1) return;
-    const [pair, high] = stage === 'hills' ? [grass, width / 80] : [street, (1 - horizon) * height];
-    pen.globalAlpha = all, pen.fillStyle = brush.tint(pair);
-    along(pen, [[0, 0], [width, 0], [width, high], [0, high]].map(([x, y]) => [x, y + horizon * height])), pen.fill();
+    pen.globalAlpha = all;
+    if (strips[stage] && horizon < 1) drawStrip(pen, brush, strips[stage], about);
+    ({ moon: drawCraters, workshop: drawBoards, squared: drawSquares })[stage]?.(pen, brush, about, all);
+  }
+  const block = (pen, x, y, wide, high) => (along(pen, [[x, y], [x + wide, y], [x + wide, y + high], [x, y + high]]), pen.fill());
+  function drawStrip(pen, brush, [pair, high], { width, height, base }) {
+    pen.fillStyle = brush.tint(pair);
+    block(pen, 0, base, width, high ? high * width : height - base);
+  }
+  // They lie on the ground, so that they move as fast as it does; their row repeats.
+  function drawCraters(pen, brush, { width, height, base, origin }, all) {
+    brush.stamp([[0.84 * width, 0.16 * height]], width / 26, ball('blue')); // the Earth
+    pen.globalAlpha = 0.7 * all, pen.fillStyle = brush.tint(craters);
+    const step = 0.19 * width, first = Math.floor(-origin[0] / step) - 1, round = Array.from({ length: 24 }, (_, i) => (i * Math.PI) / 12);
+    for (let i = first; i * step + origin[0] < width + step; i++) {
+      const k = ((i % 5) + 5) % 5, wide = (0.03 + 0.014 * ((3 * k) % 5)) * width, y = base + (0.2 + 0.15 * ((2 * k) % 5)) * (0.1 * width);
+      if (y < height + wide) along(pen, round.map((turn) => [i * step + origin[0] + wide * Math.cos(turn), y + 0.2 * wide * Math.sin(turn)])), pen.fill();
+    }
+  }
+  // A wall of wide boards, and a skirting on the floor
+  function drawBoards(pen, brush, { width, base, origin }) {
+    pen.fillStyle = brush.tint(seams);
+    const step = width / 9;
+    for (let x = ((origin[0] % step) + step) % step; x < width; x += step) block(pen, x, 0, width / 420, base);
+    block(pen, 0, base - width / 90, width, width / 90);
+  }
+  // A square is a metre, or as many as fill 14 px at least; each fifth line is a stronger one.
+  function drawSquares(pen, brush, { width, height, scale, origin }, all) {
+    const metres = [1, 5, 10, 50, 100, 500, 1000].find((each) => each * scale >= 14) ?? 1e4, step = metres * scale;
+    pen.strokeStyle = pen.fillStyle = brush.tint(rules), pen.setLineDash([]);
+    [width, height].forEach((size, k) => {
+      for (let i = Math.ceil(-origin[k] / step); i * step + origin[k] < size; i++) {
+        const at = i * step + origin[k];
+        pen.globalAlpha = all * (i % 5 ? 0.6 : 1), pen.lineWidth = (i % 5 ? 1 : 1.8) * (width / 640);
+        along(pen, k ? [[0, at], [width, at]] : [[at, 0], [at, height]]), pen.stroke();
+      }
+    });
   }
   function drawHills(pen, brush, { width, base, shift, nearness }) {
     const top = (x) => (nearness ? 0.05 + 0.025 * Math.sin(7 * x + 1) + 0.012 * Math.sin(17 * x) : 0.11 + 0.04 * Math.sin(4 * x) + 0.02 * Math.sin(11 * x + 2));
@@ -273,7 +314,8 @@
   function words(pen, brush, { text, size, anchor = 'left', material }, [x, y], { stage }, { width }, font) {
     const height = size && Math.max(size * (width / 640), 11), outline = outlines[ownOf(stage)];
     brush.letters(font, height, anchor);
-    if (material === 'solid') plate(pen, brush, [x, y - 0.36 * height], [0.29 * height * [...text].length, 0.36 * height], outline ?? paper);
+    const half = pen.measureText ? pen.measureText(text).width / 2 : 0.29 * height * [...text].length; // an SVG's pen can't
+    if (material === 'solid') plate(pen, brush, [x, y - 0.3 * height], [half, 0.44 * height], outline ?? paper);
     write(pen, text, [x, y], outline && brush.tint(outline));
     brush.letters(font, 0, 'left');
   }

@@ -143,7 +143,7 @@
 
   let figures = 0;
   async function play(figure) {
-    const name = figure.dataset.demo, id = ++figures;
+    const name = figure.dataset.demo, isSketch = Number.isNaN(parseInt(name, 10)), id = ++figures;
     const mine = () => playable[`${name}/mine`], trouble = () => playable[`${name}/trouble`];
     let world, about, picture, running = !still.matches, visible = false, failed = false, last = 0, waiting = false, starts = 0;
     const broken = new Set(figure.dataset.bug ? [figure.dataset.bug] : []); // functions that have a bug here
@@ -160,11 +160,11 @@
     const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }), quiet = make('div', { className: 'quiet' }, pause, step, again), holds = make('div', { className: 'holds' });
     choose.setAttribute('role', 'group');
     choose.setAttribute('aria-label', 'Whose code');
-    const answers = make('p', { className: 'answers' }), lamps = make('ul', { className: 'lamps', hidden: true });
-    lamps.setAttribute('aria-label', 'Functions in this game, yours and ours');
+    const answers = make('p', { className: 'answers' }), lamps = make('ul', { className: 'lamps' });
+    const functions = make('details', { open: !matchMedia('(max-width: 40rem)').matches, hidden: true }, make('summary', { textContent: 'Functions in this game, yours and ours' }), lamps);
     const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
     const caption = figure.querySelector('figcaption');
-    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), holds, make('div', { className: 'rows' }, buttons, quiet, choose), readouts, answers, lamps, keys);
+    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), holds, make('div', { className: 'rows' }, buttons, quiet, choose), readouts, answers, functions, keys);
     const board = make('div', { className: 'board' }, seen, controls), result = make('p', { className: 'hidden' }); // for those who hear it
     result.setAttribute('aria-live', 'polite');
     const paper = figure.querySelector(':scope > img'); // what is printed
@@ -217,6 +217,7 @@
       attempt(() => (world.initialize(), (about = world.begin())));
       if (!about) return;
       if (keys.childElementCount === 0) describe();
+      if (isSketch) caption.textContent = about.title, (choose.hidden ||= !world.ofMany);
       attempt(() => values.forEach((value, i) => world.control(i, value)));
       hangLamps();
       frame(0);
@@ -225,14 +226,17 @@
     }
     const jumps = ({ meaning }) => meaning === 'Jump'; // where somebody does, the space bar is for that, and doesn't pause
     let pauses;
-    const shortName = (key) => ({ ArrowUp: '↑', ArrowDown: '↓', ArrowLeft: '←', ArrowRight: '→' })[key] ?? key;
+    const shortName = (key) => ({ ArrowUp: '↑', ArrowDown: '↓', ArrowLeft: '←', ArrowRight: '→', ' ': 'space' })[key] ?? key;
     function nameKeys() {
       const named = (key, meaning) => {
         const words = make('span', {}, make('kbd', { textContent: key }), ` ${meaning}`);
         keys.append(words, ' ');
         return words;
       };
-      pauses = named('space', 'pause'), named('.', 'step'), named('r', 'reset');
+      const ofIts = (key) => [...about.keys.map((each) => each.key), ...about.controls.filter(isHeld).map(({ unit }) => unit)].includes(key);
+      if (!ofIts(' ')) pauses = named('space', 'pause');
+      if (!ofIts('.')) named('.', 'step');
+      if (!ofIts('r')) named('r', 'reset');
       if (handles().length > 0) named('h', 'next handle'), named('arrow keys', 'move it');
       about.keys.forEach((each, i) => ownKeys[i].push(named(jumps(each) ? 'space' : shortName(each.key), each.meaning.toLowerCase())));
       about.controls.forEach((control, i) => isHeld(control) && shownOf[i].push(named(shortName(control.unit), control.name)));
@@ -329,8 +333,8 @@
     // Some can be given a bug, and lose it again, while the game goes on.
     let hung = []; // each with what it shows now
     function hangLamps() {
-      lamps.hidden = !world.ofMany;
-      hung = lamps.hidden ? [] : world.names.map((called) => {
+      functions.hidden = !world.ofMany;
+      hung = functions.hidden ? [] : world.names.map((called) => {
         const [number, words] = called.split(' '), mark = make('small'), it = make('li', {}, make('i'), make('span', {}, `${number} `, make('code', { textContent: words }), ' ', mark));
         if (world.canBreak(called)) it.append(breaker(called));
         return { called, it, mark };
@@ -380,12 +384,12 @@
       draw();
     }
     // What stands in the picture, once it has stood there for a second and a reader has done something
-    let stands = '', since = 0, touched = false;
-    for (const kind of ['pointerdown', 'keydown']) figure.addEventListener(kind, () => (touched = true));
+    let stands = '', telling, touched = false;
+    const tellSoon = () => (clearTimeout(telling), (telling = setTimeout(() => touched && (result.textContent = stands), 1000)));
+    for (const kind of ['pointerdown', 'keydown']) figure.addEventListener(kind, () => (touched = true, tellSoon()));
     function tellResult(shapes) {
       const words = shapes.filter(({ kind, material }) => kind === 'words' && material === 'solid').map(({ text }) => text).join(', ');
-      if (words !== stands) stands = words, since = performance.now();
-      else if (touched && performance.now() - since > 1000 && result.textContent !== words) result.textContent = words;
+      if (words !== stands) stands = words, tellSoon();
     }
     const howToPlayOnes = () => answers.append('This is our code. To play with yours, type ', make('code', { textContent: `./course play ${figure.dataset.exercise ?? parseInt(name, 10)} --mine` }));
     function tellWhose() {
@@ -525,6 +529,7 @@
     addEventListener('progress', () => world && (world.lookWhoseTheyAre(), hung.forEach(light)));
     figure.addEventListener('play-again', () => (whose = 'yours', restart()));
     await restart();
+    if ('focus' in figure.dataset) canvas.focus({ preventScroll: true, focusVisible: false }); // so that it hears keys
     figure.dataset.ready = '';
   }
 

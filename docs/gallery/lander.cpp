@@ -13,7 +13,7 @@ struct Lander : Scene {
     double angle = 0, burn = 0, fuel = 0, down = 0; // to the left [rad], 0 to 1, left [s], since it's on the ground [s]
     unsigned flight = 0;
 
-    View view() const override { return {{0, 0}, {48, 27}, Stage::night}; }
+    View view() const override { return {{0, 0}, {48, 27}, Stage::moon, 4}; }
     void begin() override {
         platform = {24 + 1.5 * std::floor(11 * course::chance(++flight, 0)), 3};
         ground = {{48, -1}, {0, -1}};
@@ -42,7 +42,6 @@ struct Lander : Scene {
     }
     void draw(Canvas &canvas) const override {
         const auto &[at, velocity] = ship;
-        canvas.ball({42, 22}, 2.5, Colour::blue);
         if (down == 0 && at.y() > 0) canvas.dots(trajectories::dotted_arc(ship, gravity, 0.4), 0.13, Colour::amber);
         canvas.body(ground, Colour::dim);
         canvas.bar({platform - Vec2{2.7, 0}, platform + Vec2{2.7, 0}}, Colour::green, 9);

@@ -14,7 +14,7 @@ const contrast = (one, other) => {
 };
 // The darkened edge of a body, as docs/draw.js has it.
 const edge = (hex) => `#${bytes(hex).map((x) => Math.round(x * 0.45).toString(16).padStart(2, '0')).join('')}`;
-const themes = ['light', 'dark'], themeOn = (stage, theme) => (stage === 'yard' ? theme : 'dark');
+const themes = ['light', 'dark'], hasDay = (stage) => !['felt', 'night'].includes(stage), themeOn = (stage, theme) => (hasDay(stage) ? theme : 'dark');
 
 // Machado, Oliveira and Fernandes 2009, for eyes without one kind of cones.
 const eyes = {
@@ -33,7 +33,7 @@ const apart = (eye, one, other) => Math.hypot(...lab(seenBy(eye, one)).map((x, k
 test('words are read on each stage, over whatever lies below them', () => {
   for (const [stage, outline] of Object.entries(outlines))
     themes.forEach((theme, k) => {
-      for (const name of stage === 'yard' ? ['ink'] : ['ink', 'dim', 'blue', 'orange', 'green', 'pink'])
+      for (const name of hasDay(stage) ? ['ink'] : ['ink', 'dim', 'blue', 'orange', 'green', 'pink'])
         assert.ok(contrast(colours[name][themeOn(stage, theme)], outline[k]) >= 4.5, `${name} on ${stage}, ${theme}: ${contrast(colours[name][themeOn(stage, theme)], outline[k]).toFixed(2)}`);
     });
 });
@@ -45,7 +45,7 @@ test('what is solid is seen by its paint or by its edge, and an arrow by its col
       for (const shade of shades) {
         for (const name of ['ink', 'blue', 'orange', 'amber', 'violet', 'pink', ...(stage === 'felt' ? [] : ['dim'])])
           assert.ok(Math.max(contrast(paints[name][themes.indexOf(own)], shade[k]), contrast(edge(paints[name][themes.indexOf(own)]), shade[k])) >= 3, `${name} on ${stage}, ${theme}`);
-        if (stage !== 'yard') for (const name of ['ink', 'orange', 'green', 'pink', 'amber']) assert.ok(contrast(colours[name].dark, shade[k]) >= 3, `an arrow: ${name} on ${stage}`);
+        if (!hasDay(stage)) for (const name of ['ink', 'orange', 'green', 'pink', 'amber']) assert.ok(contrast(colours[name].dark, shade[k]) >= 3, `an arrow: ${name} on ${stage}`);
       }
     });
 });

@@ -357,12 +357,13 @@ describe('your code in the page', { concurrency: 2, skip: !fs.existsSync(wrong) 
 
 describe('the gallery', { concurrency: 2 }, () => {
   for (const name of fs.readdirSync(path.join(root, 'docs/gallery')).map((file) => file.replace('.cpp', '')))
-    test(`${name} plays by itself, and its few lines are below it`, async (t) => {
-      const demo = await openDemo(t, `sketch_${name}`), code = demo.figure.locator('+ details');
+    test(`${name} plays by itself, and its few lines are beside it`, async (t) => {
+      const demo = await openDemo(t, `sketch_${name}`), code = demo.figure.locator('+ div');
       assert.ok(await demo.moves(2000));
-      const [, lines] = /^(\d+) lines of code$/.exec(await code.locator('summary').textContent());
+      const [, lines] = /^(\d+) lines of code$/.exec(await code.locator('> p').textContent());
       assert.ok(lines <= 60, `${lines} lines`);
-      await code.locator('summary').click();
+      const [left, right] = [await demo.canvas.boundingBox(), await code.boundingBox()];
+      assert.ok(left.x + left.width < right.x && right.y < left.y + left.height);
       assert.match(await code.locator('pre').innerText(), /^#include "sketch.hpp"$[^]*^SKETCH\(/m);
     });
 });

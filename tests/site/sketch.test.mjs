@@ -110,6 +110,37 @@ describe('a sketch', { concurrency: 1, skip }, () => {
     }
   });
 
+  test('is what strangers made of that page alone', async (t) => {
+    for (const each of fs.readdirSync(path.join(root, 'tests/sketches'))) {
+      fs.copyFileSync(path.join(root, 'tests/sketches', each), file);
+      const made = sketch();
+      assert.equal(made.status, 0, made.stdout);
+      const { troubles, page, figure, sees } = await shown(t), before = await sees(), title = /SKETCH\(\w+, "(.*)"\)/.exec(fs.readFileSync(file, 'utf8'))[1];
+      await page.waitForTimeout(500);
+      assert.notEqual(await sees(), before, each);
+      assert.equal(await figure.locator('figcaption').textContent(), title);
+      assert.deepEqual(troubles, []);
+    }
+  });
+
+  test('hears keys before it is touched, and says which are its own', async (t) => {
+    fs.writeFileSync(file, `#include "sketch.hpp"
+using namespace demo;
+struct Counts : Scene {
+    int presses = 0;
+    Button more = button("r", "One more", [this] { ++presses; });
+    void draw(Canvas &canvas) const override { canvas.readout("presses", presses); }
+};
+SKETCH(Counts, "It counts")
+`);
+    assert.equal(sketch().status, 0);
+    const { page, figure } = await shown(t);
+    await page.keyboard.press('r');
+    await figure.locator('dd', { hasText: /^1 *$/ }).waitFor();
+    assert.deepEqual(await figure.locator('.keys span').allTextContents(), ['space pause', '. step', 'r one more']);
+    assert.equal(await figure.locator('.whose').isVisible(), false, 'it calls nobody');
+  });
+
   test('begins with a scene of the book, the first and the last of each chapter', () => {
     for (const section of fs.readdirSync(path.join(root, 'chapters')).filter((each) => fs.existsSync(path.join(root, 'chapters', each, 'scenes'))))
       for (const scene of fs.readdirSync(path.join(root, 'chapters', section, 'scenes')).filter((each) => fs.readFileSync(path.join(root, 'chapters', section, 'scenes', each), 'utf8').includes('string_view name')).filter((_, i, all) => i === 0 || i === all.length - 1)) {

@@ -24,7 +24,7 @@ std::string without_typefaces(const std::string &style) {
 
 std::string style(const Workspace &workspace) {
     return "<style>\n" + without_typefaces(of_site(workspace, "site.css")) + of_site(workspace, "play.css")
-           + "</style>\n";
+           + "main { padding-top: 0; }\n</style>\n";
 }
 std::string script(const std::string &text) { return "<script>\n" + text + "</script>\n"; }
 
@@ -87,8 +87,9 @@ std::string page_with_bug(const Workspace &workspace, const Demo &demo, const De
 }
 
 std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled) {
-    const std::string place = "<figure class=\"play\" id=\"demo\" data-demo=\"" + name + "\" data-mine><figcaption>"
-                              + with_capital(name) + ", a sketch.</figcaption></figure>\n";
+    const std::string place = "<figure class=\"play\" id=\"demo\" data-demo=\"" + name
+                              + "\" data-mine data-focus><figcaption>" + with_capital(name)
+                              + "</figcaption></figure>\n";
     return page_of(workspace, name, place, sketch_signature, compiled + script(progress_script(workspace)));
 }
 

@@ -15,7 +15,7 @@ struct Cradle : Scene {
 
     Cradle() { still_time = 1.3; }
 
-    View view() const override { return {{-0.5, -0.4}, {12.5, 6.9125}, Stage::yard, 0.3}; }
+    View view() const override { return {{-0.5, -0.4}, {12.5, 6.9125}, Stage::workshop, 0.3}; }
     void lift(int count) {
         balls.clear();
         for (int i = 0; i < 5; ++i) balls.push_back({rest[i] - (i < count ? 3 : 0), {1, 0}});

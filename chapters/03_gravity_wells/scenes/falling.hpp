@@ -17,7 +17,7 @@ struct Falling : Scene {
 
     Falling() { still_time = 5; }
 
-    View view() const override { return {{-7, -3}, {29.4, 17.5}, Stage::night}; }
+    View view() const override { return {{-7, -3}, {29.4, 17.5}, Stage::moon}; }
     double velocity() const {
         constexpr double film[]{0, 3, -1};
         return untouched ? film[throws % 3] : double(thrown);
@@ -46,7 +46,6 @@ struct Falling : Scene {
     }
 
     void draw(Canvas &canvas) const override {
-        draw_moon(canvas, -7, 29.4);
         for (std::size_t i = 0; i < before.size(); ++i) { // as high as it took long
             const double x = 9 + 4.6 * double(i), top_of_bar = 1.5 * std::min(before[i].time, 7.5);
             const Colour colour = i + 1 == before.size() ? Colour::green : Colour::blue;

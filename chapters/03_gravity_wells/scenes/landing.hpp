@@ -19,7 +19,7 @@ struct Landing : Scene {
     Vec2 feet() const { return {drift * lander.time, lander.height}; }
     View view() const override {
         const double x = drift * lander.time, up = std::max(0.0, lander.height - height);
-        return {{x - 17.3, up - 3}, {x + 17.3, up + 16.5}, Stage::night};
+        return {{x - 17.3, up - 3}, {x + 17.3, up + 16.5}, Stage::moon};
     }
     void begin() override {
         lander = {height, 0, 0};
@@ -56,16 +56,13 @@ struct Landing : Scene {
 
     void draw(Canvas &canvas) const override {
         const Vec2 at = feet();
-        draw_moon(canvas, at.x() - 17.3, at.x() + 17.3);
         draw_shadow(canvas, at.x(), at.y());
         canvas.dots(frames, 0.17, Colour::amber);
         if (since_burn < 0.3) {
             canvas.beam({at + Vec2{0, 0.8}, at + Vec2{0, -1.4 + 4 * since_burn}}, Colour::amber, 12);
             if (at.y() < 4)
-                canvas
-                    .dots({{at.x() - 1 - 6 * since_burn, 0.3}, {at.x() + 1 + 6 * since_burn, 0.3}}, 0.4 + since_burn,
-                          Colour::dim)
-                    .strength = 0.6;
+                for (const double side : {-1.0, 1.0})
+                    canvas.puffs({{{at.x() + side * (1 + 6 * since_burn), 0.4}, 1 + 3 * since_burn, 1}}, Colour::line);
         }
         for (const double side : {-1.0, 1.0}) {
             canvas.bar({at + Vec2{0.6 * side, 1.4}, at + Vec2{1.5 * side, 0.1}}, Colour::line, 5);

@@ -3,7 +3,6 @@
 #include "../../props.hpp"
 #include "../../scene.hpp"
 #include "../game.hpp"
-#include "moon.hpp"
 
 namespace play {
 using namespace demo;
@@ -97,4 +96,12 @@ struct Space : Scene {
         canvas.plate((r + 1.4) * Vec2{std::cos(angle), std::sin(angle)}, words, colour, 20);
     }
 };
+
+/// On the Moon's ground, below something so high [m]: the nearer, the smaller and the darker.
+inline void draw_shadow(Canvas &canvas, double x, double height) {
+    std::vector<Vec2> shadow;
+    for (const Vec2 &point : arc({0, 0}, 1.1 + 0.08 * height))
+        shadow.push_back({x + point.x(), -0.35 + 0.16 * point.y()});
+    canvas.area(std::move(shadow), Colour::line).strength = std::max(0.15, 0.9 - 0.06 * height);
+}
 } // namespace play

@@ -28,7 +28,7 @@ struct BoardScene : Scene {
     View view() const override {
         const double wide = 15.6 + 4.6 * std::clamp((angle_deg - 30) / 35, 0.0, 1.0);
         const Vec2 low = foot - wide * Vec2{0.17, 0.09};
-        return {low, low + wide * Vec2{1, 9.0 / 16}, Stage::yard, 0};
+        return {low, low + wide * Vec2{1, 9.0 / 16}, Stage::workshop, 0};
     }
     virtual Box box() const { return {10, 0.5, 0.3}; }
     /// How far the board is to be lifted while nobody touches it [°].
@@ -99,11 +99,12 @@ struct BoardScene : Scene {
     void draw_box(Canvas &canvas) const {
         const auto [low, right] = place();
         if (it.speed > 0.3 && !down()) { // dust behind it
-            std::vector<Vec2> dust;
+            std::vector<Spark> dust;
             for (int i = 0; i < 6; ++i)
-                dust.push_back(low + (size() + 0.2 + 0.3 * i) * right
-                               + (0.12 + 0.1 * ((i * 5 + int(9 * it.way)) % 4)) * turned(right));
-            canvas.dots(std::move(dust), 0.13, Colour::earth).strength = std::min(0.8, 0.4 * it.speed);
+                dust.push_back({low + (size() + 0.2 + 0.3 * i) * right
+                                    + (0.12 + 0.1 * ((i * 5 + int(9 * it.way)) % 4)) * turned(right),
+                                0.25 + 0.04 * i, std::min(1.0, 0.5 * it.speed)});
+            canvas.puffs(dust, Colour::earth);
         }
         crate(canvas, low, size(), right);
     }

@@ -12,7 +12,7 @@ struct Common : Scene {
     Common() { still_time = 0.5; }
 
     Handle end(const Vec2 &at) { return handle(at, {0, 0}, {12, 6}); }
-    View view() const override { return {{-0.6, -0.5}, {12.6, 6.925}, Stage::paper}; }
+    View view() const override { return {{-0.6, -0.5}, {12.6, 6.925}, Stage::squared}; }
     void take_over() override { ends[1].move({7, 4}); }
     void drag() override {
         for (Handle &each : ends) each.move({std::round(each.at().x()), std::round(each.at().y())});
@@ -26,9 +26,6 @@ struct Common : Scene {
     }
 
     void draw(Canvas &canvas) const override {
-        for (int x = 0; x <= 12; ++x) canvas.line({{double(x), -0.5}, {double(x), 7}}, Colour::blue, 1).strength = 0.3;
-        for (int y = 0; y <= 6; ++y)
-            canvas.line({{-0.6, double(y)}, {12.6, double(y)}}, Colour::blue, 1).strength = 0.3;
         const std::vector<Vec2> both = common_points({ends[0], ends[1]}, {ends[2], ends[3]});
         if (both.size() > 1) canvas.line(both, Colour::amber, 26).strength = 0.7; // a marker's
         canvas.bar({ends[0], ends[1]}, Colour::blue, 6);
