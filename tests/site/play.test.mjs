@@ -193,7 +193,7 @@ describe('a place is for one game', { concurrency: 2 }, () => {
   test('the others are behind More games, for a mouse and for keys', async (t) => {
     const demo = await inChapter(t, nine, 'The game: a digger (9.2)'), choice = demo.figure.getByRole('radio', { name: 'tentacle (9.3)' });
     assert.equal(await choice.isVisible(), false);
-    await demo.figure.locator('summary').focus();
+    await demo.figure.locator('summary', { hasText: 'More games' }).focus();
     await demo.page.keyboard.press('Enter');
     await choice.focus();
     await demo.page.keyboard.press('ArrowRight');

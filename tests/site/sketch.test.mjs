@@ -70,6 +70,9 @@ describe('a sketch', { concurrency: 1, skip }, () => {
     assert.match(refused.stdout, /^Not in the page: exercises\/sketches\/sketch_of_a_test\.cpp:8: .*degree/m);
     await figure.locator('.trouble', { hasText: 'sketch_of_a_test.cpp:8: ' }).waitFor({ timeout: 3000 });
 
+    fs.writeFileSync(file, cannon(60).replace('Colour::ink', 'Colour{20, 60, 40}'));
+    assert.match(sketch().stdout, /A colour has a name, as Colour::green/);
+
     fs.writeFileSync(file, cannon(30, ' while (shell.position.x() > 0) shell.position.y() += 1;'));
     assert.equal(sketch().status, 0);
     await figure.locator('.trouble', { hasText: 'Your sketch gave no answer: look for a loop that never ends.' }).waitFor({ timeout: 3000 });

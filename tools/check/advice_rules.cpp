@@ -131,6 +131,9 @@ constexpr AdviceRule rule_table[] = {
      fields_of_it},
     {"^(?:too many initializers for|no matching constructor for initialization of) {struct}", "", fields_of_it},
 
+    {"^excess elements in scalar initializer", R"(\bColour *\{)",
+     "A colour has a name, as Colour::green; docs/sketches.md has them all."},
+
     // members
     {"(?:of non-class|base) type {number}", "", "That is a number already: it has no fields."},
     {"^'(?![^']*std::)[^']*{lacks}push_back'", "", "Only a list has push_back: std::vector<Vec2> list;"},
