@@ -90,8 +90,8 @@ Session::Session(std::filesystem::path subject_, TimeLimits limits_, std::string
 
 void Session::begin(std::string exercise, std::string test) {
     const double least = std::min(0.2, limits.a_case); // [s] still far more than working code takes
-    const bool hurry = exercise == hung || spent > 2 * limits.all;
-    allowed = hurry ? least : std::clamp((limits.all - lost) / 5, least, limits.a_case);
+    const bool hurry = exercise == hung_exercise || spent_in_all > 2 * limits.all;
+    allowance = hurry ? least : std::clamp((limits.all - spent_hanging) / 5, least, limits.a_case);
     large = false;
     verdict = {.exercise = std::move(exercise), .test = std::move(test)};
     calls = 0;
@@ -103,30 +103,31 @@ void Session::begin(std::string exercise, std::string test) {
 }
 
 void Session::allow(double seconds) {
-    if (!large) allowed *= seconds / TimeLimits{}.a_case; // a case with generated values says it again for each of them
+    if (!large)
+        allowance *= seconds / TimeLimits{}.a_case; // a case with generated values says it again for each of them
     large = true;
-    count_spent();
+    renew_allowance();
 }
 
 /// From now on the running case has the whole allowance again.
-void Session::count_spent() {
+void Session::renew_allowance() {
     if (!subject) return;
     const double now = subject->spent();
-    spent += now - counted;
-    counted = now;
+    spent_in_all += now - spent_before;
+    spent_before = now;
 }
 
 Deadline Session::deadline() const {
     constexpr double clock = 20; // [s] the twentieth part of a core is enough
-    return {counted + allowed, clock * std::max(allowed, 1.0)};
+    return {spent_before + allowance, clock * std::max(allowance, 1.0)};
 }
 
 void Session::refuse_nameless() {
     if (last_exercise != nullptr && verdict.passed()
         && !own) // before the first call a test looks at numbers of the test itself
-        over(Outcome::no_verdict,
-             "This check compares something that the test computed, and doesn't name it: a mistake "
-             "of ours, not of yours.");
+        end_case(Outcome::no_verdict,
+                 "This check compares something that the test computed, and doesn't name it: a mistake "
+                 "of ours, not of yours.");
 }
 
 void Session::accept(const std::string &input, const std::string &value) {
@@ -171,7 +172,7 @@ void Session::note_verdict(Outcome kind, std::string sentence) {
                         last_result.empty() ? "" : last_exercise->describe_result(*last_exercise, last_result)};
 }
 
-void Session::over(Outcome kind, std::string sentence) {
+void Session::end_case(Outcome kind, std::string sentence) {
     note_verdict(kind, std::move(sentence));
     throw CaseOver{};
 }
@@ -194,28 +195,30 @@ void Session::judge_end(int status, bool before_main) {
 }
 
 /// No answer: because of time, because the process is gone, or because what came is not an answer.
-void Session::over_in_silence() {
+void Session::end_case_in_silence() {
     const bool before_main = !greeted;
-    if (subject->silence == StudentProcess::Silence::starved) over(Outcome::no_verdict, machine_trouble = too_busy);
+    if (subject->silence == StudentProcess::Silence::starved) end_case(Outcome::no_verdict, machine_trouble = too_busy);
     if (subject->silence == StudentProcess::Silence::late && before_main)
-        over(Outcome::too_long,
-             "Your code starts before the first test, in the constructor of a global variable, and doesn't come to an "
-             "end.");
+        end_case(
+            Outcome::too_long,
+            "Your code starts before the first test, in the constructor of a global variable, and doesn't come to an "
+            "end.");
     if (subject->silence == StudentProcess::Silence::late) {
-        hung = verdict.exercise;
-        lost += subject->spent() - counted;
-        over(Outcome::too_long,
-             subject->slept() ? "Your code waits for something that never comes. An exercise computes its answer, and "
-                                "never sleeps."
-             : large
-                 ? "Your code takes far too long. This test's input is large: do you do more work than you must? Or "
-                   "is there a loop that never stops?"
-                 : "Your code gave no answer: look for a loop that never stops.");
+        hung_exercise = verdict.exercise;
+        spent_hanging += subject->spent() - spent_before;
+        end_case(
+            Outcome::too_long,
+            subject->slept() ? "Your code waits for something that never comes. An exercise computes its answer, and "
+                               "never sleeps."
+            : large ? "Your code takes far too long. This test's input is large: do you do more work than you must? Or "
+                      "is there a loop that never stops?"
+                    : "Your code gave no answer: look for a loop that never stops.");
     }
     if (subject->silence == StudentProcess::Silence::too_large || subject->silence == StudentProcess::Silence::nonsense)
         answered_nonsense(subject->silence == StudentProcess::Silence::too_large && !before_main);
     const auto status = subject->finish(deadline());
-    if (!status) over(Outcome::out_of_turn, "Your code closed a file that it had not opened, and its answer was lost.");
+    if (!status)
+        end_case(Outcome::out_of_turn, "Your code closed a file that it had not opened, and its answer was lost.");
     judge_end(*status, before_main);
     throw CaseOver{};
 }
@@ -223,26 +226,28 @@ void Session::over_in_silence() {
 void Session::answered_nonsense(bool too_large) {
     last_result.clear();
     if (too_large)
-        over(Outcome::wrong, "Your answer is larger than " + std::to_string(wire::largest_frame >> 20)
-                                 + " MB: does a loop add to the list too often?");
-    over(Outcome::out_of_turn, no_answer);
+        end_case(Outcome::wrong, "Your answer is larger than " + std::to_string(wire::largest_frame >> 20)
+                                     + " MB: does a loop add to the list too often?");
+    end_case(Outcome::out_of_turn, no_answer);
 }
 
 /// Starting has another allowance: a hang elsewhere takes nothing from it.
 void Session::start() {
     greeted = false;
-    if (starting > limits.all)
-        over(Outcome::too_long,
-             "Your code is started again for each test, and all these starts take too long: what does the constructor "
-             "of a global variable do?");
+    if (spent_starting > limits.all)
+        end_case(
+            Outcome::too_long,
+            "Your code is started again for each test, and all these starts take too long: what does the constructor "
+            "of a global variable do?");
     subject = std::make_unique<StudentProcess>(program, answer);
     const auto hello = subject->receive({limits.start});
-    counted = subject->spent();
-    starting += counted;
-    if (!hello) over_in_silence();
+    spent_before = subject->spent();
+    spent_starting += spent_before;
+    if (!hello) end_case_in_silence();
     if (hello->header.frame == wire::Frame::crashed) {
         subject->finish(deadline());
-        over(Outcome::crashed, "Before the first test, in the constructor of a global variable: your code crashed.");
+        end_case(Outcome::crashed,
+                 "Before the first test, in the constructor of a global variable: your code crashed.");
     }
     wire::Reader reader{hello->payload};
     if (hello->header.frame != wire::Frame::hello || reader.take<std::uint32_t>() != exercise_lines().size()
@@ -263,7 +268,7 @@ void Session::note_not_started(const std::string &hint, std::string_view functio
 }
 
 std::string_view Session::call(const ExerciseLine &exercise, std::string arguments) {
-    if (!machine_trouble.empty()) over(Outcome::no_verdict, machine_trouble);
+    if (!machine_trouble.empty()) end_case(Outcome::no_verdict, machine_trouble);
     if (!verdict.passed()) throw CaseOver{};
     if (never_starts) {
         const auto [test, of] = std::pair{verdict.test, verdict.exercise};
@@ -280,7 +285,7 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
             throw;
         } catch (const EnvironmentError &trouble) {
             machine_trouble = trouble.what();
-            over(Outcome::no_verdict, machine_trouble);
+            end_case(Outcome::no_verdict, machine_trouble);
         }
     }
 
@@ -291,7 +296,7 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
     ++calls;
     auto reply =
         subject->send(calls, exercise.index, last_arguments, deadline()) ? subject->receive(deadline()) : std::nullopt;
-    if (!reply) over_in_silence();
+    if (!reply) end_case_in_silence();
     if (reply->header.call != calls) answered_nonsense();
 
     wire::Reader in{reply->payload};
@@ -300,7 +305,7 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
         const wire::Crash why{in.take<std::uint32_t>()};
         std::uint64_t address = 0;
         in.raw(&address, sizeof address);
-        over(Outcome::crashed, fault_sentence(address, why));
+        end_case(Outcome::crashed, fault_sentence(address, why));
     }
     constexpr std::size_t most = 4096; // [bytes] of words that anybody reads
     const auto first = in.take<std::string>().substr(0, most), second = in.take<std::string>().substr(0, most);
@@ -313,14 +318,15 @@ std::string_view Session::call(const ExerciseLine &exercise, std::string argumen
     case wire::Frame::refused: throw std::invalid_argument{in_words(tidied(first))};
     case wire::Frame::not_yet: note_not_started(tidied(first), second); throw CaseOver{};
     case wire::Frame::missing:
-        over(Outcome::missing, "Your file has no function `" + std::string{exercise.function}
-                                   + "` with the parameters that the header asks for.");
+        end_case(Outcome::missing, "Your file has no function `" + std::string{exercise.function}
+                                       + "` with the parameters that the header asks for.");
     case wire::Frame::no_memory:
-        over(Outcome::no_memory, "Your code asked for more than " + std::to_string(memory_limit >> 20)
-                                     + " MB of memory: does a loop add to a vector without an end?");
+        end_case(Outcome::no_memory, "Your code asked for more than " + std::to_string(memory_limit >> 20)
+                                         + " MB of memory: does a loop add to a vector without an end?");
     case wire::Frame::threw:
-        over(Outcome::threw, "Your code threw " + tidied(first) + (second.empty() ? "" : ": " + tidied(second))
-                                 + ". An exercise throws nothing but std::invalid_argument, and only for bad input.");
+        end_case(Outcome::threw,
+                 "Your code threw " + tidied(first) + (second.empty() ? "" : ": " + tidied(second))
+                     + ". An exercise throws nothing but std::invalid_argument, and only for bad input.");
     default: answered_nonsense();
     }
 }
@@ -425,7 +431,7 @@ Verdict Session::end(bool asserted_something) {
             verdict.sentence = "Your code was stopped by a check of the library that it uses: " + meaning + '.';
     }
     if (never_starts && never_starts->printed.empty()) never_starts->printed = verdict.printed;
-    count_spent();
+    renew_allowance();
     subject.reset();
     if (verdict.call && calls > 1 && !own && verdict.kind != Outcome::too_long) look_for_memory();
     return std::move(verdict);

@@ -24,7 +24,7 @@ class Session {
 
     void begin(std::string exercise, std::string test);
 
-    /// See there.
+    /// The running case's input is large: it may take so long [s], from now on.
     void allow(double seconds);
 
     /// From now on the tests are a reader's, and the code is the reference: what they compare needs no name, and what fails
@@ -56,7 +56,7 @@ class Session {
     [[noreturn]] void answered_nonsense(bool too_large = false);
     void note(std::optional<Mismatch> mismatch) { noted = std::move(mismatch); }
 
-    /// See there.
+    /// What failed has no name that a student could read: ours to mend, and no verdict on them.
     void refuse_nameless();
 
     /// See note_accepted. What fails after it in the same case is not looked at.
@@ -69,11 +69,11 @@ class Session {
     const ExerciseLine *last_exercise = nullptr;
 
   private:
-    [[noreturn]] void over(Outcome kind, std::string sentence);
-    [[noreturn]] void over_in_silence();
+    [[noreturn]] void end_case(Outcome kind, std::string sentence);
+    [[noreturn]] void end_case_in_silence();
     void start();
     Deadline deadline() const;
-    void count_spent();
+    void renew_allowance();
     void judge_end(int status, bool before_main);
     void note_verdict(Outcome kind, std::string sentence);
     std::optional<std::string> ask_alone() const;
@@ -82,13 +82,13 @@ class Session {
     std::filesystem::path program;
     std::string answer;
     TimeLimits limits;
-    double allowed = 0;  ///< [s] for the running case
-    bool large = false;  ///< whether that is more than usual
-    double counted = 0;  ///< [s] what the running case's subject had spent when the allowance began
-    double starting = 0; ///< [s] what all subjects had spent when they greeted
-    double lost = 0;     ///< [s] in hangs
-    double spent = 0;    ///< [s] in all cases
-    std::string hung;    ///< the exercise that has used up a case's time: other cases of it get less
+    double allowance = 0;      ///< [s] for the running case
+    bool large = false;        ///< whether that is more than usual
+    double spent_before = 0;   ///< [s] what the running case's subject had spent when the allowance began
+    double spent_starting = 0; ///< [s] what all subjects had spent when they greeted
+    double spent_hanging = 0;  ///< [s] in hangs
+    double spent_in_all = 0;   ///< [s] in all cases
+    std::string hung_exercise; ///< the exercise that has used up a case's time: other cases of it get less
 
     std::unique_ptr<StudentProcess> subject;
     std::optional<Verdict> never_starts; ///< seen once, true for every case
