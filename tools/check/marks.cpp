@@ -245,9 +245,10 @@ std::vector<Mark> marks_of(const Verdict &verdict) {
     const auto expected = expected_by(verdict, answer);
     auto yours = answer ? given.marks_of_answer(*answer) : std::vector<Mark>{},
          wanted = expected ? given.marks_of_answer(*expected) : std::vector<Mark>{};
+    const bool of_a_part = verdict.whole.empty() && !split_path(verdict.expected).first.empty();
     for (Mark &mark : yours) {
         const bool is_right = std::ranges::any_of(wanted, [&](const Mark &other) { return is_near(mark, other); });
-        mark.role = is_right ? Mark::Role::right : Mark::Role::yours;
+        mark.role = !is_right ? Mark::Role::yours : of_a_part ? Mark::Role::unjudged : Mark::Role::right;
     }
     std::erase_if(wanted, [&](const Mark &mark) {
         return std::ranges::any_of(yours, [&](const Mark &other) { return is_near(other, mark); });

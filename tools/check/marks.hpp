@@ -18,7 +18,7 @@ struct Mark {
         circle, ///< around a point
         number, ///< `at`: the number, in `unit`
     };
-    enum class Role { given, yours, right, expected };
+    enum class Role { given, yours, right, expected, unjudged };
     Kind kind;
     std::vector<Vec2> at;
     std::string label = {}; ///< "ball", "velocity"
@@ -30,7 +30,7 @@ struct Mark {
 };
 
 /// All that the verdict's call was given, what it answered, and what was expected where that differs. A part of the answer
-/// that's as expected is `right`.
+/// that's as expected is `right`; where only one part was compared, the others are `unjudged`.
 std::vector<Mark> marks_of(const Verdict &verdict);
 
 } // namespace course

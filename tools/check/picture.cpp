@@ -18,14 +18,14 @@ using Role = Mark::Role;
 constexpr double width = 480, height = 300, longest_arrow = 85; // [px]
 
 const char *class_of(Role role) {
-    constexpr const char *names[] = {"given", "yours", "right", "expected"};
+    constexpr const char *names[] = {"given", "yours", "right", "expected", "unjudged"};
     return names[static_cast<int>(role)];
 }
 
 /// "yours", "expected velocity", "velocity".
 std::string words_of(const Mark &mark) {
     if (!mark.named) return {};
-    if (mark.role == Role::given || mark.role == Role::right) return mark.label;
+    if (mark.role != Role::yours && mark.role != Role::expected) return mark.label;
     const std::string who = class_of(mark.role);
     return who + (mark.label.empty() ? "" : " ") + mark.label;
 }
@@ -233,9 +233,13 @@ std::string draw_plane(const std::vector<Mark> &marks) {
           "<text class=\"axis\" x=\"42\" y=\"291\">x</text><text class=\"axis\" x=\"10\" y=\"256\">y</text>\n";
     for (const Mark &mark : marks) picture += draw(mark, plane, labels);
     picture += labels.text();
-    if (is_far(marks, plane))
-        picture += fmt::format("<text class=\"yours\" x=\"{}\" y=\"291\" text-anchor=\"end\">yours is far out</text>\n",
-                               width - 8);
+    const auto any = [&](Role role) { return std::ranges::count(marks, role, &Mark::role) > 0; };
+    const std::string trouble = is_far(marks, plane)                       ? "yours is far out"
+                                : any(Role::expected) && !any(Role::yours) ? "yours has no place here"
+                                                                           : "";
+    if (!trouble.empty())
+        picture +=
+            fmt::format("<text class=\"yours\" x=\"{}\" y=\"291\" text-anchor=\"end\">{}</text>\n", width - 8, trouble);
     return picture + "</svg>\n";
 }
 
@@ -287,7 +291,7 @@ bool tells_something(const std::vector<Mark> &marks, const std::vector<Mark> &nu
         return std::ranges::any_of(marks, [&](const Mark &mark) { return ((mark.role == roles) || ...); });
     };
     if (any(Role::yours, Role::expected)) return true;
-    if (any(Role::right)) return false;
+    if (any(Role::right, Role::unjudged)) return false;
     constexpr std::size_t enough = 3; // two balls, or a velocity and two places
     const bool is_count =
         std::ranges::any_of(numbers, [](const Mark &mark) { return !is_given(mark) && mark.unit.empty(); });
@@ -320,6 +324,7 @@ std::string style_of_pictures() {
 .verdict-picture .given { --role: var(--ink) }
 .verdict-picture .yours { --role: var(--yours) }
 .verdict-picture .right { --role: var(--right) }
+.verdict-picture .unjudged { --role: color-mix(in srgb, var(--yours) 60%, Canvas) }
 .verdict-picture .expected { --role: var(--expected); stroke-dasharray: 6 5 }
 .verdict-picture .expected.dot { stroke-dasharray: 4 3 }
 .verdict-picture text.expected, .verdict-picture .head { stroke-dasharray: none }

@@ -132,7 +132,7 @@ void open_pictures(const Workspace &workspace, const std::vector<ExerciseResult>
         "</title><meta name=\"viewport\" content=\"width=device-width\"><style>\n"
         + style_of_pictures()
         + ":root { color-scheme: light dark } body { font: 16px/1.5 Inter, sans-serif; max-width: 44em; "
-          "margin: 2em auto; padding: 0 1em } pre { overflow-x: auto; font-size: 13px }\n</style>\n";
+          "margin: 2em auto; padding: 0 1em } pre { white-space: pre-wrap; font-size: 13px }\n</style>\n";
     std::size_t drawn = 0;
     for (const ExerciseResult &result : results) {
         const Verdict *failure = result.first_failure();
