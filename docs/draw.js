@@ -248,9 +248,9 @@
     for (let x = ((origin[0] % step) + step) % step; x < width; x += step) block(pen, x, 0, width / 420, base);
     block(pen, 0, base - width / 90, width, width / 90);
   }
-  // A square is a metre, or as many as fill 14 px at least; each fifth line is a stronger one.
+  // A square is a metre, or 10, or 100, so that it fills 14 px at least; each fifth line is a stronger one.
   function drawSquares(pen, brush, { width, height, scale, origin }, all) {
-    const metres = [1, 5, 10, 50, 100, 500, 1000].find((each) => each * scale >= 14) ?? 1e4, step = metres * scale;
+    const step = scale * Math.max(1, 10 ** Math.ceil(Math.log10(14 / scale)));
     pen.strokeStyle = pen.fillStyle = brush.tint(rules), pen.setLineDash([]);
     [width, height].forEach((size, k) => {
       for (let i = Math.ceil(-origin[k] / step); i * step + origin[k] < size; i++) {
