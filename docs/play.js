@@ -161,10 +161,10 @@
     choose.setAttribute('role', 'group');
     choose.setAttribute('aria-label', 'Whose code');
     const answers = make('p', { className: 'answers' }), lamps = make('ul', { className: 'lamps' });
-    const functions = make('details', { open: !matchMedia('(max-width: 40rem)').matches, hidden: true }, make('summary', { textContent: 'Functions in this game, yours and ours' }), lamps);
+    const functions = make('details', { open: !matchMedia('(max-width: 40rem)').matches }, make('summary', { textContent: 'Functions in this game, yours and ours' }), lamps);
     const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
     const caption = figure.querySelector('figcaption');
-    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), holds, make('div', { className: 'rows' }, buttons, quiet, choose), readouts, answers, functions, keys);
+    const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), holds, make('div', { className: 'rows' }, buttons, quiet, choose), readouts, answers, keys);
     const board = make('div', { className: 'board' }, seen, controls), result = make('p', { className: 'hidden' }); // for those who hear it
     result.setAttribute('aria-live', 'polite');
     const paper = figure.querySelector(':scope > img'); // what is printed
@@ -333,8 +333,8 @@
     // Some can be given a bug, and lose it again, while the game goes on.
     let hung = []; // each with what it shows now
     function hangLamps() {
-      functions.hidden = !world.ofMany;
-      hung = functions.hidden ? [] : world.names.map((called) => {
+      world.ofMany ? answers.after(functions) : functions.remove();
+      hung = !world.ofMany ? [] : world.names.map((called) => {
         const [number, words] = called.split(' '), mark = make('small'), it = make('li', {}, make('i'), make('span', {}, `${number} `, make('code', { textContent: words }), ' ', mark));
         if (world.canBreak(called)) it.append(breaker(called));
         return { called, it, mark };
