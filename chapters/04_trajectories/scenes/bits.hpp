@@ -28,9 +28,9 @@ struct Bits {
         if (age > 1) all.clear();
     }
     void draw(Canvas &canvas, double size) const {
-        std::vector<Vec2> at;
-        for (const motion::State &bit : all) at.push_back(bit.position);
-        if (!at.empty()) canvas.dots(std::move(at), size * (1 + age), colour).strength = std::max(0.0, 0.8 * (1 - age));
+        std::vector<Spark> puffs;
+        for (const motion::State &bit : all) puffs.push_back({bit.position, 2 * size * (1 + age), 1 - age});
+        canvas.puffs(puffs, colour);
     }
 };
 } // namespace play

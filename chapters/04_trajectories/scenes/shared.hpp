@@ -104,7 +104,9 @@ struct CannonScene : Scene {
     void draw_cannon(Canvas &canvas) const {
         if (height > 0)
             canvas.body({{-14, -11}, {2, -11}, {2, height - 9}, {0.6, height}, {-14, height}}, Colour::earth);
-        canvas.area({{-11.5, height - 9}, {0, height - 9}, {0, height}, {-11.5, height}}, Colour::wood).strength = 0.35;
+        const Vec2 floor{-10, height - 9}; // of its pit, which is lined with planks
+        canvas.area(box(floor, {0.6, height}), Colour::ink).strength = 0.75;
+        canvas.bar({{floor.x(), height}, floor, {0.6, floor.y()}, {0.6, height - 4}}, Colour::wood, 9);
         smoke.draw(canvas, 0.7);
         cannon(canvas, {0, height}, direction());
         if (shell.flying && shell.time < 0.1) canvas.lamp(Vec2{0, height} + direction(), 1.6, Colour::amber);
