@@ -119,7 +119,7 @@ describe('a sketch', { concurrency: 1, skip }, () => {
       const made = sketch();
       assert.equal(made.status, 0, made.stdout);
       const { troubles, page, figure, sees } = await shown(t), before = await sees(), title = /SKETCH\(\w+, "(.*)"\)/.exec(fs.readFileSync(file, 'utf8'))[1];
-      await page.waitForTimeout(500);
+      await page.waitForTimeout(2000); // a ball may wait to be served
       assert.notEqual(await sees(), before, each);
       assert.equal(await figure.locator('figcaption').textContent(), title);
       assert.deepEqual(troubles, []);
