@@ -202,6 +202,7 @@
   const upright = ([high, low, near, deep], ground) => [[0, ground, across([0, 0], [0, 1], [0, high], [1, low])], [ground, 1, across([0, 0], [0, 1], [0, near], [1, deep])]];
   const rows = { felt: ([middle, cloth, rim]) => [[0, 1, around([0.42, 0.36], [0.42, 0.36], 0.72, [0, middle], [0.6, cloth], [1, rim])]], night: whole, squared: whole, yard: upright, workshop: upright };
   const stars = [[0.06, 0.1], [0.17, 0.3], [0.24, 0.07], [0.33, 0.2], [0.41, 0.44], [0.52, 0.09], [0.6, 0.27], [0.71, 0.13], [0.79, 0.38], [0.87, 0.08], [0.94, 0.24], [0.1, 0.55], [0.67, 0.6], [0.96, 0.62]];
+  const block = (pen, x, y, wide, high) => (along(pen, [[x, y], [x + wide, y], [x + wide, y + high], [x, y + high]]), pen.fill());
   function setStage(pen, brush, { stage, ground }, { width, height, scale, onto }, all) {
     const own = ownOf(stage);
     if (!grounds[own]) return;
@@ -211,7 +212,7 @@
       const box = [0, from * height, width, (to - from) * height];
       if (box[3] <= 0) continue;
       pen.fillStyle = brush.shade(shade, box);
-      along(pen, [[0, 1], [2, 1], [2, 3], [0, 3]].map(([x, y]) => [box[0] + (x && box[2]), y === 1 ? box[1] : box[1] + box[3]])), pen.fill();
+      block(pen, ...box);
     }
     if (own === 'night') {
       pen.globalAlpha = 0.5 * all, pen.fillStyle = brush.tint(white);
@@ -224,16 +225,15 @@
     });
     pen.globalAlpha = all;
     if (strips[stage] && horizon < 1) drawStrip(pen, brush, strips[stage], about);
-    ({ moon: drawCraters, workshop: drawBoards, squared: drawSquares })[stage]?.(pen, brush, about, all);
+    ({ moon: drawMoon, workshop: drawBoards, squared: drawSquares })[stage]?.(pen, brush, about, all);
   }
-  const block = (pen, x, y, wide, high) => (along(pen, [[x, y], [x + wide, y], [x + wide, y + high], [x, y + high]]), pen.fill());
   function drawStrip(pen, brush, [pair, high], { width, height, base }) {
     pen.fillStyle = brush.tint(pair);
     block(pen, 0, base, width, high ? high * width : height - base);
   }
-  // They lie on the ground, so that they move as fast as it does; their row repeats.
-  function drawCraters(pen, brush, { width, height, base, origin }, all) {
-    brush.stamp([[0.84 * width, 0.16 * height]], width / 26, ball('blue')); // the Earth
+  // The Earth, and craters: those lie on the ground, and move as fast as it does; their row repeats.
+  function drawMoon(pen, brush, { width, height, base, origin }, all) {
+    brush.stamp([[0.84 * width, 0.16 * height]], width / 26, ball('blue'));
     pen.globalAlpha = 0.7 * all, pen.fillStyle = brush.tint(craters);
     const step = 0.19 * width, first = Math.floor(-origin[0] / step) - 1, round = Array.from({ length: 24 }, (_, i) => (i * Math.PI) / 12);
     for (let i = first; i * step + origin[0] < width + step; i++) {

@@ -143,7 +143,7 @@
 
   let figures = 0;
   async function play(figure) {
-    const name = figure.dataset.demo, isSketch = Number.isNaN(parseInt(name, 10)), id = ++figures;
+    const name = figure.dataset.demo, section = parseInt(name, 10), isSketch = Number.isNaN(section), id = ++figures;
     const mine = () => playable[`${name}/mine`], trouble = () => playable[`${name}/trouble`];
     let world, about, picture, running = !still.matches, visible = false, failed = false, last = 0, waiting = false, starts = 0;
     const broken = new Set(figure.dataset.bug ? [figure.dataset.bug] : []); // functions that have a bug here
@@ -210,7 +210,7 @@
       answers.textContent = '';
       if (choose.hidden && 'mine' in figure.dataset) howToPlayOnes();
       if (whose === 'yours' && trouble()) return fail(trouble());
-      const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours', parseInt(name, 10), broken);
+      const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours', section, broken);
       if (start !== starts) return; // another one has overtaken this one
       world = fresh;
       Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false, down: false });
@@ -233,10 +233,10 @@
         keys.append(words, ' ');
         return words;
       };
-      const ofIts = (key) => [...about.keys.map((each) => each.key), ...about.controls.filter(isHeld).map(({ unit }) => unit)].includes(key);
-      if (!ofIts(' ')) pauses = named('space', 'pause');
-      if (!ofIts('.')) named('.', 'step');
-      if (!ofIts('r')) named('r', 'reset');
+      const own = [...about.keys.map(({ key }) => key), ...about.controls.filter(isHeld).map(({ unit }) => unit)];
+      if (!own.includes(' ')) pauses = named('space', 'pause');
+      if (!own.includes('.')) named('.', 'step');
+      if (!own.includes('r')) named('r', 'reset');
       if (handles().length > 0) named('h', 'next handle'), named('arrow keys', 'move it');
       about.keys.forEach((each, i) => ownKeys[i].push(named(jumps(each) ? 'space' : shortName(each.key), each.meaning.toLowerCase())));
       about.controls.forEach((control, i) => isHeld(control) && shownOf[i].push(named(shortName(control.unit), control.name)));
@@ -385,13 +385,13 @@
     }
     // What stands in the picture, once it has stood there for a second and a reader has done something
     let stands = '', telling, touched = false;
-    const tellSoon = () => (clearTimeout(telling), (telling = setTimeout(() => touched && (result.textContent = stands), 1000)));
+    const tellSoon = () => (clearTimeout(telling), (telling = setTimeout(() => (result.textContent = stands), 1000)));
     for (const kind of ['pointerdown', 'keydown']) figure.addEventListener(kind, () => (touched = true, tellSoon()));
     function tellResult(shapes) {
       const words = shapes.filter(({ kind, material }) => kind === 'words' && material === 'solid').map(({ text }) => text).join(', ');
-      if (words !== stands) stands = words, tellSoon();
+      if (words !== stands) stands = words, touched && tellSoon();
     }
-    const howToPlayOnes = () => answers.append('This is our code. To play with yours, type ', make('code', { textContent: `./course play ${figure.dataset.exercise ?? parseInt(name, 10)} --mine` }));
+    const howToPlayOnes = () => answers.append('This is our code. To play with yours, type ', make('code', { textContent: `./course play ${figure.dataset.exercise ?? section} --mine` }));
     function tellWhose() {
       const number = (exercise) => exercise.split(' ')[0], sorted = world.names.filter((each) => world.called.has(each));
       const yours = sorted.filter((each) => !world.fallen.has(each)).map(number), ours = sorted.filter((each) => world.fallen.has(each));
@@ -529,7 +529,7 @@
     addEventListener('progress', () => world && (world.lookWhoseTheyAre(), hung.forEach(light)));
     figure.addEventListener('play-again', () => (whose = 'yours', restart()));
     await restart();
-    if ('focus' in figure.dataset) canvas.focus({ preventScroll: true, focusVisible: false }); // so that it hears keys
+    if (isSketch && 'mine' in figure.dataset) canvas.focus({ preventScroll: true, focusVisible: false }); // so that it hears keys
     figure.dataset.ready = '';
   }
 

@@ -130,7 +130,6 @@ constexpr AdviceRule rule_table[] = {
     {R"(^(?!.*(?:std::optional<|::\)\(|product of Vec2s))conversion from )", R"(\b(?!Vec2\b)([A-Z]\w*)[{(]{closed}@)",
      fields_of_it},
     {"^(?:too many initializers for|no matching constructor for initialization of) {struct}", "", fields_of_it},
-
     {"^excess elements in scalar initializer", R"(\bColour *\{)",
      "A colour has a name, as Colour::green; docs/sketches.md has them all."},
 
