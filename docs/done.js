@@ -91,16 +91,21 @@
   }
 
   function show() {
+    self.progress = self.laidOver?.(self.progress) ?? self.progress; // by the online edition, which remembers by itself
     dispatchEvent(new Event('progress')); // for demos that play what is done
     const done = new Set(sections().flatMap(({ exercises }) => exercises.filter(isDone).map(({ number }) => number)));
     for (const box of boxes) markBox(box, done.has(box.dataset.exercise));
     markContents(done);
     markOthers(done);
   }
-  show();
-  for (const box of boxes) if (box.querySelector('.unfold')) fold(box, true);
-  linked();
+  function begin() {
+    show();
+    for (const box of boxes) if (box.querySelector('.unfold')) fold(box, true);
+    linked();
+  }
+  begin();
   addEventListener('hashchange', linked);
+  addEventListener('remembered', ({ detail }) => (detail.first ? begin() : show()));
 
   // Whoever comes back from a terminal may have done more. What is done now stays open: it is being read.
   addEventListener('focus', () => {

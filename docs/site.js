@@ -192,7 +192,7 @@
   }
   one('#site-find').addEventListener('click', openSearch);
   document.addEventListener('keydown', (event) => {
-    const writing = event.target.closest('input, textarea, select') && !event.target.closest('dialog:not([open])');
+    const writing = event.target.closest('input, textarea, select, [contenteditable]') && !event.target.closest('dialog:not([open])');
     if (event.key === '/' && !writing && !event.ctrlKey && !event.metaKey && !event.altKey) {
       event.preventDefault();
       openSearch();
