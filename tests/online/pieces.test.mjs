@@ -6,9 +6,8 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { findPiece, follow, startedAgain } from '../../tools/online/pieces.mjs';
 
-const exercises = fileURLToPath(new URL('../../exercises', import.meta.url));
-const stubs = fs.readdirSync(exercises).filter((name) => /^\d\d_\w+\.cpp$/.test(name) && !/_(tests|bug)\.cpp$/.test(name))
-  .map((name) => [name, fs.readFileSync(path.join(exercises, name), 'utf8')]);
+const tests = fileURLToPath(new URL('..', import.meta.url));
+const stubs = fs.readdirSync(tests).filter((name) => /^\d\d_/.test(name)).map((name) => [name, fs.readFileSync(path.join(tests, name, 'stub.cpp'), 'utf8')]);
 const numbers = (text) => [...text.matchAll(/^\/\/ (\d+\.\d+) /gm)].map(([, number]) => number);
 const eight = stubs.find(([name]) => name.startsWith('08'))[1];
 const whole = ({ before, body, after }) => before + body + after;

@@ -1,0 +1,4 @@
+// A page without exercises shows what is done, too.
+import { start } from './ticks.mjs';
+
+start();
