@@ -1,0 +1,86 @@
+// The editor's own part: CodeMirror with C++, in the site's colours. Its lines are numbered as in the whole file.
+import { closeBrackets, closeBracketsKeymap } from '@codemirror/autocomplete';
+import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { cppLanguage } from '@codemirror/lang-cpp';
+import { bracketMatching, flatIndent, HighlightStyle, indentNodeProp, indentOnInput, indentUnit, syntaxHighlighting } from '@codemirror/language';
+import { Annotation, Compartment, EditorSelection, EditorState, Prec } from '@codemirror/state';
+import { EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { tags } from '@lezer/highlight';
+
+// Nothing is indented for being in a namespace.
+const cpp = cppLanguage.configure({ props: [indentNodeProp.add({ DeclarationList: flatIndent })] });
+
+const colours = HighlightStyle.define([
+  { tag: [tags.keyword, tags.controlKeyword, tags.modifier, tags.definitionKeyword, tags.self, tags.null, tags.bool], color: 'var(--keyword)' },
+  { tag: [tags.typeName, tags.standard(tags.typeName)], color: 'var(--type)' },
+  { tag: tags.comment, color: 'var(--comment)' },
+  { tag: [tags.string, tags.character, tags.special(tags.string)], color: 'var(--string)' },
+  { tag: [tags.processingInstruction, tags.macroName], color: 'var(--macro)' },
+]);
+
+// What didn't come from this editor, and is not for it to say further.
+const fromOutside = Annotation.define();
+
+const numbered = (linesBefore) => lineNumbers({ formatNumber: (line) => String(line + linesBefore) });
+
+export class Code {
+  // `typed(text)` when the reader changed it, `check()` for Ctrl+Enter, `label` for those who don't see it.
+  constructor(parent, { label, describedBy, typed, check }) {
+    const run = () => (check(), true);
+    this.numbers = new Compartment();
+    this.extensions = [
+      this.numbers.of(numbered(0)),
+      history(),
+      cpp,
+      indentUnit.of('    '),
+      indentOnInput(),
+      bracketMatching(),
+      closeBrackets(),
+      syntaxHighlighting(colours),
+      highlightActiveLine(),
+      matchMedia('(max-width: 32rem)').matches ? EditorView.lineWrapping : [],
+      Prec.highest(keymap.of([{ key: 'Ctrl-Enter', run }, { key: 'Mod-Enter', run }])),
+      keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...historyKeymap, indentWithTab]),
+      EditorView.contentAttributes.of({ 'aria-label': label, 'aria-describedby': describedBy, tabindex: '0' }),
+      EditorView.updateListener.of(({ docChanged, state, transactions }) => {
+        if (docChanged && !transactions.some((one) => one.annotation(fromOutside))) typed(state.doc.toString());
+      }),
+    ];
+    this.view = new EditorView({ parent, extensions: this.extensions });
+  }
+
+  get text() {
+    return this.view.state.doc.toString();
+  }
+
+  // Another text: what differs is replaced, so that the cursor stays where it is.
+  set(text, linesBefore) {
+    const before = this.text;
+    let start = 0, end = 0;
+    const shorter = Math.min(before.length, text.length);
+    while (start < shorter && before[start] === text[start]) ++start;
+    while (end < shorter - start && before.at(-1 - end) === text.at(-1 - end)) ++end;
+    const changes = before === text ? [] : { from: start, to: before.length - end, insert: text.slice(start, text.length - end) };
+    const effects = linesBefore === this.linesBefore ? [] : this.numbers.reconfigure(numbered(linesBefore));
+    this.linesBefore = linesBefore;
+    this.view.dispatch({ changes, effects, annotations: fromOutside.of(true) });
+  }
+
+  // Another part of the file, with a history of its own.
+  begin(text, linesBefore) {
+    this.linesBefore = linesBefore;
+    this.view.setState(EditorState.create({ doc: text, extensions: this.extensions }));
+    this.view.dispatch({ effects: this.numbers.reconfigure(numbered(linesBefore)) });
+  }
+
+  // Puts the cursor there; line and column count from 1 in this editor's text.
+  go(line, column) {
+    const { doc } = this.view.state, at = doc.line(Math.min(Math.max(line, 1), doc.lines));
+    const head = Math.min(at.from + column - 1, at.to);
+    this.view.dispatch({ selection: EditorSelection.cursor(head), effects: EditorView.scrollIntoView(head, { y: 'center' }) });
+    this.view.focus();
+  }
+  focus() {
+    this.view.focus();
+  }
+}

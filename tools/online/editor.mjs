@@ -1,0 +1,78 @@
+// In each box of an exercise an editor, made when the box comes near the view, and below it what the tests say. Until the
+// first Check nothing of the compiler is loaded.
+import { Answer } from './answer.mjs';
+import { Box } from './box.mjs';
+import { make } from './elements.mjs';
+import { Store } from './store.mjs';
+import { followTicks, showTicks } from './ticks.mjs';
+import { whyNot } from './able.mjs';
+
+const base = new URL('.', document.currentScript.src);
+const section = document.body.dataset.section ?? location.pathname.match(/chapter_(\d\d_\w+?)(?:\.html)?$/)?.[1];
+const boxes = [...document.querySelectorAll('.turn[data-exercise]')];
+
+// Where the editor would be.
+function tellWhyNot(place, exercise, why) {
+  place.className = 'cannot';
+  place.replaceChildren(`You can’t write here: ${why}. In a terminal, this does the same: `, make('code', {}, `./course check ${exercise}`));
+}
+
+// One check at a time, whichever box asked for it. The checker, and with it the compiler, comes with the first.
+const checks = {
+  checker: null,
+  running: null,
+  async run(task) {
+    if (!this.checker) {
+      const { Checker } = await import(new URL('checker.js', base).href);
+      this.checker ??= new Checker(base.href);
+    }
+    if (this.running) this.stop();
+    const running = this.checker.check(task);
+    this.running = running;
+    try {
+      return await running;
+    } finally {
+      if (this.running === running) this.running = null;
+    }
+  },
+  stop() {
+    this.checker?.stop();
+    this.running = null;
+  },
+};
+
+// What all boxes share; read once, for the first of them.
+let shared = null;
+async function open() {
+  const store = await opened, stubs = await (await fetch(new URL('stubs.json', base))).json();
+  if (!stubs[section]) throw new Error(`stubs.json knows no section ${section}`);
+  const answer = await Answer.open(store, section, stubs[section].stub);
+  answer.addEventListener('states', () => showTicks(store));
+  return { store, stubs, answer, section, checks };
+}
+
+async function fill(place, exercise, name) {
+  try {
+    new Box(place, exercise, name, await (shared ??= open()));
+  } catch (error) {
+    console.error(error);
+    tellWhyNot(place, exercise, error.name === 'TypeError' ? 'the files of the exercises can’t be loaded' : `this doesn’t work here (${error.message})`);
+  }
+}
+
+const opened = whyNot() ? null : Store.open();
+const near = new IntersectionObserver((all) => {
+  for (const { target, isIntersecting } of all) {
+    if (!isIntersecting) continue;
+    near.unobserve(target);
+    const box = target.closest('.turn');
+    fill(target, box.dataset.exercise, box.querySelector('h3 code')?.textContent ?? '');
+  }
+}, { rootMargin: '50% 0px' });
+for (const box of boxes) {
+  const place = make('div', { className: 'answer' });
+  box.append(place);
+  if (opened) near.observe(place);
+  else tellWhyNot(place, box.dataset.exercise, whyNot());
+}
+opened?.then(followTicks).catch(() => { /* said in each box */ });
