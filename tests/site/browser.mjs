@@ -58,10 +58,10 @@ export async function inaccessible(page, part = 'html') {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => node.html).join(' | ')}`);
 }
 
-// A copy of a built site, gone in the end, for a test that changes its files.
-export function copyOf(folder) {
+// A copy of a built site, or of the files that are wanted, gone in the end, for a test that changes its files.
+export function copyOf(folder, isWanted = () => true) {
   const copy = fs.mkdtempSync(path.join(os.tmpdir(), 'site-'));
-  fs.cpSync(folder, copy, { recursive: true });
+  fs.cpSync(folder, copy, { recursive: true, filter: isWanted });
   after(() => fs.rmSync(copy, { recursive: true }));
   return copy;
 }

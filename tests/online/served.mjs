@@ -1,0 +1,110 @@
+// What the tests of the editor share: a site of one chapter and the front page, served as a static host would, with a
+// checker that only plays its part.
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import http from 'node:http';
+import path from 'node:path';
+import { after } from 'node:test';
+import { onlinePage } from '../../tools/online/pages.mjs';
+import { browser, copyOf, root, site } from '../site/browser.mjs';
+
+export const eight = 'chapter_08_nt_collisions.html', section = '08_nt_collisions';
+export const folder = copyOf(site, (name) => !/\.html$/.test(name) || [eight, 'index.html'].includes(path.basename(name)));
+
+const stubs = Object.fromEntries(fs.readdirSync(path.join(root, 'tests')).filter((name) => /^\d\d_/.test(name)).map((name) => {
+  const stub = fs.readFileSync(path.join(root, 'tests', name, 'stub.cpp'), 'utf8');
+  return [name, { stub, exercises: [...stub.matchAll(/^\/\/ (\d+\.\d+) /gm)].map(([, number]) => number) }];
+}));
+export const stub = stubs[section].stub;
+
+// Its verdict is by the text: `right`, `broken` or `forever` in it; else one test is red.
+const checker = `
+const red = (words) => '\\x1b[31m' + words + '\\x1b[0m', bold = (words) => '\\x1b[1m' + words + '\\x1b[0m';
+export class Checker {
+  constructor(base) { (self.asked ??= []).push(base); }
+  stop() { this.end?.(new DOMException('stopped', 'AbortError')); }
+  async check({ section, exercise, text, progress }) {
+    self.asked.push({ section, exercise, text });
+    progress({ step: 'load', loaded: 12_000_000, total: 30_000_000 });
+    if (text.includes('forever')) await new Promise((done, failed) => (this.end = failed));
+    progress({ step: 'compile' });
+    if (text.includes('broken')) {
+      const line = text.split('\\n').findIndex((one) => one.includes('broken')) + 1;
+      return { text: red('✗ exercises/' + section + '.cpp does not compile') + '\\n    exercises/' + section + '.cpp:' + line + ': what is broken?\\n',
+        states: { [exercise]: 'does not compile' }, picture: null, place: { line, column: 5 } };
+    }
+    if (text.includes('right')) return { text: '\\x1b[32m✓ ' + exercise + ' is done\\x1b[0m: 12 tests passed\\n', states: { [exercise]: 'passed' }, picture: null, place: null };
+    return { text: red('✗ ' + exercise) + ': 7 of 12 tests passed\\n    ' + red('✗') + ' ' + bold('how far apart <the> centres are') + '\\n      see       tests/' + section + '/tests.cpp:41\\n    \\x1b[33mThis is what comes out when you forget it.\\x1b[0m\\n\\x1b[2mdim\\x1b[0m\\n',
+      states: { [exercise]: 'wrong' }, place: null,
+      picture: '<svg class="verdict-picture" xmlns="http://www.w3.org/2000/svg" width="480" height="300" viewBox="0 0 480 300" role="img" aria-label="the call"><circle class="yours dot" cx="99" cy="99" r="9"/></svg>' };
+  }
+}
+`;
+
+for (const name of [eight, 'index.html']) {
+  const file = path.join(folder, name);
+  fs.writeFileSync(file, onlinePage(fs.readFileSync(file, 'utf8')));
+}
+execFileSync('node', [path.join(root, 'tools/online/build_editor.mjs'), path.join(folder, 'online')]);
+fs.writeFileSync(path.join(folder, 'online/stubs.json'), JSON.stringify(stubs));
+fs.writeFileSync(path.join(folder, 'online/checker.js'), checker);
+
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json', '.svg': 'image/svg+xml', '.woff2': 'font/woff2' };
+export const asked = []; // names of files, as they were asked for
+const server = http.createServer(({ url }, response) => {
+  const name = decodeURIComponent(new URL(url, 'http://host').pathname).slice(1) || 'index.html', file = path.join(folder, name);
+  asked.push(name);
+  if (!fs.existsSync(file)) return response.writeHead(404).end();
+  response.writeHead(200, { 'content-type': types[path.extname(file)] ?? 'application/octet-stream', 'cache-control': 'no-cache' });
+  fs.createReadStream(file).pipe(response);
+});
+await new Promise((done) => server.listen(0, '127.0.0.1', done));
+after(() => server.closeAllConnections() ?? server.close());
+export const host = `http://127.0.0.1:${server.address().port}`;
+
+// A page in this context, or in one of its own, and what goes wrong on it.
+export async function open(t, name = `${eight}#exercise-8.1`, { context, width = 1280, ...more } = {}) {
+  if (!context) {
+    context = await (await browser()).newContext({ viewport: { width, height: 900 }, ...more });
+    t.after(() => context.close());
+  }
+  const page = await context.newPage(), troubles = [];
+  page.on('console', (message) => troubles.push(message.text()));
+  page.on('pageerror', (error) => troubles.push(error.message));
+  page.on('request', (request) => request.url().startsWith(host) || /^(data|blob|file|about):/.test(request.url()) || troubles.push(`asks for ${request.url()}`));
+  page.on('response', (response) => response.ok() || troubles.push(`${response.status()} ${response.url()}`));
+  await page.goto(/^\w+:/.test(name) ? name : `${host}/${name}`);
+  return { page, troubles, context };
+}
+
+// The parts of the editor in the box of an exercise.
+export function inBox(page, exercise = '8.1') {
+  const box = page.locator(`.turn[data-exercise="${exercise}"]`), button = (name) => box.getByRole('button', { name, exact: true });
+  return {
+    box, button, code: box.locator('.cm-content'), verdict: box.locator('.verdict'), note: box.locator('.note'), menu: box.locator('summary', { hasText: 'My answers' }),
+    // As text, with all its lines.
+    text: () => box.locator('.cm-line').allTextContents().then((lines) => lines.join('\n')),
+    // Instead of what's there.
+    async write(text) {
+      await box.locator('.cm-content').click();
+      await page.keyboard.press('Control+A');
+      await page.keyboard.insertText(text);
+    },
+    check: async () => {
+      await box.locator('.cm-content').press('Control+Enter');
+      await box.locator('.verdict:not(:empty)').waitFor();
+    },
+  };
+}
+
+// What the browser keeps: the records of all sections.
+export const kept = (page) => page.evaluate(() => new Promise((done) => {
+  indexedDB.open('frame-by-frame').onsuccess = ({ target: { result } }) => {
+    result.transaction('sections').objectStore('sections').getAll().onsuccess = ({ target }) => (result.close(), done(target.result));
+  };
+}));
+
+// When these words are kept.
+export async function saved(page, words) {
+  while (!(await kept(page)).some(({ text }) => text.includes(words))) await page.waitForTimeout(50);
+}
