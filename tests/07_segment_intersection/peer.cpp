@@ -1,6 +1,8 @@
 // needs CGAL CGAL::CGAL libcgal-dev
-// CGAL computes with exact fractions here, so all of the difference is our rounding.
+// CGAL computes with exact fractions here, so all of the difference is our rounding. So do the tests of 7.6, with numbers
+// of their own.
 #include "../peers/peer.hpp"
+#include "../exact.hpp"
 #include "segment_intersection.hpp"
 
 #include <CGAL/Exact_rational.h>
@@ -11,6 +13,8 @@
 #include <boost/variant/get.hpp>
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 using course::Vec2;
@@ -144,6 +148,46 @@ double compare_orientations(Dice &dice) {
     return others;
 }
 
+/// Between 2^(power-1) and 2^power, of 53 bits.
+double about(Dice &dice, int power) {
+    return std::ldexp(dice.sign() * (dice.real(0.5, 1) + dice.real(0, 0x1p-28)), power);
+}
+
+/// Two factors, each from 5e-324 to 1e300, of a product whose digits a double can still tell.
+std::pair<double, double> factors(Dice &dice) {
+    const int power = dice.whole(-1073, 997), of_product = dice.whole(-900, 900);
+    return {about(dice, power), about(dice, std::clamp(of_product - power, -1073, 997))};
+}
+
+/// Takes the same away from both, until nothing is left.
+bool is_same(course::Exact got, CGAL::Exact_rational want) {
+    while (got.sign() == CGAL::sign(want)) {
+        if (got.sign() == 0) return true;
+        const double most = CGAL::to_double(want);
+        const auto order = got <=> course::Exact{most};
+        if ((order > 0) - (order < 0) != CGAL::compare(want, CGAL::Exact_rational{most})) return false;
+        got = got - course::Exact{most};
+        want -= most;
+    }
+    return false;
+}
+
+/// a b - c d + e, where the products may be nearly the same, or nowhere near.
+double compare_exact_numbers(Dice &dice) {
+    using Theirs = CGAL::Exact_rational;
+    using course::Exact;
+    int others = 0;
+    for (int i = 0; i < pairs; ++i) {
+        const auto [a, b] = factors(dice);
+        auto [c, d] = factors(dice);
+        if (i % 2 == 0) std::tie(c, d) = std::pair{std::nextafter(b, dice.sign()), std::nextafter(a, dice.sign())};
+        const double e = about(dice, dice.whole(-1073, 997));
+        others += !is_same(Exact{a} * Exact{b} - Exact{c} * Exact{d} + Exact{e},
+                           Theirs{a} * Theirs{b} - Theirs{c} * Theirs{d} + Theirs{e});
+    }
+    return others;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -155,5 +199,6 @@ int main(int argc, char **argv) {
          {"common_points, on whole numbers: other numbers of points", compare_numbers_of_common_points},
          {"common_points, on whole numbers: a point [m]", compare_common_points},
          {"time_of_impact: distance from the wall less the radius [m]", compare_impacts},
-         {"orientation, nearly parallel: the opposite sign", compare_orientations}});
+         {"orientation, nearly parallel: the opposite sign", compare_orientations},
+         {"exact numbers of the tests, from 5e-324 to 1e300: other results", compare_exact_numbers}});
 }

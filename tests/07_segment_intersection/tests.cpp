@@ -2,7 +2,7 @@
 
 #include "segment_intersection.hpp"
 
-#include <gmpxx.h>
+#include "exact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -1244,17 +1244,18 @@ TEST_CASE("where the rounded determinant has the wrong sign, the answer is 0 or 
     CHECK_THAT(orientation({{1, 1}, {3.5, 3.9}}, {{0.7, 0.8}, {3.2, 3.7}}), IsAtMost(0));
 }
 
-//> Against exact fractions
-struct Exact {
-    mpq_class d;         ///< the determinant
-    mpq_class tolerance; ///< below which 0 is allowed
+//> Against the exact determinant
+struct Determinant {
+    course::Exact d;         ///< as it is for the numbers as they are stored
+    course::Exact tolerance; ///< below which 0 is allowed
 };
 
-Exact exact(const Segment &first, const Segment &second) {
-    const auto minus = [](double end, double start) -> mpq_class { return mpq_class{end} - mpq_class{start}; };
-    const mpq_class left = minus(first.end.x(), first.start.x()) * minus(second.end.y(), second.start.y());
-    const mpq_class right = minus(first.end.y(), first.start.y()) * minus(second.end.x(), second.start.x());
-    return {left - right, mpq_class{1e-15} * (abs(left) + abs(right)) + mpq_class{1e-300}};
+Determinant exact(const Segment &first, const Segment &second) {
+    using course::Exact;
+    const auto minus = [](double end, double start) { return Exact{end} - Exact{start}; };
+    const Exact left = minus(first.end.x(), first.start.x()) * minus(second.end.y(), second.start.y());
+    const Exact right = minus(first.end.y(), first.start.y()) * minus(second.end.x(), second.start.x());
+    return {left - right, Exact{1e-15} * (abs(left) + abs(right)) + Exact{1e-300}};
 }
 
 TEST_CASE("nearly parallel segments never get the wrong sign, nor a 0 where the sign can be told", "[7.6]") {
@@ -1272,7 +1273,7 @@ TEST_CASE("nearly parallel segments never get the wrong sign, nor a 0 where the 
 
         const int got = orientation(first, second);
 
-        if (got != 0 || abs(d) > tolerance) CHECK_THAT(got, IsNear(sgn(d)));
+        if (got != 0 || abs(d) > tolerance) CHECK_THAT(got, IsNear(d.sign()));
     }
 }
 
@@ -1284,7 +1285,7 @@ TEST_CASE("the sign is that of the exact determinant, from 1e-60 m to 1e5 m", "[
         const Segment first{{0, 0}, size_1 * dice.point(-1, 1)}, second{{0, 0}, size_2 * dice.point(-1, 1)};
         const auto [d, tolerance] = exact(first, second);
 
-        if (abs(d) > tolerance) CHECK_THAT(orientation(first, second), IsNear(sgn(d)));
+        if (abs(d) > tolerance) CHECK_THAT(orientation(first, second), IsNear(d.sign()));
     }
 }
 
