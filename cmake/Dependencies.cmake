@@ -94,7 +94,6 @@ need_package(fmt fmt)
 need_package(pugixml pugixml)
 need_library(cmark-gfm cmark-gfm-core-extensions.h cmark-gfm-extensions cmark-gfm)
 need_library(libzip zip.h zip)
-need_library(GMP gmpxx.h gmpxx gmp)
 need_program(gnuplot GNUPLOT gnuplot)
 find_program(DOT dot) # tells its version only with -V, and to stderr
 if(DOT)

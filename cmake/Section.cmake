@@ -252,7 +252,7 @@ endmacro()
 
 macro(in_one_process whose)
   target_sources(${section}_${whose} PRIVATE tools/judge/runner/direct.cpp ${earlier_objects})
-  target_link_libraries(${section}_${whose} PRIVATE course_student_flags Catch2::Catch2WithMain course::GMP)
+  target_link_libraries(${section}_${whose} PRIVATE course_student_flags Catch2::Catch2WithMain)
   target_include_directories(${section}_${whose} PRIVATE tests tools ${chapter})
   target_compile_definitions(${section}_${whose} PRIVATE COURSE_SECTION="${slug}.hpp")
   set_target_properties(${section}_${whose} PROPERTIES OUTPUT_NAME ${section} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${whose})

@@ -13,7 +13,7 @@ target_link_libraries(course_verdict PUBLIC course_flags nlohmann_json::nlohmann
 set_target_properties(course_verdict PROPERTIES UNITY_BUILD ON)
 
 add_library(course_harness OBJECT ${PROJECT_SOURCE_DIR}/tools/judge/runner/harness.cpp) # of all section tests
-target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2 course::GMP)
+target_link_libraries(course_harness PUBLIC course_verdict Catch2::Catch2)
 target_include_directories(course_harness PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 target_compile_options(course_harness PUBLIC -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # verdicts say tests/NN_slug/tests.cpp
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang) # 14 crashes in templates that it reads back

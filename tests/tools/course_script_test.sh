@@ -82,7 +82,6 @@ libfmt-dev 9.1.0+ds1-2
 libcmark-gfm-dev 0.29.0.gfm.6-6
 libpugixml-dev 1.13-0.2
 libzip-dev 1.7.3-1
-libgmp-dev 2:6.2.1
 gnuplot-nox 5.4.4
 graphviz 2.42.2-7
 doxygen 1.9.4-4
@@ -418,11 +417,11 @@ is "$did" ''
 installs='apt-get --quiet --yes install --no-install-recommends --no-remove'
 machine 'only what is missing is installed, without reading lists or adding sources in vain'
 with_apt
-without gnuplot GMP
+without gnuplot libzip
 course --yes
 leaves_with 0
-has "$did" "$installs --download-only libgmp-dev gnuplot-nox
-$installs libgmp-dev gnuplot-nox
+has "$did" "$installs --download-only libzip-dev gnuplot-nox
+$installs libzip-dev gnuplot-nox
 cmake: --preset"
 has_not "$did" update
 is "$(ls "$lab/sources")" debian.sources
