@@ -72,6 +72,8 @@ struct Workspace {
     std::filesystem::path tests_folder(const Section &s) const { return root / "tests" / s.name; }
     /// Wrong answers, as differences to the solution.
     std::filesystem::path mutants(const Section &s) const { return tests_folder(s) / "mutants.diff"; }
+    /// What mistakes give; a section may have none.
+    std::filesystem::path mistakes(const Section &s) const { return tests_folder(s) / "mistakes.tsv"; }
     /// Whether this edition of the course has a section's solution and mutants.
     bool has_answers(const Section &s) const;
     std::filesystem::path tests(const Section &s) const { return tests_folder(s) / "tests.cpp"; }

@@ -1,5 +1,6 @@
 #pragma once
 #include "base/workspace.hpp"
+#include "check/exercise.hpp"
 
 #include <string>
 #include <string_view>
@@ -7,25 +8,12 @@
 
 namespace course {
 
-/// One exercise, as the section's tests know it.
-struct Exercise {
-    std::string number;   ///< "7.2"
-    std::string tier;     ///< core, stretch or challenge
-    std::string function; ///< "crosses"
-};
-
 /// Whether there is a catalogue: a section that has just come with an update is not built yet.
 bool is_built(const Workspace &workspace, const Section &section);
 
 /// The exercises of a section, in order: what the tests printed when they were built.
 /// @throws UserError if the section is not built yet.
 std::vector<Exercise> catalogue(const Workspace &workspace, const Section &section);
-
-/// A test of a section, as the list of tests has it.
-struct KnownTest {
-    std::string exercise; ///< "7.2"
-    std::string claim;    ///< the name of the test
-};
 
 /// Every test of a section, in the order of their file: known before any of them runs.
 /// @throws UserError if the section is not built yet.

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "check/answer.hpp"
 #include "check/build_config.hpp"
+#include "check/catalogue.hpp"
 #include "check/compiling.hpp"
 #include "check/diagnosis.hpp"
 #include "check/outline.hpp"
@@ -23,13 +24,6 @@
 
 namespace course {
 namespace fs = std::filesystem;
-
-bool JudgeResult::all_passed() const {
-    return !unbuilt && !verdicts.empty() && std::ranges::all_of(verdicts, &Verdict::passed);
-}
-bool JudgeResult::our_fault() const {
-    return std::ranges::any_of(verdicts, [](const Verdict &v) { return v.kind == Outcome::no_verdict; });
-}
 
 namespace {
 

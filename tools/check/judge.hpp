@@ -2,23 +2,13 @@
 // From a student's file to verdicts: compile it, link it with the server, run the tests against it.
 
 #include "base/workspace.hpp"
-#include "check/catalogue.hpp"
-#include "judge/protocol/verdict.hpp"
+#include "check/exercise.hpp"
+#include "check/judgement.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace course {
-
-struct JudgeResult {
-    std::optional<Verdict> unbuilt;    ///< why the file does not compile or link; then no test ran
-    std::vector<Verdict> verdicts;     ///< exactly one for each test that was asked for, in the order of their file
-    std::vector<std::string> warnings; ///< of the compiler: "exercises/07_….cpp:12: unused variable 'x'"
-
-    bool all_passed() const;
-    bool our_fault() const; ///< a test has no verdict
-};
 
 /// How a file is judged.
 struct JudgeOptions {

@@ -46,10 +46,6 @@ bool names_float(std::string_view code) {
 
 } // namespace
 
-std::filesystem::path file_of_mistakes(const Workspace &workspace, const Section &section) {
-    return workspace.tests_folder(section) / "mistakes.tsv";
-}
-
 std::string known_mistake(const std::string &table, const std::vector<Verdict> &verdicts) {
     std::vector<Verdict> failed;
     const std::string lines_of_table = '\n' + table;

@@ -9,12 +9,6 @@
 
 namespace course {
 
-/// An exercise, and how it stands as far as is remembered.
-struct Standing {
-    Exercise exercise;
-    std::string state; ///< the last verdict; "not started" in an untouched file; "not checked" if there was no verdict
-};
-
 /// How far a student is in a section. Nothing is run for it.
 struct Progress {
     std::vector<Standing> standings;

@@ -6,13 +6,12 @@
 #include "base/watch.hpp"
 #include "check/answer.hpp"
 #include "check/catalogue.hpp"
-#include "check/diagnosis.hpp"
 #include "check/judge.hpp"
 #include "check/junit.hpp"
-#include "check/mistakes.hpp"
 #include "check/picture.hpp"
 #include "check/progress.hpp"
 #include "check/progress_store.hpp"
+#include "check/report.hpp"
 #include "check/which_tests.hpp"
 #include "commands/commands.hpp"
 #include "judge/runner/sandbox.hpp"
@@ -20,7 +19,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <functional>
 #include <iostream>
 
 namespace course {
@@ -38,92 +36,6 @@ struct CheckOptions {
     bool no_diagnosis = false;
     bool picture = false;
 };
-
-/// The verdicts on one exercise.
-struct ExerciseResult {
-    Exercise exercise;
-    std::vector<Verdict> verdicts;
-
-    const Verdict *first(const auto &of) const {
-        const auto verdict = std::ranges::find_if(verdicts, of);
-        return verdict == verdicts.end() ? nullptr : &*verdict;
-    }
-    const Verdict *first_failure() const { return first(std::not_fn(&Verdict::passed)); }
-    const Verdict *first_open() const {
-        return first([](const Verdict &v) { return v.kind == Outcome::not_started; });
-    }
-    /// Not started as long as any call says so: a stub that refuses bad input passes some tests as it is.
-    Outcome state() const {
-        const Verdict *failure = first_failure();
-        return failure == nullptr ? Outcome::passed : first_open() ? Outcome::not_started : failure->kind;
-    }
-    /// How far it is from done: "wrong", "not started", "needs 4.2 time_of_flight". This is remembered, too.
-    std::string standing() const {
-        const Verdict *open = first_open();
-        return open == nullptr || open->needs.empty() ? std::string{name_of(state())} : "needs " + open->needs;
-    }
-};
-
-std::vector<ExerciseResult> by_exercise(const Workspace &workspace, const Section &section,
-                                        const JudgeResult &judgement) {
-    std::vector<ExerciseResult> outcomes;
-    for (auto &exercise : catalogue(workspace, section)) {
-        ExerciseResult outcome{std::move(exercise), {}};
-        std::ranges::copy_if(judgement.verdicts, std::back_inserter(outcome.verdicts),
-                             [&](const Verdict &v) { return v.exercise == outcome.exercise.number; });
-        outcomes.push_back(std::move(outcome));
-    }
-    return outcomes;
-}
-
-void print_failure(const Verdict &verdict) {
-    std::cout << "    " << painted(Colour::red, "✗") << ' ' << painted(Colour::bold, verdict.test);
-    if (verdict.kind != Outcome::wrong) std::cout << "  " << painted(Colour::red, name_of(verdict.kind));
-    std::cout << '\n' << explain(verdict, 6);
-}
-
-/// An exercise in one line; what is wrong below it: the first failure in full, since one is fixed at a time.
-/// @param mistakes  what is known of them
-/// @param text  of the file
-/// @param picture  whether to say how to see it
-void print(const ExerciseResult &outcome, bool verbose, const std::string &mistakes, const std::string &text,
-           bool picture) {
-    const auto &[exercise, verdicts] = outcome;
-    const Verdict *failure = outcome.first_failure();
-    const auto passed = std::ranges::count_if(verdicts, &Verdict::passed);
-    const std::string head = exercise.number + ' ' + exercise.function + ", " + exercise.tier;
-    if (failure == nullptr)
-        std::cout << painted(Colour::green, "✓ " + head) << ": " << pluralize(verdicts.size(), "test") << " passed\n";
-    else if (const Verdict *open = outcome.first_open()) {
-        std::cout << painted(Colour::dim, "· " + head) << ": " << (verbose ? open->sentence : outcome.standing())
-                  << '\n';
-        return;
-    } else
-        std::cout << painted(Colour::red, "✗ " + head) << ": " << passed << " of " << pluralize(verdicts.size(), "test")
-                  << " passed\n";
-
-    constexpr std::size_t most = 3; // claims beside the first: enough to guess from
-    std::size_t failures = 0;
-    for (const Verdict &verdict : verdicts) {
-        if (!verdict.passed()) ++failures;
-        if (failures > 1 && failure->kind == Outcome::missing) continue; // once is enough
-        if (verdict.passed()) {
-            if (verbose) std::cout << "    " << painted(Colour::green, "✓") << ' ' << verdict.test << '\n';
-        } else if (failures == 1 || verbose) {
-            print_failure(verdict);
-            if (picture && &verdict == failure && picture_of(verdict))
-                std::cout << "      picture   ./course check " << exercise.number << " --picture\n";
-        } else if (failures <= 1 + most)
-            std::cout << "    " << painted(Colour::red, "✗") << ' ' << verdict.test << '\n';
-    }
-    if (failures > 1 + most && !verbose && failure->kind != Outcome::missing)
-        std::cout << painted(Colour::dim, "      and " + std::to_string(failures - 1 - most) + " more (-v shows all)")
-                  << '\n';
-    if (const std::string known = known_mistake(mistakes, verdicts); !known.empty())
-        std::cout << "    " << painted(Colour::yellow, "This is what comes out when " + known) << '\n';
-    else if (const std::string lost = lost_digits(text, verdicts); !lost.empty())
-        std::cout << "    " << painted(Colour::yellow, lost) << '\n';
-}
 
 /// The first failure of each exercise as a page, in the browser.
 void open_pictures(const Workspace &workspace, const std::vector<ExerciseResult> &results) {
@@ -149,29 +61,6 @@ void open_pictures(const Workspace &workspace, const std::vector<ExerciseResult>
     const fs::path place = workspace.work() / "picture.html";
     write_file(place, page);
     open_page(place);
-}
-
-/// Whether all tests failed for one reason, which has nothing to do with any of them: the code never got as far.
-bool never_started(const JudgeResult &judgement) {
-    const auto &first = judgement.verdicts.front();
-    return !first.passed() && first.kind != Outcome::missing && first.kind != Outcome::not_started
-           && std::ranges::all_of(judgement.verdicts,
-                                  [&](const Verdict &v) { return !v.call && v.sentence == first.sentence; });
-}
-
-/// The exercise to go on with in a section that stands like this. Of an exercise that was never tried, nobody is stuck.
-void print_next(const Workspace &workspace, const Progress &known, const Section &section) {
-    if (const Standing *next = known.next()) {
-        const bool needs = next->state.starts_with("needs "), // one of another section
-            untouched = needs || next->state == name_of(Outcome::not_started) || next->state == "not checked";
-        const std::string words = needs ? next->state.substr(6) : next->exercise.number + ' ' + next->exercise.function;
-        std::cout << "Next: " << words << ". " << (untouched ? "Where to begin: " : "Stuck? ") << "./course hint "
-                  << words.substr(0, words.find(' ')) << '\n';
-    } else
-        std::cout << painted(Colour::green, "All of section " + section.short_number() + " passes.")
-                  << (workspace.is_shared() ? " See your figures: ./course plot "
-                                            : " See your figures in the book: ./course open ")
-                  << section.short_number() << " --mine\n";
 }
 
 /// Before anything is judged: an earlier report goes, so that it is not taken for this one, and a place that cannot be
@@ -273,15 +162,6 @@ class Check {
         return result;
     }
 
-    /// Without those in the functions of other exercises than the one that was asked for.
-    std::vector<std::string> warnings_of_it(const Section &section, const JudgeResult &judgement,
-                                            const std::string &text) const {
-        std::vector<std::string> others;
-        for (const Exercise &exercise : catalogue(workspace, section))
-            if (exercise.number != only->number) others.push_back(exercise.function);
-        return warnings_about(judgement.warnings, text, workspace.relative_name(file_of(section)), others);
-    }
-
     /// What is judged; it need not be there.
     fs::path place_of(const Section &section) const {
         return options.file.empty() ? workspace.exercise(section) : fs::path{options.file};
@@ -291,40 +171,36 @@ class Check {
     }
 
     void report(const Section &section, const JudgeResult &judgement, const std::string &text) {
-        const std::string name = workspace.relative_name(place_of(section));
-        print_warnings(only ? warnings_of_it(section, judgement, text) : judgement.warnings, options.verbose);
+        const Checked checked{workspace.relative_name(place_of(section)),
+                              text,
+                              judgement,
+                              catalogue(workspace, section),
+                              only ? only->number : "",
+                              mistakes_of(section)};
+        const bool tells_of_picture = options.file.empty() && !options.picture;
+        std::cout << explain(checked, {options.verbose, tells_of_picture});
         if (judgement.unbuilt) {
-            print_unbuilt(*judgement.unbuilt, name);
             if (options.file.empty()) save_progress(section, text, states_of_unbuilt(section, judgement.unbuilt->kind));
             return;
         }
-        auto outcomes = by_exercise(workspace, section, judgement);
-        if (only) std::erase_if(outcomes, [&](const ExerciseResult &o) { return o.exercise.number != only->number; });
+        const std::vector<ExerciseResult> results = checked.results();
+        const Progress judged = standings_of(results);
         std::vector<ExerciseState> states;
-        for (const ExerciseResult &outcome : outcomes) states.push_back({outcome.exercise.number, outcome.standing()});
+        for (const auto &[exercise, state] : judged.standings) states.push_back({exercise.number, state});
         if (options.file.empty()) save_progress(section, text, states);
-        if (never_started(judgement)) {
-            Verdict of_all = judgement.verdicts.front();
-            of_all.test = "no test could start:";
-            of_all.file.clear();
-            print_failure(of_all);
-        } else {
-            const std::string mistakes = mistakes_of(section);
-            const bool tells_of_picture = options.file.empty() && !options.picture;
-            for (const auto &outcome : outcomes) print(outcome, options.verbose, mistakes, text, tells_of_picture);
-            if (options.picture) open_pictures(workspace, outcomes);
-        }
-        const bool is_all = !only || outcomes.front().first_failure() != nullptr;
+        if (options.picture && !checked.never_started()) open_pictures(workspace, results);
+        const bool is_all = !only || results.front().first_failure() != nullptr;
         if (!is_all && !options.file.empty()) // of another file nothing is known but this exercise
             std::cout << "The whole section: ./course check " << section.short_number() << '\n';
-        else print_next(workspace, is_all ? standings_of(outcomes) : progress(workspace, section), section);
+        else
+            std::cout << explain_next((is_all ? judged : progress(workspace, section)).next(), section.short_number(),
+                                      workspace.is_shared());
     }
 
     /// The results of this check, as if they were remembered.
-    static Progress standings_of(const std::vector<ExerciseResult> &outcomes) {
+    static Progress standings_of(const std::vector<ExerciseResult> &results) {
         Progress judged;
-        for (const ExerciseResult &outcome : outcomes)
-            judged.standings.push_back({outcome.exercise, outcome.standing()});
+        for (const ExerciseResult &result : results) judged.standings.push_back({result.exercise, result.standing()});
         return judged;
     }
 
@@ -336,7 +212,7 @@ class Check {
 
     /// The table of known mistakes; a section may have none.
     std::string mistakes_of(const Section &section) const {
-        const fs::path file = file_of_mistakes(workspace, section);
+        const fs::path file = workspace.mistakes(section);
         return options.no_diagnosis || !fs::exists(file) ? "" : read_file(file);
     }
 
@@ -367,24 +243,6 @@ class Check {
 
 int check_file(const Workspace &workspace, const std::string &exercise, const fs::path &file) {
     return Check{workspace, {.what = exercise, .file = file.string(), .no_diagnosis = true}}.once();
-}
-
-void print_unbuilt(const Verdict &verdict, const std::string &name) {
-    std::cout << painted(Colour::red, "✗ " + name + ' ' + std::string{name_of(verdict.kind)}) << '\n';
-    std::cout << "    " << (verdict.file.empty() ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ")
-              << verdict.sentence << '\n';
-    for (const auto &line : verdict.printed) std::cout << "    " << line << '\n';
-    if (verdict.printed_more > 0)
-        std::cout << "    (" << verdict.printed_more << " more " << (verdict.printed_more == 1 ? "error" : "errors")
-                  << "; the first one first)\n";
-}
-
-void print_warnings(const std::vector<std::string> &warnings, bool verbose) {
-    constexpr std::size_t most = 5;
-    const std::size_t printed = verbose ? warnings.size() : std::min(most, warnings.size());
-    for (std::size_t i = 0; i < printed; ++i) std::cout << painted(Colour::yellow, "warning ") << warnings[i] << '\n';
-    if (warnings.size() > printed)
-        std::cout << "  and " << warnings.size() - printed << " more warnings (-v shows all)\n";
 }
 
 CLI::Validator is_seed() {

@@ -4,7 +4,6 @@
 
 #include "base/errors.hpp"
 #include "base/workspace.hpp"
-#include "judge/protocol/verdict.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -27,9 +26,6 @@ void release(const Workspace &workspace);
 /// What `check --file` says of one exercise in a file, but not which mistake gives the same; check.cpp has it.
 /// @return the exit code
 int check_file(const Workspace &workspace, const std::string &exercise, const std::filesystem::path &file);
-/// Says where the compiler or the linker stopped in this file, or what the compiler warns of; check.cpp has both.
-void print_unbuilt(const Verdict &verdict, const std::string &name);
-void print_warnings(const std::vector<std::string> &warnings, bool verbose);
 
 /// How each of the reader's sketches is shown, a line for each. @return whether there are any
 bool print_sketches(const Workspace &workspace);

@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
 #include "check/own_tests.hpp"
+#include "check/report.hpp"
 #include "commands/commands.hpp"
 
 #include <algorithm>
@@ -69,10 +70,10 @@ class MyTests {
         const std::string name = workspace.relative_name(workspace.own_tests(section));
         judgement = judge_own_tests(workspace, section);
         if (judgement.unbuilt) {
-            print_unbuilt(*judgement.unbuilt, name);
+            std::cout << explain_unbuilt(*judgement.unbuilt, name);
             return something_to;
         }
-        print_warnings(judgement.warnings, verbose);
+        std::cout << explain_warnings(judgement.warnings, {verbose});
         if (judgement.tests.empty()) {
             std::cout << name << " has no TEST_CASE in it. ./course reset " << section.short_number()
                       << " --tests brings back the file that it was, and keeps a copy of yours.\n";

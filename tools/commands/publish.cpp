@@ -7,7 +7,6 @@
 #include "base/process.hpp"
 #include "check/build_config.hpp"
 #include "check/diagnosis.hpp"
-#include "check/mistakes.hpp"
 #include "commands/commands.hpp"
 #include "figures/section_figures.hpp"
 #include "site/demos.hpp"
@@ -142,7 +141,7 @@ void publish_mistakes(const Workspace &workspace, const Section &section) {
                                 (workspace.build / "answers" / (section.name + "_claims.txt")).string()});
     if (known.code != 0)
         throw UserError{"the answers of section " + section.short_number() + " cannot be judged: " + known.err};
-    const fs::path file = file_of_mistakes(workspace, section);
+    const fs::path file = workspace.mistakes(section);
     if (fs::exists(file) && read_file(file) == known.out) return;
     write_file(file, known.out);
     std::cout << workspace.relative_name(file) << '\n' << std::flush;

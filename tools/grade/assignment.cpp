@@ -128,7 +128,7 @@ void Assignment::set_points() {
     for (const Exercise &exercise : exercises) sum += worth.of(exercise);
     const double unit = book && sum > 0 ? book->most() / sum : 1; // points of the gradebook for one of ours
     for (const Exercise &exercise : exercises) points_of[exercise.number] = unit * worth.of(exercise);
-    if (const fs::path known = file_of_mistakes(workspace, section_); fs::exists(known)) mistakes = read_file(known);
+    if (const fs::path known = workspace.mistakes(section_); fs::exists(known)) mistakes = read_file(known);
 }
 
 void Assignment::require_tests_that_ours_passes() const {
