@@ -6,7 +6,6 @@
 #include "base/process.hpp"
 #include "base/text.hpp"
 #include "check/diagnosis.hpp"
-#include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -133,24 +132,23 @@ TEST_CASE("the element of a list is shown as its whole type, also if that has el
 }
 
 TEST_CASE("the student's line is shown, also if the compiler has shown it before, or shows a line of the library") {
-    const OwnFolder own;
-    const std::string file = own.path / "08.cpp", place = file + ":2:5: ";
-    write_file(file, "first line\n    elseif (t > 2) t = 2;\n");
+    const std::string file = "/x/08.cpp", place = file + ":2:5: ", text = "first line\n    elseif (t > 2) t = 2;\n";
     using Lines = std::vector<std::string>;
     const Lines line{"    2 |     elseif (t > 2) t = 2;"};
     const std::string again = place + "warning: this\n    2 |     elseif (t > 2) t = 2;\n      |     ^~~~~~\n" + place
                               + "error: ‘elseif’ was not declared in this scope\n" + file + ":3:5: error: another\n";
-    CHECK(diagnose_compiler(again, file, "08.cpp").printed == line);
+    CHECK(diagnose_compiler(again, file, "08.cpp", text).printed == line);
     const std::string gap = "    2 |  t = a[i] - b[i].norm();\n      |         ^\n";
     const std::string unshown = place + "warning: of i\n" + gap + place
                                 + "error: no match for ‘operator-’ (operand types are ‘const Vec2’ and ‘double’)\n";
-    CHECK(diagnose_compiler(unshown, file, "08.cpp").sentence.ends_with("(a - b).norm().")); // of the warning's line
+    CHECK(diagnose_compiler(unshown, file, "08.cpp", text)
+              .sentence.ends_with("(a - b).norm().")); // of the warning's line
     const std::string library =
         place + "  required from here\n/usr/include/map:9:5: error: no match\n    9 | x\n      | ^\n";
-    CHECK(diagnose_compiler(library, file, "08.cpp").printed == line);
-    CHECK(diagnose_compiler(file + ":4:5: error: behind the end\n", file, "08.cpp").printed == Lines{});
+    CHECK(diagnose_compiler(library, file, "08.cpp", text).printed == line);
+    CHECK(diagnose_compiler(file + ":4:5: error: behind the end\n", file, "08.cpp", text).printed == Lines{});
     const std::string shown = place + "error: this\n    2 |     elseif\n      |     ^\n";
-    CHECK(diagnose_compiler(shown, file, "08.cpp").printed == Lines{"    2 |     elseif", "      |     ^"});
+    CHECK(diagnose_compiler(shown, file, "08.cpp", text).printed == Lines{"    2 |     elseif", "      |     ^"});
 }
 
 TEST_CASE("the slips that are made most are explained, whatever the compiler calls them") {

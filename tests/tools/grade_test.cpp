@@ -385,7 +385,7 @@ TEST_CASE("each bracket in each function costs no more than any other slip in it
 TEST_CASE("what's wrong around the code of a function is told at its place") {
     const std::string ours = answer_of_ours(), heading = "namespace inclined_planes {\n";
     const auto told = [](const std::string &text, int stopped = 0) {
-        const auto verdict = diagnose_outline(text, "x.cpp", built_course(), section_five(), stopped);
+        const auto verdict = diagnose_outline(text, "x.cpp", facts_of(built_course(), section_five()), stopped);
         return verdict ? std::to_string(verdict->line) + ": " + verdict->sentence : "nothing";
     };
     const auto line = [](const std::string &text, const std::string &words) { // in which these words end

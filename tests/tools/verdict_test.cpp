@@ -823,7 +823,7 @@ TEST_CASE("an older file is told the new names of what it calls by old ones, and
     const auto said = [&](const std::string &first, const std::string &second = "") {
         const std::string end = "\n    3 |  y\n      |  ^\n", place = "/x/07.cpp:3:5: error: ";
         return diagnose_compiler(place + first + end + (second.empty() ? "" : place + second + end), "/x/07.cpp",
-                                 "07.cpp", renamed)
+                                 "07.cpp", {}, renamed)
             .sentence;
     };
     const std::string alone = "`Crossing` is called `LineIntersection` now: rename it in your file.";

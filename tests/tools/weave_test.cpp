@@ -1,7 +1,6 @@
 // `course dev weave` on a book of one small chapter, made anew for each test and spoilt in one way.
 
 #include "base/files.hpp"
-#include "base/renamed.hpp"
 #include "base/text.hpp"
 #include "book/chapter.hpp"
 #include "book/contents.hpp"
@@ -9,6 +8,7 @@
 #include "book/links.hpp"
 #include "book/markdown.hpp"
 #include "book/prerequisites.hpp"
+#include "check/catalogue.hpp"
 #include "commands/commands.hpp"
 #include "own_folder.hpp"
 

@@ -1,6 +1,5 @@
 #include "base/renamed.hpp"
 
-#include "base/files.hpp"
 #include "base/lines.hpp"
 #include "base/text.hpp"
 
@@ -14,10 +13,8 @@ bool is_name(std::string_view word) { return std::ranges::all_of(word, is_in_a_n
 
 } // namespace
 
-std::vector<Renamed> renamed(const Workspace &workspace, const Section &section) {
+std::vector<Renamed> read_renamed(std::string_view text) {
     std::vector<Renamed> names;
-    if (!std::filesystem::exists(workspace.renamed(section))) return names;
-    const std::string text = read_file(workspace.renamed(section));
     int number = 0;
     for (const Line &line : split_lines(text)) {
         std::istringstream words{std::string{line.text.substr(0, line.text.find('#'))}};

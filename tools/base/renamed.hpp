@@ -1,9 +1,8 @@
 #pragma once
 // Names that a section had before: chapters/NN_slug/renamed.txt, a line `old new` for each; # begins a comment.
 
-#include "base/workspace.hpp"
-
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace course {
@@ -13,8 +12,8 @@ struct Renamed {
     int line = 0;            ///< from 1
 };
 
-/// What is in a section's renamed.txt; nothing if it has none.
-std::vector<Renamed> renamed(const Workspace &workspace, const Section &section);
+/// What is in the text of a renamed.txt.
+std::vector<Renamed> read_renamed(std::string_view text);
 
 /// The new names of those of these names that are old ones, as one sentence; "" if none is.
 std::string explain_renamed(const std::vector<std::string> &names, const std::vector<Renamed> &renamed);

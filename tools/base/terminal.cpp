@@ -18,8 +18,7 @@ bool has_colour() {
 bool is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
 
 std::string painted(Colour colour, std::string_view text) {
-    if (!has_colour()) return std::string{text};
-    return "\033[" + std::to_string(static_cast<int>(colour)) + "m" + std::string{text} + "\033[0m";
+    return has_colour() ? in_colour(colour, text) : std::string{text};
 }
 
 bool can_ask() { return ::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1; }

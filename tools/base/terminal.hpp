@@ -6,6 +6,11 @@ namespace course {
 
 enum class Colour { red = 31, green = 32, yellow = 33, dim = 2, bold = 1 };
 
+/// The text between the codes of a terminal that put it in that colour.
+inline std::string in_colour(Colour colour, std::string_view text) {
+    return "\033[" + std::to_string(static_cast<int>(colour)) + "m" + std::string{text} + "\033[0m";
+}
+
 /// Whether standard output is one.
 bool is_terminal();
 

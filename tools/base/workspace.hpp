@@ -1,5 +1,6 @@
 #pragma once
 #include "base/errors.hpp"
+#include "base/section.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -8,15 +9,6 @@
 #include <vector>
 
 namespace course {
-
-/// One section: `07_segment_intersection`, and where the files are.
-struct Section {
-    std::string name; ///< "07_segment_intersection"
-
-    int number() const { return std::stoi(name.substr(0, 2)); }
-    std::string slug() const { return name.substr(3); }                   ///< "segment_intersection"
-    std::string short_number() const { return std::to_string(number()); } ///< "7"
-};
 
 /// The section that this line of CMakeLists.txt adds: `section(07_segment_intersection)`.
 std::optional<Section> section_added_by(const std::string &line);

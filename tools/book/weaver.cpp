@@ -3,10 +3,10 @@
 #include "base/files.hpp"
 #include "base/lines.hpp"
 #include "base/nearest.hpp"
-#include "base/renamed.hpp"
 #include "base/text.hpp"
 #include "book/chapter.hpp"
 #include "book/chunks.hpp"
+#include "check/catalogue.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "check/answer.hpp"
 
-#include "base/files.hpp"
 #include "base/lines.hpp"
 #include "base/text.hpp"
 #include "check/diagnostic.hpp"
@@ -9,21 +8,7 @@
 #include <algorithm>
 
 namespace course {
-namespace fs = std::filesystem;
 namespace {
-
-constexpr std::uintmax_t largest_answer = 1'000'000; // [bytes] a hundred times a long answer
-
-const char *name_of(fs::file_type type) {
-    switch (type) {
-    case fs::file_type::directory: return "a folder";
-    case fs::file_type::block:
-    case fs::file_type::character: return "a device";
-    case fs::file_type::fifo: return "a pipe";
-    case fs::file_type::socket: return "a socket";
-    default: return "no file with text";
-    }
-}
 
 /// "UTF-16", if every other byte or so is a zero, or a mark says so; "" for UTF-8, and for what is no text.
 std::string wide_encoding(std::string_view text) {
@@ -73,22 +58,9 @@ std::string_view included(std::string_view line) {
     return name.substr(name.rfind('/') + 1); // npos + 1 is 0
 }
 
-std::string read_answer(const fs::path &file) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(file, ignored);
-    if (fs::exists(status) && !fs::is_regular_file(status))
-        throw UserError{file.string() + " is " + name_of(status.type()) + ", not a file with answers"};
-    if (const auto size = fs::file_size(file, ignored); !ignored && size > largest_answer)
-        throw UserError{file.string() + " has " + std::to_string(size / 1000)
-                        + " KB, too much for a file with answers: at most " + std::to_string(largest_answer / 1000)
-                        + " are read"};
-    return read_file(file);
-}
-
-std::optional<Verdict> diagnose_section(std::string_view text, const std::string &name, const Workspace &workspace,
-                                        const Section &section) {
+std::optional<Verdict> diagnose_section(std::string_view text, const std::string &name, const Section &section,
+                                        const std::vector<Section> &all, Reader reader) {
     std::optional<Verdict> verdict;
-    const std::vector<Section> all = workspace.sections();
     int number = 0;
     for (const auto &line : split_lines(text)) {
         ++number;
@@ -97,20 +69,24 @@ std::optional<Verdict> diagnose_section(std::string_view text, const std::string
         if (header == section.slug() + ".hpp") return {};
         for (const Section &other : all) {
             if (verdict || header != other.slug() + ".hpp") continue;
-            verdict = Verdict{.kind = Outcome::does_not_compile,
-                              .sentence = "This file answers section " + other.short_number() + ", for it includes \""
-                                          + std::string{header} + "\": ./course check " + other.short_number()
-                                          + " judges it. An answer to section " + section.short_number()
-                                          + " includes \"" + section.slug() + ".hpp\".",
-                              .file = name,
-                              .line = number};
+            verdict = Verdict{
+                .kind = Outcome::does_not_compile,
+                .sentence =
+                    "This file answers section " + other.short_number() + ", for it includes \"" + std::string{header}
+                    + '"' + (reader == Reader::page ? "" : ": ./course check " + other.short_number() + " judges it")
+                    + ". An answer to section " + section.short_number() + " includes \"" + section.slug() + ".hpp\".",
+                .file = name,
+                .line = number};
         }
     }
     return verdict;
 }
 
-std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number) {
-    const std::string back = " `./course reset " + number + "` brings the stub back, and keeps a copy of what's there.";
+std::optional<Verdict> diagnose_text(std::string_view text, const std::string &name, const std::string &number,
+                                     Reader reader) {
+    const std::string back = reader == Reader::page ? ""
+                                                    : " `./course reset " + number
+                                                          + "` brings the stub back, and keeps a copy of what's there.";
     if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
         return Verdict{.kind = Outcome::empty, .sentence = name + " is empty." + back};
     const auto because = [&](const std::string &what) {

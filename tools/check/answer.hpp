@@ -1,7 +1,8 @@
 #pragma once
-// A file that is to be judged, and what the text alone tells.
+// What the text of a file that is to be judged tells alone.
 
-#include "base/workspace.hpp"
+#include "base/section.hpp"
+#include "check/reader.hpp"
 #include "judge/protocol/verdict.hpp"
 
 #include <optional>
@@ -11,20 +12,18 @@
 
 namespace course {
 
-/// All of a file with answers: a regular file of at most 1 MB, whatever it is called.
-/// @throws UserError if it is anything else, with what it is: nothing waits for a pipe, or reads a device to its end.
-std::string read_answer(const std::filesystem::path &file);
-
 /// `x.hpp` of the line `#include "../y/x.hpp"`, or with < and >; nothing of any other line.
 std::string_view included(std::string_view line);
 
 /// What to say of a file that includes another section's header, and not the one of this section.
-std::optional<Verdict> diagnose_section(std::string_view text, const std::string &shown_name,
-                                        const Workspace &workspace, const Section &section);
+/// @param all  sections that there are
+std::optional<Verdict> diagnose_section(std::string_view text, const std::string &shown_name, const Section &section,
+                                        const std::vector<Section> &all, Reader reader = Reader::terminal);
 
 /// Says what is wrong with a file before any compiler sees it: it is empty, not text, or asks which files there are.
 /// @param number  of the section, for the command that brings the stub back
-std::optional<Verdict> diagnose_text(std::string_view text, const std::string &shown_name, const std::string &number);
+std::optional<Verdict> diagnose_text(std::string_view text, const std::string &shown_name, const std::string &number,
+                                     Reader reader = Reader::terminal);
 
 /// Those of these warnings that concern one exercise: all but the ones inside the functions of the others.
 /// @param text    of the student's file

@@ -72,6 +72,17 @@ std::vector<KnownTest> tests_of(const Workspace &workspace, const Section &secti
     });
 }
 
+std::vector<Renamed> renamed(const Workspace &workspace, const Section &section) {
+    const std::filesystem::path file = workspace.renamed(section);
+    if (!std::filesystem::exists(file)) return {};
+    return read_renamed(read_file(file));
+}
+
+SectionFacts facts_of(const Workspace &workspace, const Section &section) {
+    return {section, catalogue(workspace, section), read_file(workspace.header(section)),
+            read_file(workspace.stub(section)), renamed(workspace, section)};
+}
+
 bool is_number_of_exercise(std::string_view words) {
     const std::size_t dot = std::min(words.find('.'), words.size());
     return is_all_digits(words.substr(0, dot)) && dot < words.size() && is_all_digits(words.substr(dot + 1));

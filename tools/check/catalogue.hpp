@@ -1,6 +1,6 @@
 #pragma once
 #include "base/workspace.hpp"
-#include "check/exercise.hpp"
+#include "check/section_facts.hpp"
 
 #include <string>
 #include <string_view>
@@ -18,6 +18,12 @@ std::vector<Exercise> catalogue(const Workspace &workspace, const Section &secti
 /// Every test of a section, in the order of their file: known before any of them runs.
 /// @throws UserError if the section is not built yet.
 std::vector<KnownTest> tests_of(const Workspace &workspace, const Section &section);
+
+/// The names that a section had before; none if it has no list of them.
+std::vector<Renamed> renamed(const Workspace &workspace, const Section &section);
+
+/// @throws UserError if the section is not built yet.
+SectionFacts facts_of(const Workspace &workspace, const Section &section);
 
 /// Whether these words can only mean an exercise: "7.2".
 bool is_number_of_exercise(std::string_view words);

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 #include <regex>
 #include <set>
+#include <sstream>
 
 namespace course {
 namespace {
@@ -70,8 +70,8 @@ std::string unknown_name(const std::string &words) {
 
 /// A line that a compiler speaks of and does not show: GCC shows none again that it has just shown with a warning, and
 /// where an error is in a file of the library, it shows that one's.
-std::string line_of_file(const std::filesystem::path &file, int number) {
-    std::ifstream in{file};
+std::string line_of(std::string_view text, int number) {
+    std::istringstream in{std::string{text}};
     std::string line;
     for (int i = 0; i < number; ++i)
         if (!std::getline(in, line)) return {};
@@ -94,6 +94,14 @@ std::optional<std::string> quoted_after(std::string_view line, std::string_view 
     if (at == line.npos || at + words.size() == line.size()) return {};
     const std::string_view name = line.substr(at + words.size() + 1);
     return plain_line(name.substr(0, name.find('\'')), longest_name);
+}
+
+/// The name of what isn't defined, in a line of a linker: GNU's, or LLVM's for WebAssembly.
+std::optional<std::string> undefined_in(std::string_view line) {
+    const std::string_view words = "undefined symbol: ";
+    const std::size_t at = line.find(words);
+    if (at == line.npos) return quoted_after(line, "undefined reference to ");
+    return plain_line(line.substr(at + words.size()), longest_name);
 }
 
 /// A function of an object: "ns::meet(double)", and "meet".
@@ -141,8 +149,8 @@ std::string numbered(int line, std::string_view code) {
     return fmt::format("{:>5} | {}", line, plain_line(std::string{code}, longest_line));
 }
 
-Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path &file, const std::string &name,
-                          const std::vector<Renamed> &renamed) {
+Verdict diagnose_compiler(std::string_view printed, const std::string &file, const std::string &name,
+                          std::string_view text, const std::vector<Renamed> &renamed) {
     Verdict verdict = {.kind = Outcome::does_not_compile};
     auto errors = diagnostics_in(printed, file);
     std::erase_if(errors, std::not_fn(&Diagnostic::is_error));
@@ -160,10 +168,9 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
     for (const Diagnostic &error : errors) unknown.push_back(unknown_name(error.words));
     const bool is_renamed = !explain_renamed({unknown.front()}, renamed).empty();
     verdict.sentence = is_renamed ? explain_renamed(unknown, renamed) : explained(first);
-    if (first.line != 0)
-        verdict.file = first.file == file ? name : std::filesystem::path{first.file}.filename().string();
+    if (first.line != 0) verdict.file = first.file == file ? name : first.file.substr(first.file.rfind('/') + 1);
     verdict.line = first.line;
-    if (first.code.empty() && first.file == file) first.code = line_of_file(file, first.line);
+    if (first.code.empty() && first.file == file) first.code = line_of(text, first.line);
     if (!first.code.empty()) {
         verdict.printed = {numbered(first.line, first.code)};
         const std::size_t margin = verdict.printed[0].find('|');
@@ -174,8 +181,7 @@ Verdict diagnose_compiler(std::string_view printed, const std::filesystem::path 
     return verdict;
 }
 
-std::vector<std::string> find_warnings(std::string_view printed, const std::filesystem::path &file,
-                                       const std::string &name) {
+std::vector<std::string> find_warnings(std::string_view printed, const std::string &file, const std::string &name) {
     std::vector<std::string> warnings;
     for (const Diagnostic &diagnostic : diagnostics_in(printed, file))
         if (!diagnostic.is_error && diagnostic.file == file)
@@ -183,20 +189,22 @@ std::vector<std::string> find_warnings(std::string_view printed, const std::file
     return warnings;
 }
 
-Verdict diagnose_linker(std::string_view printed, const std::string &name, const std::string &number) {
+Verdict diagnose_linker(std::string_view printed, const std::string &name, const std::string &number, Reader reader) {
     std::set<std::string> missing;
     std::optional<std::string> twice;
     const std::string text = with_short_names(std::string{printed});
     for (const Line &line : split_lines(text)) {
-        if (const auto symbol = quoted_after(line.text, "undefined reference to ")) missing.insert(*symbol);
+        if (const auto symbol = undefined_in(line.text)) missing.insert(*symbol);
         if (!twice) twice = quoted_after(line.text, "multiple definition of ");
     }
     const auto because = [](std::string sentence) {
         return Verdict{.kind = Outcome::does_not_link, .sentence = std::move(sentence)};
     };
     if (twice == "main")
-        return because("Your file has a `main` of its own. The course has one already: remove yours. `./course run "
-                       + number + " --mine` runs the section's program with your code.");
+        return because("Your file has a `main` of its own. The course has one already: remove yours."
+                       + (reader == Reader::page
+                              ? ""
+                              : " `./course run " + number + " --mine` runs the section's program with your code."));
     if (twice)
         return because('`' + *twice
                        + "` is defined twice, in your file and in the course: remove yours, or give it a name that "

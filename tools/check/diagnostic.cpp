@@ -62,6 +62,7 @@ std::optional<Diagnostic> parse(std::string_view line) {
         const auto last = take_number(place), before = take_number(place); // line and column, or the line alone
         diagnostic.file = place;
         diagnostic.line = before.value_or(last.value_or(0));
+        diagnostic.column = before ? *last : 0;
         diagnostic.words =
             plain_line(with_short_names(std::string{words.substr(0, words.find(" [-W"))}), longest_words);
         return diagnostic;
@@ -122,11 +123,11 @@ std::string with_short_names(std::string text) {
 
 /// GCC tells before an error where the student's file causes it: "07_x.cpp:26:26:   required from here", or "inlined from
 /// 'f' at 07_x.cpp:43:18"; Clang behind it: "07_x.cpp:26:26: note: in instantiation of … requested here".
-std::vector<Diagnostic> diagnostics_in(std::string_view printed, const std::filesystem::path &file) {
+std::vector<Diagnostic> diagnostics_in(std::string_view printed, const std::string &file) {
     std::string text{printed};
     for (const char *quote : {"‘", "’"}) replace_all(text, quote, "'");
     const auto lines = split_lines(text);
-    const std::string place = file.string() + ':';
+    const std::string place = file + ':';
     const auto line_in_file = [&](std::string_view line) {
         const std::size_t at = line.find(place);
         return at == line.npos ? 0 : leading_number(line.substr(at + place.size())).value_or(0);
@@ -136,14 +137,15 @@ std::vector<Diagnostic> diagnostics_in(std::string_view printed, const std::file
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string_view line = lines[i].text;
         if (auto diagnostic = parse(line)) {
-            if (diagnostic->file == file.string()) {
+            if (diagnostic->file == file) {
                 read_code(lines, i + 1, *diagnostic);
                 const bool again = !diagnostics.empty() && diagnostics.back().file == diagnostic->file
                                    && diagnostics.back().line == diagnostic->line;
                 if (diagnostic->code.empty() && again) diagnostic->code = diagnostics.back().code; // GCC shows it once
             } else if (cause != 0) {
-                diagnostic->file = file.string();
+                diagnostic->file = file;
                 diagnostic->line = cause;
+                diagnostic->column = 0;
             }
             cause = 0;
             diagnostics.push_back(std::move(*diagnostic));
@@ -154,10 +156,11 @@ std::vector<Diagnostic> diagnostics_in(std::string_view printed, const std::file
         if (diagnostics.empty()) continue;
         Diagnostic &last = diagnostics.back();
         last.notes.append(line).append("\n");
-        if (last.file != file.string() && line.ends_with("requested here"))
+        if (last.file != file && line.ends_with("requested here"))
             if (const int here = line_in_file(line); here != 0) {
-                last.file = file.string();
+                last.file = file;
                 last.line = here;
+                last.column = 0;
             }
     }
     return diagnostics;

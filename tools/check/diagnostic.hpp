@@ -1,7 +1,6 @@
 #pragma once
 // What compilers print, taken apart.
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,11 +16,12 @@ struct Diagnostic {
     bool is_error = false;
     std::string file = {}; ///< where it was printed to be, and its line
     int line = 0;
+    int column = 0; ///< [bytes] from 1; 0 where none was printed, or it is one of another file
 };
 
 /// All errors and warnings, in order. One that is made in a file which the student only uses is moved to where the
 /// student's file causes it.
-std::vector<Diagnostic> diagnostics_in(std::string_view printed, const std::filesystem::path &file);
+std::vector<Diagnostic> diagnostics_in(std::string_view printed, const std::string &file);
 
 /// `Vec2` for what a compiler calls it, Eigen::Matrix<double, 2, 1, 0, 2, 1>, and "expression of Vec2s" for the types that the
 /// library computes with; without what they are "also known as".

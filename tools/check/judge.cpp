@@ -6,12 +6,12 @@
 #include "base/plain.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
-#include "check/answer.hpp"
+#include "check/answer_file.hpp"
 #include "check/build_config.hpp"
 #include "check/catalogue.hpp"
 #include "check/compiling.hpp"
 #include "check/diagnosis.hpp"
-#include "check/outline.hpp"
+#include "check/help.hpp"
 #include "judge/runner/sandbox.hpp"
 
 #include <algorithm>
@@ -44,18 +44,6 @@ void sweep(const fs::path &loop) {
 
 JudgeResult not_built(Verdict why, std::vector<std::string> warnings = {}) {
     return {std::move(why), {}, std::move(warnings)};
-}
-
-/// For input that was accepted, although lines that came with the function refused it.
-void help_the_accepting(std::vector<Verdict> &verdicts, const Workspace &workspace, const Section &section,
-                        std::string_view text) {
-    for (auto &verdict : verdicts)
-        if (!verdict.accepted.empty())
-            if (const auto more = explain_accepted(text, read_file(workspace.stub(section)), verdict.exercise);
-                !more.empty()) {
-                verdict.sentence.back() = '.'; // instead of the colon before the list
-                verdict.sentence += more;
-            }
 }
 
 /// Runs the tests against a subject.
@@ -148,11 +136,7 @@ struct SubjectBuild {
         const std::string output = sanitize(compiled.err);
         if (auto why = stopped(compiled, output); !why.empty())
             return Verdict{.kind = Outcome::does_not_compile, .sentence = std::move(why)};
-        if (compiled.code != 0) {
-            Verdict why = diagnose_compiler(output, file, name, renamed(workspace, section));
-            if (why.sentence == explain_unopened()) return why;
-            return diagnose_outline(text, name, workspace, section, why.line).value_or(std::move(why));
-        }
+        if (compiled.code != 0) return why_not_compiled(output, file, name, text, facts_of(workspace, section));
         warnings = find_warnings(output, file, name);
         return {};
     }
@@ -194,7 +178,7 @@ struct SubjectBuild {
         const auto compiled = run_compiler(compile_command(*config.quick), limits);
         if (compiled.timed_out) return Verdict{.kind = Outcome::does_not_compile, .sentence = stopped(compiled, "")};
         if (contains(compiled.err, ",-Wdangling-gsl]")) // GCC 12 takes it without a word
-            return diagnose_compiler(sanitize(compiled.err), file, name, renamed(workspace, section));
+            return diagnose_compiler(sanitize(compiled.err), file, name, text, renamed(workspace, section));
         is_linked = compiled.code == 0 && compiled.err.empty() && link_with(config.quick_link).code == 0;
         return {};
     }
@@ -264,21 +248,6 @@ struct SubjectBuild {
     }
 };
 
-/// For a function that is missing: how the header declares it, and what is there instead.
-void help_the_missing(std::vector<Verdict> &verdicts, const Workspace &workspace, const Section &section,
-                      const SubjectBuild &build) {
-    std::optional<std::string> defined; // read once, and only if a function is missing
-    std::string header;
-    for (auto &verdict : verdicts) {
-        if (verdict.kind != Outcome::missing || !verdict.call) continue;
-        if (!defined) {
-            defined = build.symbols();
-            header = read_file(workspace.header(section));
-        }
-        verdict.sentence += explain_missing(*defined, header, verdict.call->function, renamed(workspace, section));
-    }
-}
-
 } // namespace
 
 std::vector<Verdict> one_for_each(const std::vector<KnownTest> &tests, const std::string &output) {
@@ -309,8 +278,8 @@ JudgeResult judge(const Workspace &workspace, const Section &section, const fs::
 
 JudgeResult judge(const Workspace &workspace, const Section &section, const std::string &name, const std::string &text,
                   const JudgeOptions &how) {
-    if (auto trouble = diagnose_text(text, name, section.short_number())) return not_built(*trouble);
-    if (auto trouble = diagnose_section(text, name, workspace, section)) return not_built(*trouble);
+    if (auto trouble = trouble_in(text, name, section, workspace.sections(), Reader::terminal))
+        return not_built(*trouble);
 
     if (!how.lent.empty()) workspace.require_solution(section, "Grade with the whole course, which has them");
     require_room_in_files();
@@ -322,16 +291,17 @@ JudgeResult judge(const Workspace &workspace, const Section &section, const std:
     std::vector<std::string> warnings;
     const auto trouble = build.build(warnings);
     if (!trouble || trouble->kind == Outcome::does_not_link)
-        for (const auto &find : {find_unreached, find_whole_divisions})
-            for (const std::string &warning : find(text, name)) warnings.push_back(warning);
+        for (const std::string &warning : warnings_in(text, name)) warnings.push_back(warning);
     if (trouble) return not_built(*trouble, warnings);
 
     auto tests = tests_of(workspace, section);
     if (!how.exercise.empty())
         std::erase_if(tests, [&](const KnownTest &test) { return test.exercise != how.exercise; });
     JudgeResult judgement{{}, one_for_each(tests, run_tests(workspace, section, build.subject(), how)), warnings};
-    help_the_missing(judgement.verdicts, workspace, section, build);
-    help_the_accepting(judgement.verdicts, workspace, section, text);
+    std::vector<Verdict> &verdicts = judgement.verdicts;
+    if (std::ranges::count(verdicts, Outcome::missing, &Verdict::kind) > 0)
+        help_the_missing(verdicts, build.symbols(), facts_of(workspace, section));
+    help_the_accepting(verdicts, text, read_file(workspace.stub(section)));
     return judgement;
 }
 

@@ -1,10 +1,8 @@
 #include "check/outline.hpp"
 
-#include "base/files.hpp"
 #include "base/lines.hpp"
 #include "base/text.hpp"
 #include "check/answer.hpp"
-#include "check/catalogue.hpp"
 #include "check/diagnosis.hpp"
 #include "check/functions.hpp"
 
@@ -73,27 +71,27 @@ std::string explain_fault(const Fault &fault, const std::string &code, const std
 }
 
 /// The first function whose brackets don't fit.
-std::optional<Flaw> find_fault(const Source &source, const Workspace &workspace, const Section &section, int stopped) {
-    const std::vector<Exercise> exercises = catalogue(workspace, section);
-    const Functions of_stub = functions_of(Source{read_file(workspace.stub(section))}, {});
+std::optional<Flaw> find_fault(const Source &source, const SectionFacts &facts, int stopped) {
+    const Functions of_stub = functions_of(Source{facts.stub}, {});
     std::vector<std::string> known;
     std::ranges::transform(of_stub, std::back_inserter(known), &Function::name);
     for (const Function &each : functions_of(source, known))
         if (each.fault) {
             if (source.line_of(each.fault->place) == stopped && each.fault->what != Fault::What::no_comment) return {};
-            return Flaw{each.fault->place, explain_fault(*each.fault, source.code, with_number(exercises, each.name))};
+            return Flaw{each.fault->place,
+                        explain_fault(*each.fault, source.code, with_number(facts.exercises, each.name))};
         }
     return {};
 }
 
 } // namespace
 
-std::optional<Verdict> diagnose_outline(std::string_view text, const std::string &name, const Workspace &workspace,
-                                        const Section &section, int stopped) {
+std::optional<Verdict> diagnose_outline(std::string_view text, const std::string &name, const SectionFacts &facts,
+                                        int stopped) {
     const Source source{text};
     std::optional<Flaw> flaw = find_pasted(source);
-    if (!flaw) flaw = find_gone(source, text, section);
-    if (!flaw) flaw = find_fault(source, workspace, section, stopped);
+    if (!flaw) flaw = find_gone(source, text, facts.section);
+    if (!flaw) flaw = find_fault(source, facts, stopped);
     if (!flaw) return {};
     Verdict verdict{.kind = Outcome::does_not_compile, .sentence = flaw->sentence};
     if (flaw->place == source.code.size()) return verdict; // a line that isn't there

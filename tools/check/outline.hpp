@@ -1,7 +1,7 @@
 #pragma once
 // What a compiler can't tell of a file: which function lacks a bracket, or what's gone from around the functions.
 
-#include "base/workspace.hpp"
+#include "check/section_facts.hpp"
 #include "judge/protocol/verdict.hpp"
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace course {
 /// Why a file doesn't compile, if it's because of what stands around its code: marks of a web page, curly quotes, the
 /// header or the namespace that's gone, or brackets, quotes and comments that don't end where they should.
 /// @param stopped  the line in which the compiler did: if that's the very place, its own words are as good
-std::optional<Verdict> diagnose_outline(std::string_view text, const std::string &shown_name,
-                                        const Workspace &workspace, const Section &section, int stopped);
+std::optional<Verdict> diagnose_outline(std::string_view text, const std::string &shown_name, const SectionFacts &facts,
+                                        int stopped);
 
 } // namespace course

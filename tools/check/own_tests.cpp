@@ -8,6 +8,7 @@
 #include "base/plain.hpp"
 #include "base/text.hpp"
 #include "check/answer.hpp"
+#include "check/answer_file.hpp"
 #include "check/catalogue.hpp"
 #include "check/diagnosis.hpp"
 #include "judge/runner/sandbox.hpp"
@@ -71,10 +72,12 @@ Verdict why_unlinked(const std::string &printed, const std::string &name, const 
 }
 
 /// Why the tests can't be built, by what the build printed.
-Verdict why_unbuilt(const Workspace &workspace, const Section &section, const std::string &printed) {
+/// @param text  of the file that they're in
+Verdict why_unbuilt(const Workspace &workspace, const Section &section, const std::string &text,
+                    const std::string &printed) {
     const fs::path file = workspace.own_tests(section);
     const std::string name = workspace.relative_name(file);
-    Verdict verdict = diagnose_compiler(printed, file, name, renamed(workspace, section));
+    Verdict verdict = diagnose_compiler(printed, file, name, text, renamed(workspace, section));
     if (verdict.line != 0 && verdict.file == name) {
         if (const std::string advice = advice_on_tests(verdict.sentence); !advice.empty())
             verdict.sentence += (verdict.sentence.ends_with(':') ? " " : ". ") + advice;
@@ -164,7 +167,7 @@ OwnJudgement judge_own_tests(const Workspace &workspace, const Section &section)
     make_copy(workspace, section, text);
     const Finished built = build_target(workspace, section.name + "_own");
     const std::string printed = built.out + '\n' + built.err;
-    if (built.code != 0) judgement.unbuilt = why_unbuilt(workspace, section, printed);
+    if (built.code != 0) judgement.unbuilt = why_unbuilt(workspace, section, text, printed);
     else {
         judgement.warnings = find_warnings(printed, workspace.own_tests(section), name);
         read(run_own_tests(workspace, section), name, judgement);

@@ -3,6 +3,7 @@
 #include "base/build.hpp"
 #include "base/kernel.hpp"
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 #include "check/diagnosis.hpp"
 #include "judge/runner/sandbox.hpp"
 
@@ -57,7 +58,7 @@ std::vector<std::string> program_command(const fs::path &program, const std::str
 std::string student_error(const Workspace &workspace, const Section &section, const fs::path &file,
                           const std::string &printed) {
     const std::string name = workspace.relative_name(file);
-    Verdict verdict = diagnose_compiler(printed, file, name, renamed(workspace, section));
+    Verdict verdict = diagnose_compiler(printed, file, name, {}, renamed(workspace, section));
     if (verdict.line == 0) verdict = diagnose_linker(printed, name, section.short_number());
     return (verdict.line == 0 ? "" : verdict.file + ':' + std::to_string(verdict.line) + ": ") + verdict.sentence;
 }

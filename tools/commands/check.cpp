@@ -4,7 +4,7 @@
 #include "base/terminal.hpp"
 #include "base/text.hpp"
 #include "base/watch.hpp"
-#include "check/answer.hpp"
+#include "check/answer_file.hpp"
 #include "check/catalogue.hpp"
 #include "check/judge.hpp"
 #include "check/junit.hpp"

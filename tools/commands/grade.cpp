@@ -3,7 +3,7 @@
 #include "base/plain.hpp"
 #include "base/terminal.hpp"
 #include "base/text.hpp"
-#include "check/answer.hpp"
+#include "check/answer_file.hpp"
 #include "check/functions.hpp"
 #include "commands/commands.hpp"
 #include "grade/assignment.hpp"

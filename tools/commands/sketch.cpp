@@ -122,7 +122,7 @@ void begin_sketch(const Workspace &workspace, const Sketch &sketch, const std::s
 std::string trouble_of(const Workspace &workspace, const Sketch &sketch, const Finished &built) {
     if (built.code == 0) return "";
     const std::string printed = built.out + '\n' + built.err, name = workspace.relative_name(sketch.file);
-    const Verdict verdict = diagnose_compiler(printed, sketch.file, name, {});
+    const Verdict verdict = diagnose_compiler(printed, sketch.file, name);
     if (verdict.line == 0) return "it can't be built: " + first_error(printed);
     return verdict.file + ':' + std::to_string(verdict.line) + ": " + verdict.sentence;
 }

@@ -5,7 +5,7 @@
 #include "base/lines.hpp"
 #include "base/plain.hpp"
 #include "base/text.hpp"
-#include "check/answer.hpp"
+#include "check/answer_file.hpp"
 #include "check/build_config.hpp"
 #include "check/junit.hpp"
 #include "check/mistakes.hpp"
