@@ -4,8 +4,6 @@
 
 #include <catch2/catch_get_random_seed.hpp>
 #include <catch2/catch_test_macros.hpp>
-#include <catch2/generators/catch_generators_adapters.hpp>
-#include <catch2/generators/catch_generators_random.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 #include <catch2/matchers/catch_matchers_templated.hpp>
 
@@ -113,14 +111,5 @@ class HasSize : public Named<HasSize> {
   private:
     std::size_t want;
 };
-
-/// Endless random vectors with both components in [low, high].
-inline auto vectors(double low, double high) {
-    return Catch::Generators::map(
-        [](const std::vector<double> &xy) {
-            return Vec2{xy[0], xy[1]};
-        },
-        Catch::Generators::chunk(2, Catch::Generators::random(low, high)));
-}
 
 inline Dice::Dice() : Dice{Catch::getSeed()} {}

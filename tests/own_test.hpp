@@ -6,6 +6,8 @@
 #include "matchers.hpp"
 
 #include <catch2/catch_approx.hpp>
+#include <catch2/generators/catch_generators_adapters.hpp>
+#include <catch2/generators/catch_generators_random.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include <numbers>
@@ -29,3 +31,12 @@ requires std::is_base_of_v<Eigen::MatrixBase<T>, T>
 struct Catch::StringMaker<T> {
     static std::string convert(const T &value) { return course::describe(Vec2{value}); }
 };
+
+/// Endless random vectors with both components in [low, high].
+inline auto vectors(double low, double high) {
+    return Catch::Generators::map(
+        [](const std::vector<double> &xy) {
+            return Vec2{xy[0], xy[1]};
+        },
+        Catch::Generators::chunk(2, Catch::Generators::random(low, high)));
+}

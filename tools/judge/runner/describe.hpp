@@ -18,9 +18,10 @@ inline std::string describe_number(double x, int digits = 0) {
     if (std::isnan(x)) return "not a number";
     if (std::isinf(x)) return x < 0 ? "-infinity" : "infinity";
     std::array<char, 64> text{};
-    const auto end = digits == 0 ? std::to_chars(text.begin(), text.end(), x)
-                                 : std::to_chars(text.begin(), text.end(), x, std::chars_format::general, digits);
-    return {text.begin(), end.ptr};
+    const auto end = digits == 0
+                         ? std::to_chars(text.data(), text.data() + text.size(), x)
+                         : std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits);
+    return {text.data(), end.ptr};
 }
 
 /// "a [m], b [m/s]" in parts, without blanks around them; `"1"` and `""` are no unit.

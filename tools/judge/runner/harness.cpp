@@ -21,14 +21,6 @@ namespace {
 
 using namespace course;
 
-std::string explain_exception(const std::string &what) {
-    if (what == "bad optional access") return "Your code answered \"nothing\" where there's something.";
-    return "Your code refused this input with std::invalid_argument (" + what + "), but the header accepts it."
-           + (session()->is_computed(what) ? " That number isn't in the input: your code computed it. Did it then "
-                                             "call a function that refuses it?"
-                                           : "");
-}
-
 /// To a student about the code that is judged.
 std::string explain_to_student(const Catch::AssertionResult &result) {
     switch (result.getResultType()) {

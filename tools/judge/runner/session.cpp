@@ -85,6 +85,15 @@ Session *&session() {
     return only;
 }
 
+std::string explain_exception(const std::string &what) {
+    if (what == "bad optional access" || what == "bad_optional_access") // GNU's library, and LLVM's
+        return "Your code answered \"nothing\" where there's something.";
+    return "Your code refused this input with std::invalid_argument (" + what + "), but the header accepts it."
+           + (session()->is_computed(what) ? " That number isn't in the input: your code computed it. Did it then "
+                                             "call a function that refuses it?"
+                                           : "");
+}
+
 Session::Session(std::filesystem::path subject_, TimeLimits limits_, std::string answer_)
     : program{std::move(subject_)}, answer{std::move(answer_)}, limits{limits_} {}
 

@@ -106,4 +106,7 @@ class Session {
 /// The one that `call` and the matchers speak to.
 Session *&session();
 
+/// To a student whose code threw where a test compares: `what` came out of it, through the session.
+std::string explain_exception(const std::string &what);
+
 } // namespace course

@@ -3,43 +3,34 @@
 // writing and leaving are bare system calls: nothing that a student defines, a `struct Server` or a global variable
 // `write`, can take their place.
 
-#include "judge/server/missing.hpp"
-#include "judge/server/serve.hpp"
+#include "judge/server/calls.hpp"
 
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
-#include <cxxabi.h>
-#include <iostream>
-#include <new>
 #include <sys/resource.h>
 #include <sys/syscall.h>
-#include <typeinfo>
 #include <unistd.h>
 
 namespace {
 
-namespace wire = course::wire; // name by name: a section has a Frame, too, and tests/answers has both in one file
-using wire::Arrived, wire::Header, wire::Reader, wire::Writer;
-using wire::largest_frame, wire::pipe_is_gone, wire::reply_fd, wire::request_fd;
+using wire::Arrived, wire::largest_frame, wire::pipe_is_gone, wire::reply_fd, wire::request_fd;
 
 #ifdef __linux__
 long system_write(int file, const void *data, std::size_t size) { return ::syscall(SYS_write, file, data, size); }
 long system_read(int file, void *data, std::size_t size) { return ::syscall(SYS_read, file, data, size); }
-[[noreturn]] void system_exit(int code) {
+[[noreturn]] void leave(int code) {
     for (;;) ::syscall(SYS_exit_group, code);
 }
 #else
 long system_write(int file, const void *data, std::size_t size) { return ::write(file, data, size); }
 long system_read(int file, void *data, std::size_t size) { return ::read(file, data, size); }
-[[noreturn]] void system_exit(int code) { ::_exit(code); }
+[[noreturn]] void leave(int code) { ::_exit(code); }
 #endif
 
 /// Our caller is gone, or a student has closed the pipe: nothing can be answered any more.
 void write_all(const char *data, std::size_t size) {
     while (size > 0) {
         const long written = system_write(reply_fd, data, size);
-        if (written <= 0) system_exit(pipe_is_gone);
+        if (written <= 0) leave(pipe_is_gone);
         data += written;
         size -= static_cast<std::size_t>(written);
     }
@@ -55,65 +46,6 @@ bool read_all(void *data, std::size_t size) {
         arrived.came(static_cast<std::size_t>(got));
     }
     return true;
-}
-
-std::uint32_t call_number = 0;
-
-/// What is written after the place of a header.
-struct Reply : Writer {
-    Reply() { bytes.resize(sizeof(Header)); }
-
-    void send(wire::Frame frame) {
-        const Header header{frame, call_number, static_cast<std::uint32_t>(bytes.size() - sizeof(Header))};
-        std::memcpy(bytes.data(), &header, sizeof header);
-        write_all(bytes.data(), bytes.size());
-    }
-};
-
-void answer(wire::Frame frame, std::string_view first, std::string_view second = {}) {
-    Reply words;
-    words.put(first);
-    words.put(second);
-    words.send(frame);
-}
-
-/// The name of the exception in flight: `std::out_of_range`, `int`.
-std::string thrown_type() {
-    const std::type_info *type = abi::__cxa_current_exception_type();
-    if (type == nullptr) return "something unknown";
-    int status = 0;
-    char *name = abi::__cxa_demangle(type->name(), nullptr, nullptr, &status);
-    std::string text = status == 0 ? name : type->name();
-    std::free(name);
-    return text;
-}
-
-void make_call(const std::string &request) {
-    Reader in{request};
-    const auto exercise = in.take<std::uint32_t>();
-    if (!in.ok() || exercise >= exercises) system_exit(pipe_is_gone);
-    try {
-        Reply result;
-        served[exercise](in, result);
-        std::cout.flush(); // the student may have taken it off stdio
-        result.send(wire::Frame::result);
-    } catch (const course::Missing &) {
-        answer(wire::Frame::missing, "");
-    } catch (const course::NotYet &hint) {
-        answer(wire::Frame::not_yet, hint.what(), hint.function);
-    } catch (const std::invalid_argument &refusal) {
-        answer(wire::Frame::refused, refusal.what());
-    } catch (const std::bad_alloc &) {
-        answer(wire::Frame::no_memory, "");
-    } catch (const std::exception &error) {
-        answer(wire::Frame::threw, thrown_type(), error.what());
-    } catch (const char *text) {
-        answer(wire::Frame::threw, thrown_type(), text);
-    } catch (int number) {
-        answer(wire::Frame::threw, thrown_type(), std::to_string(number));
-    } catch (...) {
-        answer(wire::Frame::threw, thrown_type());
-    }
 }
 
 /// Says which kind of crash this is before it happens: from outside, a null pointer and a recursion without end look alike.
@@ -168,5 +100,5 @@ int main() {
         call_number = header.call;
         make_call(request);
     }
-    system_exit(0); // no destructors: a student's may hang, and the verdict is complete
+    leave(0); // no destructors: a student's may hang, and the verdict is complete
 }
