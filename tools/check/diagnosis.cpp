@@ -193,9 +193,12 @@ Verdict diagnose_linker(std::string_view printed, const std::string &name, const
     std::set<std::string> missing;
     std::optional<std::string> twice;
     const std::string text = with_short_names(std::string{printed});
+    constexpr std::string_view duplicate = "duplicate symbol: "; // LLVM's linker
     for (const Line &line : split_lines(text)) {
         if (const auto symbol = undefined_in(line.text)) missing.insert(*symbol);
         if (!twice) twice = quoted_after(line.text, "multiple definition of ");
+        if (const auto at = line.text.find(duplicate); !twice && at != line.text.npos)
+            twice = line.text.substr(at + duplicate.size());
     }
     const auto because = [](std::string sentence) {
         return Verdict{.kind = Outcome::does_not_link, .sentence = std::move(sentence)};

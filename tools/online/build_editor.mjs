@@ -1,8 +1,9 @@
 // Makes the scripts and the stylesheet of the online edition's pages: node build_editor.mjs OUT
 //   OUT/editor.js, OUT/editor.css   for pages with exercises
 //   OUT/ticks.js                    for all others
+//   OUT/checker.js, OUT/worker.js   what compiles and judges: the editor asks for it at the first Check
 //   OUT/editor_licences.txt         of what is in them
-// The editor asks for OUT/checker.js when the reader first presses Check, and for OUT/stubs.json before that.
+// Before that the editor asks for OUT/stubs.json.
 import { build, transform } from 'esbuild';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -22,25 +23,25 @@ function styleOfPictures() {
   return style[1];
 }
 
+// What a page compiles with, besides.
+const compilers = `Clang, its linker and libc++, of the LLVM project: Apache 2.0 with LLVM Exceptions (llvm.org/LICENSE.txt), as @yowasp/clang builds them (ISC)
+wasi-libc: MIT, Apache 2.0 (github.com/WebAssembly/wasi-libc)
+Eigen: MPL 2 (www.mozilla.org/MPL/2.0)
+`;
+
 // What comes with a licence must be handed on with it.
 function licences(inputs) {
   const folders = new Set(Object.keys(inputs).map((file) => file.match(/^node_modules\/(@[^/]+\/)?[^/]+/)?.[0]).filter(Boolean));
   return [...folders].sort().map((folder) => {
     const { name, version } = JSON.parse(fs.readFileSync(path.join(here, folder, 'package.json')));
-    return `${name} ${version}\n\n${fs.readFileSync(path.join(here, folder, 'LICENSE'), 'utf8')}`;
-  }).join('\n\n');
+    const text = ['LICENSE', 'LICENSE-MIT'].map((file) => path.join(here, folder, file)).find(fs.existsSync);
+    return `${name} ${version}\n\n${fs.readFileSync(text, 'utf8')}`;
+  }).concat(compilers).join('\n\n');
 }
 
-const { metafile } = await build({
-  absWorkingDir: here,
-  entryPoints: { editor: 'editor.mjs', ticks: 'ticks_page.mjs' },
-  outdir: path.resolve(out),
-  bundle: true,
-  minify: true,
-  format: 'iife', // not as modules, which a page that was opened as a file can't load: it is to say so
-  target: 'es2022',
-  metafile: true,
-});
+const bundle = (entryPoints, format) => build({ absWorkingDir: here, entryPoints, outdir: path.resolve(out), bundle: true, minify: true, format, target: 'es2022', metafile: true });
+// What pages load is no module, which a page that was opened as a file can't load: it is to say so.
+const bundles = await Promise.all([bundle({ editor: 'editor.mjs', ticks: 'ticks_page.mjs' }, 'iife'), bundle({ checker: 'checker.mjs', worker: 'worker.mjs' }, 'esm')]);
 const { code } = await transform(styleOfPictures() + fs.readFileSync(path.join(here, 'editor.css'), 'utf8'), { loader: 'css', minify: true });
 fs.writeFileSync(path.join(out, 'editor.css'), code);
-fs.writeFileSync(path.join(out, 'editor_licences.txt'), licences(metafile.inputs));
+fs.writeFileSync(path.join(out, 'editor_licences.txt'), licences(Object.assign({}, ...bundles.map(({ metafile }) => metafile.inputs))));

@@ -1,0 +1,33 @@
+// What answers are compiled behind and linked with, made by the page's own compiler: objects of two compilers never meet.
+//     node make_objects.mjs EIGEN OUT                      the precompiled header, and what all sections need
+//     node make_objects.mjs EIGEN OUT 08_nt_collisions     a section's server, our solution, and what stands in for functions that a file lacks
+import fs from 'node:fs';
+import path from 'node:path';
+import { compilerFiles, courseFiles, llvmProgram } from './sources.mjs';
+import { compile, compileBehindHeader, compileHeader, folder, precompile } from './toolchain.mjs';
+import { weakened } from './wasm.mjs';
+
+const [eigen, out, section] = process.argv.slice(2);
+const llvm = new WebAssembly.Module(llvmProgram()), files = [...compilerFiles(), ...courseFiles(eigen)];
+
+function done(result, what) {
+  if (result.code === 0) return result;
+  console.error(result.said, result.trapped ?? '');
+  throw new Error(`the page's compiler refuses ${what}`);
+}
+const write = (name, bytes) => fs.writeFileSync(path.join(out, name), bytes);
+fs.mkdirSync(out, { recursive: true });
+
+if (section) {
+  const slug = section.slice(3), shared = folder([...files, ['/loop/quick.pch', new Uint8Array(fs.readFileSync(path.join(out, 'quick.pch')))]]);
+  const make = (file, ...flags) => done(compileBehindHeader(llvm, shared, section, file, ...flags), file).object;
+  write(`${section}_server.o`, make('/tools/judge/page/server.cpp', `-DCOURSE_SECTION="${slug}.hpp"`));
+  write(`${section}_ours.o`, make(`/solutions/${section}.cpp`));
+  write(`${section}_missing.o`, weakened(make(`/tests/${section}/stub.cpp`, '-w', '-DCOURSE_STUB_BEHIND', '-include', '/tools/judge/server/missing.hpp')));
+} else {
+  const pch = done(precompile(llvm, folder(files)), 'quick.hpp').object;
+  write('quick.pch', pch);
+  const shared = folder([...files, ['/loop/quick.pch', pch]]);
+  write('quick.o', done(compileHeader(llvm, shared), 'the templates of quick.hpp').object);
+  for (const name of ['exceptions', 'assertion']) write(`${name}.o`, done(compile(llvm, shared, `/tools/judge/page/${name}.cpp`), name).object);
+}

@@ -1,0 +1,47 @@
+// What a page loads before its first verdict, as files whose names change with what is in them, and manifest.json, which names them.
+//     node make_packs.mjs EIGEN BUILT OUT SECTION=EARLIER,EARLIER…     BUILT: what cmake/Online.cmake has made
+import { createHash } from 'node:crypto';
+import fs from 'node:fs';
+import path from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { cut, loadCalled } from './cut.mjs';
+import { pack } from './pack.mjs';
+import { compilerFiles, courseFiles, llvmProgram, root } from './sources.mjs';
+import { libraries } from './toolchain.mjs';
+
+const [eigen, built, out, ...sections] = process.argv.slice(2);
+const made = (name) => new Uint8Array(fs.readFileSync(path.join(built, name)));
+const object = (name) => [`/objects/${name}`, made(`objects/${name}`)];
+const source = (name) => [`/${name}`, new Uint8Array(fs.readFileSync(path.join(root, name)))];
+
+fs.rmSync(out, { recursive: true, force: true });
+fs.mkdirSync(out, { recursive: true });
+function save(name, bytes) {
+  const zipped = gzipSync(bytes, { level: 9 }), hash = createHash('sha256').update(zipped).digest('hex').slice(0, 12);
+  const file = `${name}-${hash}.gz`;
+  fs.writeFileSync(path.join(out, file), zipped);
+  return { file, bytes: zipped.length };
+}
+
+// Headers that are in the precompiled one, too: warnings look into them.
+function files() {
+  const needed = [...compilerFiles(), ...courseFiles(eigen)].filter(([name]) => /^\/(usr\/include|eigen|loop|tools\/judge\/page\/libcxx)\/|^\/chapters\/[^/]*$/.test(name) || libraries.includes(name));
+  return [...needed, ...['quick.o', 'exceptions.o', 'assertion.o'].map(object)];
+}
+function section(name, earlier) {
+  const header = (one) => source(`chapters/${one}/${one.slice(3)}.hpp`);
+  const texts = [`tests/${name}/mistakes.tsv`, `tests/${name}/stub.cpp`, `chapters/${name}/renamed.txt`].filter((file) => fs.existsSync(path.join(root, file)));
+  return pack([...[name, ...earlier].map(header), ...texts.map(source), ['/tests.wasm', made(`${name}.wasm`)], ['/catalogue.json', made(`../catalogue/${name}.json`)],
+    ...['server', 'missing'].map((part) => object(`${name}_${part}.o`)), ...earlier.map((one) => object(`${one}_ours.o`))]);
+}
+
+const compiler = llvmProgram();
+const manifest = {
+  compiler: save('compiler', cut(compiler, loadCalled(compiler))),
+  wholeCompiler: save('whole_compiler', compiler),
+  header: save('header', made('objects/quick.pch')),
+  files: save('files', pack(files())),
+  words: save('words', made('words.wasm')),
+  sections: Object.fromEntries(sections.map((each) => each.split('=')).map(([name, earlier]) => [name, save(name, section(name, earlier.split(',').filter(Boolean)))])),
+};
+fs.writeFileSync(path.join(out, 'manifest.json'), JSON.stringify(manifest));

@@ -1,0 +1,44 @@
+// Writes called.txt: compiles and links our answers and some thousand slips, and notes which of the compiler's functions the
+// engine was asked for.
+//     node tools/online/train.mjs EIGEN OBJECTS [SLIPS [SEED]]      see make_objects.mjs; 2000 slips take half an hour
+import { spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { saveCalled } from './cut.mjs';
+import { dice, slip } from './slips.mjs';
+import { compilerFiles, courseFiles, llvmProgram, root } from './sources.mjs';
+import { compileAnswer, folder, link } from './toolchain.mjs';
+
+const [eigen, objects, slips = 2000, seed = 2026, inside] = process.argv.slice(2);
+
+// Text and section of each answer, the slips after them.
+function* answers() {
+  const sections = fs.readdirSync(path.join(root, 'solutions')).map((file) => path.parse(file).name);
+  const read = (folder, section) => fs.readFileSync(path.join(root, folder, `${section}.cpp`), 'utf8');
+  for (const section of sections) for (const of of ['exercises', 'solutions']) yield [section, read(of, section)];
+  const roll = dice(Number(seed));
+  for (let i = 0; i < slips; ++i) {
+    const section = sections[roll(sections.length)];
+    yield [section, slip(read(roll(4) === 0 ? 'exercises' : 'solutions', section), roll)];
+  }
+}
+
+function exercise() {
+  const object = (name) => new Uint8Array(fs.readFileSync(path.join(objects, name)));
+  const llvm = new WebAssembly.Module(llvmProgram()), names = fs.readdirSync(objects).filter((name) => name.endsWith('.o'));
+  const shared = folder([...compilerFiles(), ...courseFiles(eigen), ['/loop/quick.pch', object('quick.pch')], ...names.map((name) => [`/objects/${name}`, object(name)])]);
+  for (const [section, text] of answers()) {
+    const compiled = compileAnswer(llvm, shared, section, text);
+    if (compiled.code === 0) link(llvm, shared, compiled.object, ['quick', 'exceptions', 'assertion', `${section}_server`, `${section}_missing`].map((name) => `/objects/${name}.o`));
+  }
+}
+
+if (inside) exercise();
+else {
+  const flags = ['--trace-wasm-compilation-times', '--no-wasm-tier-up', '--max-old-space-size=4000'];
+  const traced = spawnSync(process.execPath, [...flags, fileURLToPath(import.meta.url), eigen, objects, slips, seed, 'inside'], { encoding: 'latin1', maxBuffer: 2 ** 30, stdio: ['ignore', 'pipe', 'inherit'] });
+  if (traced.status !== 0) throw new Error('the training has failed');
+  // The compiler is the module of most functions; what it makes is compiled, too, but never run.
+  saveCalled(llvmProgram(), [...traced.stdout.matchAll(/Compiled function 0x\w+#(\d+)/g)].map(([, index]) => Number(index)));
+}

@@ -1,0 +1,105 @@
+// A worker of a page: compiles a reader's file, links it, has the tests call it, and tells what the terminal would print.
+import { withFuel } from './fuel.mjs';
+import { judge } from './judge.mjs';
+import { unpack } from './pack.mjs';
+import { compileAnswer, folder, link } from './toolchain.mjs';
+import { definedFunctions } from './wasm.mjs';
+import { loadWords } from './words.mjs';
+
+const seed = 2026; // as in `./course check`
+const decoder = new TextDecoder();
+let manifest, tell; // `tell` of the check that is running
+
+// A file of the manifest, unzipped, as a response; what arrives is told.
+const arrived = { loaded: 0, total: 0 };
+async function load({ file, bytes }) {
+  arrived.total += bytes;
+  const response = await fetch(file);
+  if (!response.ok) throw new Error(`${file} isn't there (${response.status}).`);
+  const count = new TransformStream({
+    transform(part, to) {
+      arrived.loaded += part.length;
+      tell({ step: 'load', ...arrived });
+      to.enqueue(part);
+    },
+  });
+  return new Response(response.body.pipeThrough(count).pipeThrough(new DecompressionStream('gzip')), { headers: { 'content-type': 'application/wasm' } });
+}
+const loadBytes = async (file) => new Uint8Array(await (await load(file)).arrayBuffer());
+const loadModule = (file) => WebAssembly.compileStreaming(load(file));
+
+// Each of these is loaded once. What failed is tried again at the next check.
+const kept = new Map();
+function once(name, make) {
+  if (!kept.has(name)) kept.set(name, make().catch((error) => {
+    kept.delete(name);
+    throw error;
+  }));
+  return kept.get(name);
+}
+const compiler = () => once('compiler', () => loadModule(manifest.compiler));
+const wholeCompiler = () => once('whole compiler', () => loadModule(manifest.wholeCompiler));
+const words = () => once('words', async () => loadWords(await loadModule(manifest.words)));
+const commonFiles = () => once('files', async () => {
+  const [files, header] = await Promise.all([loadBytes(manifest.files), loadBytes(manifest.header)]);
+  return [...unpack(files), ['/loop/quick.pch', header]];
+});
+const sectionParts = (section) => once(section, async () => {
+  const [common, own] = await Promise.all([commonFiles(), loadBytes(manifest.sections[section]).then(unpack)]);
+  const tests = await WebAssembly.compile(own.find(([name]) => name === '/tests.wasm')[1]);
+  const text = (name) => decoder.decode(own.find(([file]) => file === name)?.[1] ?? new Uint8Array());
+  return {
+    tests,
+    shared: folder([...common, ...own]),
+    objects: [...own, ...common].map(([name]) => name).filter((name) => name.startsWith('/objects/')),
+    facts: {
+      section,
+      sections: Object.keys(manifest.sections),
+      exercises: JSON.parse(text('/catalogue.json')).exercises,
+      header: text(`/chapters/${section}/${section.slice(3)}.hpp`),
+      stub: text(`/tests/${section}/stub.cpp`),
+      mistakes: text(`/tests/${section}/mistakes.tsv`),
+      renamed: text(`/chapters/${section}/renamed.txt`),
+    },
+  };
+});
+
+// A step of the compiler's; by the whole one where the cut one lacks a function.
+async function compilerStep(work) {
+  const result = work(await compiler());
+  return result.trapped ? work(await wholeCompiler()) : result;
+}
+
+// What Clang calls a `main` for WASI. A page's module has none, so its linker takes one where the terminal's refuses it.
+const mains = new Set(['main', '__main_void', '__main_argc_argv', '__original_main']);
+
+async function check({ section, exercise, text }) {
+  const [parts, report] = await Promise.all([sectionParts(section), words(), compiler()]);
+  const about = { ...parts.facts, only: exercise, text, file: `/own/${section}.cpp` };
+  tell({ step: 'compile' });
+  const compiled = await compilerStep((llvm) => compileAnswer(llvm, parts.shared, section, text));
+  if (compiled.code !== 0) return report({ ...about, step: 'not compiled', compiler: compiled.said || compiled.trapped });
+  const symbols = definedFunctions(compiled.object);
+  if (symbols.some((name) => mains.has(name))) return report({ ...about, step: 'not linked', compiler: "multiple definition of `main'" });
+  tell({ step: 'link' });
+  const linked = await compilerStep((llvm) => link(llvm, parts.shared, compiled.object, parts.objects));
+  if (linked.code !== 0) return report({ ...about, step: 'not linked', compiler: linked.said || linked.trapped });
+  tell({ step: 'test' });
+  const verdicts = [];
+  judge(parts.tests, await WebAssembly.compile(withFuel(linked.linked)), exercise, seed, (verdict) => verdicts.push(verdict));
+  return report({ ...about, step: 'compiled', compiler: compiled.said, verdicts, symbols });
+}
+
+// One check after the other, in the order in which they came.
+let last = Promise.resolve();
+addEventListener('message', ({ data: { id, ...request } }) => {
+  last = last.then(async () => {
+    tell = (progress) => postMessage({ id, progress });
+    try {
+      manifest ??= await (await fetch('manifest.json')).json();
+      postMessage({ id, result: await check(request) });
+    } catch (error) {
+      postMessage({ id, error: String(error?.message ?? error) });
+    }
+  });
+});
