@@ -16,6 +16,9 @@ struct ExitRequest {
 
 /// Brings the site up to date by the build; site.cpp has it.
 void bring_up_site(const Workspace &workspace);
+/// The same for the edition to write in, with what that needs from npm; online.cpp has it.
+/// @return its folder
+std::filesystem::path bring_up_online_site(const Workspace &workspace);
 
 /// Draws the figures of all sections, and throws `ExitRequest` unless what's published agrees; publish.cpp has it.
 void require_published(const Workspace &workspace);

@@ -39,6 +39,11 @@ fi
 
 namespace {
 
+constexpr const char *about_online = R"(
+With --online it is a folder for a web server. Whoever reads it there needs nothing else: each exercise has an editor, and
+the same tests answer in the page.
+)";
+
 constexpr const char *about_mine = R"(
 With --mine it is your own copy: in each section that you have begun, figures show your curve over ours, and demos
 begin with your code. What cannot be built stays ours, and one sentence says why. The copy lies in the build folder
@@ -84,12 +89,21 @@ void open(const Workspace &workspace, const std::string &section, bool mine) {
 } // namespace
 
 void add_site(CLI::App &app, const Workspace &workspace) {
-    const auto mine = std::make_shared<bool>(false);
+    const auto mine = std::make_shared<bool>(false), online = std::make_shared<bool>(false);
     CLI::App *command =
         app.add_subcommand("site", "Build the book as a site, to be read in a browser without a network");
-    command->add_flag("--mine", *mine, "your own copy: your figures, your code in the demos");
-    command->footer(std::string{about_mine} + "./course site");
-    command->callback([&workspace, mine] {
+    CLI::Option *own = command->add_flag("--mine", *mine, "your own copy: your figures, your code in the demos");
+    command->add_flag("--online", *online, "for a web server: a site in which one can write and check answers")
+        ->excludes(own);
+    command->footer(std::string{about_online} + about_mine + "./course site");
+    command->callback([&workspace, mine, online] {
+        if (*online) {
+            const std::string folder = workspace.relative_name(bring_up_online_site(workspace));
+            std::cout << "The book to write in is " << folder
+                      << ": any web server can show it. Here:\n  python3 -m http.server --directory " << folder
+                      << "\nand then http://localhost:8000\n";
+            return;
+        }
         const std::string option = *mine ? " --mine" : "";
         const fs::path folder = bring_up(workspace, *mine); // which says something, too
         std::cout << (*mine ? "Your copy of the book is " : "The book is ")

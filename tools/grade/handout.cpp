@@ -31,6 +31,7 @@ constexpr std::array not_in_a_handout{
     "tests/bugs.txt",
     "tests/peers",
     "tests/tools",
+    "tests/online",
     "tests/site",
     "tests/play",
     "tests/class",
@@ -38,6 +39,8 @@ constexpr std::array not_in_a_handout{
     "tests/CMakeLists.txt",
     "tests/fresh_machine.sh",
     "tests/under_load.sh",
+    "tools/judge/page",
+    "tools/online",
     "docs/instructors.md",
     "exercises/sketches",
     "CONTRIBUTING.md",
@@ -284,7 +287,8 @@ std::string page_in_handout(const std::string &file, std::string page) {
     without_solution_bars(lines);
     without_what_needs_answers(lines);
     if (file == "README.md")
-        for (const char *heading : {"I want to fix a line", "I teach with it"}) without_part(lines, heading);
+        for (const char *heading : {"I want nobody to install", "I want to fix a line", "I teach with it"})
+            without_part(lines, heading);
     if (file == "docs/front.md")
         for (const char *words : {"**You teach?**", "**You'd mend a line"}) std::erase_if(lines, beginning(words));
     page = joined(lines);
