@@ -2,10 +2,9 @@
 // checker that only plays its part.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
-import http from 'node:http';
 import path from 'node:path';
-import { after } from 'node:test';
 import { onlinePage } from '../../tools/online/pages.mjs';
+import { serve } from './server.mjs';
 import { browser, copyOf, root, site } from '../site/browser.mjs';
 
 export const eight = 'chapter_08_nt_collisions.html', section = '08_nt_collisions';
@@ -49,18 +48,8 @@ execFileSync('node', [path.join(root, 'tools/online/build_editor.mjs'), path.joi
 fs.writeFileSync(path.join(folder, 'online/stubs.json'), JSON.stringify(stubs));
 fs.writeFileSync(path.join(folder, 'online/checker.js'), checker);
 
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json', '.svg': 'image/svg+xml', '.woff2': 'font/woff2' };
 export const asked = []; // names of files, as they were asked for
-const server = http.createServer(({ url }, response) => {
-  const name = decodeURIComponent(new URL(url, 'http://host').pathname).slice(1) || 'index.html', file = path.join(folder, name);
-  asked.push(name);
-  if (!fs.existsSync(file)) return response.writeHead(404).end();
-  response.writeHead(200, { 'content-type': types[path.extname(file)] ?? 'application/octet-stream', 'cache-control': 'no-cache' });
-  fs.createReadStream(file).pipe(response);
-});
-await new Promise((done) => server.listen(0, '127.0.0.1', done));
-after(() => server.closeAllConnections() ?? server.close());
-export const host = `http://127.0.0.1:${server.address().port}`;
+export const host = await serve(folder, asked);
 
 // A page in this context, or in one of its own, and what goes wrong on it.
 export async function open(t, name = `${eight}#exercise-8.1`, { context, width = 1280, ...more } = {}) {

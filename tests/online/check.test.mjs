@@ -1,0 +1,86 @@
+// The online edition as it is built (`./course site --online`), in Chromium: stubs, solutions and slips come to the same as in
+// the terminal, and what hangs or crashes leaves the page usable.
+//     SECTIONS="08_nt_collisions"   only these; SLIPS=10 of each section; SEED=7 draws others
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { browser, build, root } from '../site/browser.mjs';
+import { dice, slip } from '../../tools/online/slips.mjs';
+import { serve } from './server.mjs';
+
+const folder = path.join(build, 'online/site'), manifest = JSON.parse(fs.readFileSync(path.join(folder, 'online/manifest.json')));
+const sections = process.env.SECTIONS?.split(' ') ?? Object.keys(manifest.sections), slips = Number(process.env.SLIPS ?? 2);
+const seed = Number(process.env.SEED ?? 20785);
+const read = (of, section) => fs.readFileSync(path.join(root, of, `${section}.cpp`), 'utf8');
+const stub = (section) => fs.readFileSync(path.join(root, 'tests', section, 'stub.cpp'), 'utf8');
+
+const host = await serve(folder, [], '/some/path'), troubles = [];
+let page;
+before(async () => {
+  page = await (await browser()).newPage();
+  page.on('request', (request) => request.url().startsWith(host) || /^(data|blob):/.test(request.url()) || troubles.push(`asks for ${request.url()}`));
+  await page.goto(`${host}/chapter_08_nt_collisions.html`);
+  await page.evaluate(async () => {
+    const { Checker } = await import(new URL('online/checker.js', document.baseURI).href);
+    self.checker = new Checker(new URL('online/', document.baseURI).href);
+  });
+});
+after(() => page?.close());
+const check = (section, text, exercise = '') => page.evaluate((task) => self.checker.check(task), { section, exercise, text });
+
+// How each exercise stands by what was printed: { '8.1': '✓' }, or why there is none of it.
+function standing(printed) {
+  const plain = printed.replace(/\x1b\[[\d;]*m/g, ''), marks = [...plain.matchAll(/^(✓|✗|·) (\d+\.\d+) /gm)].map(([, mark, number]) => [number, mark]);
+  return marks.length > 0 ? Object.fromEntries(marks) : plain.match(/^✗ .*/m)?.[0] ?? plain;
+}
+const own = fs.mkdtempSync(path.join(os.tmpdir(), 'online-'));
+after(() => fs.rmSync(own, { recursive: true }));
+function inTerminal(section, text) {
+  const file = path.join(own, `${section}.cpp`);
+  fs.writeFileSync(file, text);
+  const { stdout } = spawnSync(path.join(build, 'course-tool'), ['check', section.slice(0, 2), '--file', file], { encoding: 'utf8', env: { ...process.env, NO_COLOR: '1', COURSE_ROOT: root, COURSE_BUILD: build } });
+  return standing(stdout.replaceAll(file, `exercises/${section}.cpp`));
+}
+
+describe(`answers in the page (seed ${seed})`, () => {
+  for (const section of sections)
+    test(section, async (t) => {
+      const begun = await check(section, stub(section));
+      assert.deepEqual([...new Set(Object.values(begun.states))].filter((state) => !/^(not started|needs )/.test(state)), [], 'a stub');
+      const done = await check(section, read('solutions', section));
+      assert.deepEqual([...new Set(Object.values(done.states))], ['passed'], done.text);
+      assert.equal(done.picture, null);
+      const roll = dice(seed + Number(section.slice(0, 2)));
+      for (let i = 0; i < slips; ++i) {
+        const text = slip(read('solutions', section), roll), here = standing((await check(section, text)).text), there = inTerminal(section, text);
+        t.diagnostic(`${JSON.stringify(here)}`);
+        assert.deepEqual(here, there, text);
+      }
+      assert.deepEqual(troubles, []);
+    });
+});
+
+describe('what goes wrong in section 8', () => {
+  const body = 'throw course::NotYet{"which way does the line from a to b point, as a vector of length 1?"};';
+  const section = '08_nt_collisions', with_ = (code) => stub(section).replace(body, code);
+  const says = async (code, expected) => assert.match((await check(section, with_(code), '8.1')).text, expected);
+  test('a loop without an end is stopped', () => says('for (;;) {}', /too long[\s\S]*a loop that never stops/));
+  test('a loop in the library is stopped, too', () => says('std::vector<int> v(2); return {double(std::count_if(v.begin(), v.begin() + 1, [](int) { for (;;) {} return true; })), 0};', /too long/));
+  test('so is a recursion', () => says('return decompose(velocity, a, b);', /until the stack was full/));
+  test('and one that branches', () => says('static int depth = 0; if (++depth % 40 == 0) return {}; decompose(velocity, a, b); return decompose(velocity, a, b);', /too long|8\.1/));
+  test('memory is told', () => says('std::vector<double> all; for (;;) all.push_back(1);', /out of memory|too long/));
+  test('an index beyond the end', () => says('std::vector<double> none; return {none[7], 0};', /crashed[\s\S]*an index beyond the end/));
+  test('what is thrown', () => says('throw std::out_of_range{"no such ball"};', /threw[\s\S]*std::out_of_range: no such ball/));
+  test('what is thrown past an object that must be destroyed', () => says('const std::vector<Vec2> all{a, b}; course::require(all.size() > 2, "more", 1); return {};', /refused this input with std::invalid_argument \(more, but is 1\)/));
+  test('and caught', () => says('try { throw 7; } catch (int seven) { return {double(seven), 0}; }', /normal 7 m\/s/));
+  test('exit()', () => says('std::exit(3);', /ended the program[\s\S]*exit code 3/));
+  test('a flood of words', () => says('for (;;) std::puts("over and over again, and once more, and again, until nobody can bear to read it any longer");', /printed too much|too long/));
+  test('a function that is not there', async () => assert.match((await check(section, stub(section).replace('Components decompose(', 'Components decomposed('), '8.1')).text, /no function `decompose`/));
+  test('a helper that is declared only', () => says('double helper(double); return {helper(1), 0};', /helper/));
+  test('an own main', async () => assert.match((await check(section, `${stub(section)}int main() {}\n`, '8.1')).text, /`main` of its own/));
+  test('a name that is taken', async () => assert.match((await check(section, `${stub(section)}extern "C" char *course_room(unsigned long) { return nullptr; }\n`, '8.1')).text, /`course_room` is defined twice/));
+  test('and after all of that, a right answer is right', async () => assert.deepEqual((await check(section, read('solutions', section), '8.1')).states, { 8.1: 'passed' }));
+});
