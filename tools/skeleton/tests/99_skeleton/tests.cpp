@@ -12,7 +12,7 @@ TEST_CASE("the worked example: a spring of 30 N/m, 0.25 m longer than at rest, p
 //> What the energy says
 TEST_CASE("the pull is what the stored energy loses for each metre, for soft and stiff springs", "[99.1]") {
     const double stiffness = GENERATE(0.4, 30.0, 9e4);
-    const double stretch = GENERATE(take(20, random(-2.0, 2.0)), 0.0);
+    const double stretch = GENERATE(-2.0, -0.75, -1e-6, 0.0, 0.1, 1.3, 1.9);
     const auto energy = [&](double x) { return stiffness * x * x / 2; }; // [J]
 
     const double loss = energy(stretch - 0.5) - energy(stretch + 0.5); // over one metre, exact for a square
