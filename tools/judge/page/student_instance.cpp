@@ -31,14 +31,7 @@ StudentProcess::StudentProcess(const std::filesystem::path &, const std::string 
 StudentProcess::~StudentProcess() = default;
 
 bool StudentProcess::send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments, const Deadline &) {
-    const wire::Header header{wire::Frame::call, number,
-                              static_cast<std::uint32_t>(sizeof exercise + arguments.size())};
-    wire::Writer writer;
-    writer.bytes.reserve(sizeof header + header.size);
-    writer.raw(&header, sizeof header);
-    writer.put(exercise);
-    writer.bytes += arguments;
-    message = std::move(writer.bytes);
+    message = wire::call_frame(number, exercise, arguments);
     return true;
 }
 

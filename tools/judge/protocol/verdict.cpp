@@ -150,8 +150,7 @@ std::string meaning_of_assertion(std::string_view printed) {
     const std::size_t at = std::min(printed.find(" Assertion "), printed.find(" assertion ")); // GNU's, and LLVM's
     if (at == printed.npos) return {};
     const std::string_view line = printed.substr(at, printed.find('\n', at) - at);
-    if (contains_any(line, {"__n < this->size()", "__n < size()", "index < size()", "out of bounds"}))
-        return "an index beyond the end";
+    if (contains_any(line, {"__n < this->size()", "index < size()", "out of bounds"})) return "an index beyond the end";
     if (contains_any(line, {"_M_is_engaged()", "disengaged"})) return "the value of an empty std::optional";
     if (contains_any(line, {"!this->empty()", "!empty()"})) return "an element of an empty vector";
     if (contains_any(line, {"!(__hi < __lo)", "std::clamp"})) return "std::clamp with its low end above its high end";

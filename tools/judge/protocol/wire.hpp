@@ -159,6 +159,17 @@ struct Header {
     std::uint32_t size = 0; ///< bytes that follow
 };
 
+/// A call of an exercise, the first, second, ... of a student's process, as it goes there.
+inline std::string call_frame(std::uint32_t number, std::uint32_t exercise, std::string_view arguments) {
+    const Header header{Frame::call, number, static_cast<std::uint32_t>(sizeof exercise + arguments.size())};
+    Writer frame;
+    frame.bytes.reserve(sizeof header + header.size);
+    frame.raw(&header, sizeof header);
+    frame.put(exercise);
+    frame.bytes += arguments;
+    return std::move(frame.bytes);
+}
+
 /// What has been read from a pipe at once, which is more than was asked for, and has not been taken yet.
 class Arrived {
   public:

@@ -222,14 +222,8 @@ StudentProcess::~StudentProcess() { left_processes(); }
 
 bool StudentProcess::send(std::uint32_t number, std::uint32_t exercise, std::string_view arguments,
                           const Deadline &deadline) {
-    const wire::Header header{wire::Frame::call, number,
-                              static_cast<std::uint32_t>(sizeof exercise + arguments.size())};
-    wire::Writer message;
-    message.bytes.reserve(sizeof header + header.size);
-    message.raw(&header, sizeof header);
-    message.put(exercise);
-    message.bytes += arguments;
-    for (std::string_view rest = message.bytes; !rest.empty();) {
+    const std::string message = wire::call_frame(number, exercise, arguments);
+    for (std::string_view rest = message; !rest.empty();) {
         const ssize_t written = ::write(to, rest.data(), rest.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0 && errno == EAGAIN
