@@ -12,17 +12,12 @@ file(MAKE_DIRECTORY ${online}/include)
 find_path(COURSE_JSON_INCLUDE nlohmann/json.hpp)
 file(CREATE_LINK ${COURSE_JSON_INCLUDE}/nlohmann ${online}/include/nlohmann SYMBOLIC) # nothing else of the system's headers, which aren't for WASI
 
-# judge_object(RESULT source flags...): for a module that runs beside a reader's, with exceptions.
+# judge_object(RESULT source flags...): for a module that runs beside a reader's, with exceptions, and without what tells a demo's
+# page of checks that fail.
 set(page ${PROJECT_SOURCE_DIR}/tools/judge/page)
-set(flags ${COURSE_WASM_FLAGS})
-list(FILTER flags EXCLUDE REGEX "HARDENING|libcxx$") # which tell the demo's page what fails
-set(COURSE_JUDGE_FLAGS ${flags} -fwasm-exceptions -D_WASI_EMULATED_SIGNAL -I${page} -include libcxx.hpp -I${PROJECT_SOURCE_DIR}/tools
-  -I${PROJECT_SOURCE_DIR}/tests -isystem ${online}/include)
 function(judge_object object source)
-  cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE shown)
-  add_custom_command(OUTPUT ${object}
-    COMMAND ${COURSE_WASM_CLANG} ${COURSE_JUDGE_FLAGS} ${ARGN} -MD -MF ${object}.d -c ${source} -o ${object}
-    DEPENDS ${source} DEPFILE ${object}.d VERBATIM COMMENT "Compiling ${shown} for the judge in pages")
+  wasm_object(${object} ${source} -fwasm-exceptions -U_LIBCPP_HARDENING_MODE -D_WASI_EMULATED_SIGNAL -I${page} -include libcxx.hpp
+    -I${PROJECT_SOURCE_DIR}/tools -I${PROJECT_SOURCE_DIR}/tests -isystem ${online}/include ${ARGN})
 endfunction()
 
 # judge_module(RESULT objects...)
@@ -33,6 +28,7 @@ function(judge_module module)
     DEPENDS ${ARGN} VERBATIM COMMENT "")
 endfunction()
 
+set(chapter ${PROJECT_SOURCE_DIR}/chapters) # of no section, for now
 set(judge)
 foreach(source judge/page/exceptions judge/page/harness judge/page/student_instance judge/runner/session judge/protocol/verdict judge/protocol/signature)
   cmake_path(GET source FILENAME name)
@@ -71,8 +67,8 @@ set(sections) # each with those that it builds on
 foreach(section ${COURSE_SECTIONS})
   string(SUBSTRING ${section} 3 -1 slug)
   set(chapter ${PROJECT_SOURCE_DIR}/chapters/${section})
-  judge_object(${online}/${section}_tests.o ${PROJECT_SOURCE_DIR}/tests/${section}/tests.cpp -I${chapter})
-  judge_object(${online}/${section}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp -I${chapter})
+  judge_object(${online}/${section}_tests.o ${PROJECT_SOURCE_DIR}/tests/${section}/tests.cpp)
+  judge_object(${online}/${section}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp)
   set(earlier ${COURSE_${section}_BUILDS_ON})
   list(TRANSFORM earlier REPLACE "(.+)" "${online}/\\1_ours.o" OUTPUT_VARIABLE called) # by the tests
   judge_module(${online}/${section}.wasm ${online}/${section}_tests.o ${called} ${judge})
