@@ -4,17 +4,14 @@ import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { onlinePage } from '../../tools/online/pages.mjs';
+import { stubs } from '../../tools/online/sources.mjs';
 import { serve } from './server.mjs';
 import { browser, copyOf, root, site } from '../site/browser.mjs';
 
 export const eight = 'chapter_08_nt_collisions.html', section = '08_nt_collisions';
 export const folder = copyOf(site, (name) => !/\.html$/.test(name) || [eight, 'index.html'].includes(path.basename(name)));
 
-const stubs = Object.fromEntries(fs.readdirSync(path.join(root, 'tests')).filter((name) => /^\d\d_/.test(name)).map((name) => {
-  const stub = fs.readFileSync(path.join(root, 'tests', name, 'stub.cpp'), 'utf8');
-  return [name, { stub, exercises: [...stub.matchAll(/^\/\/ (\d+\.\d+) /gm)].map(([, number]) => number) }];
-}));
-export const stub = stubs[section].stub;
+export const { stub } = stubs()[section];
 
 // Its verdict is by the text: `right`, `broken` or `forever` in it; else one test is red.
 const checker = `
@@ -45,7 +42,7 @@ for (const name of [eight, 'index.html']) {
   fs.writeFileSync(file, onlinePage(fs.readFileSync(file, 'utf8')));
 }
 execFileSync('node', [path.join(root, 'tools/online/build_editor.mjs'), path.join(folder, 'online')]);
-fs.writeFileSync(path.join(folder, 'online/stubs.json'), JSON.stringify(stubs));
+fs.writeFileSync(path.join(folder, 'online/stubs.json'), JSON.stringify(stubs()));
 fs.writeFileSync(path.join(folder, 'online/checker.js'), checker);
 
 export const asked = []; // names of files, as they were asked for

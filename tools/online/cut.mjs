@@ -3,32 +3,28 @@
 // bit for each function in base 64; another training adds to it.
 import { createHash } from 'node:crypto';
 import fs from 'node:fs';
-import { countImports, Reader, section, withBodies, withSections } from './wasm.mjs';
+import { countImports, section, withBodies, withSections } from './wasm.mjs';
 
 const list = new URL('called.txt', import.meta.url);
 const checksum = (bytes) => createHash('sha256').update(bytes).digest('hex');
 
+// The checksum of the compiler that it is about, and the bits; another compiler has none yet.
+function known() {
+  if (!fs.existsSync(list)) return { bits: Buffer.alloc(0) };
+  const [of, ...lines] = fs.readFileSync(list, 'utf8').trim().split('\n');
+  return { of, bits: Buffer.from(lines.join(''), 'base64') };
+}
+
 // Functions by their index, those that are imported first; beside those that were called before.
 export function saveCalled(compiler, called) {
-  const known = fs.existsSync(list) && fs.readFileSync(list, 'utf8').startsWith(checksum(compiler)) ? loadCalled(compiler) : { has: () => false };
-  const bits = new Uint8Array(countFunctions(compiler) + 7 >> 3), all = [...Array(8 * bits.length).keys()].filter(known.has);
-  for (const index of [...all, ...called]) bits[index >> 3] |= 1 << (index & 7);
-  const lines = Buffer.from(bits).toString('base64').match(/.{1,120}/g);
-  fs.writeFileSync(list, [checksum(compiler), ...lines, ''].join('\n'));
-}
-function countFunctions(compiler) {
-  let count = 0;
-  withSections(compiler, (id, content) => {
-    if (id === section.imports) count += countImports(content).functions;
-    if (id === section.code) count += new Reader(content).number();
-    return content;
-  });
-  return count;
+  const { of, bits: before } = known(), bits = Buffer.alloc(Math.max(before.length, 1 + (called.reduce((a, b) => Math.max(a, b), 0) >> 3)));
+  if (of === checksum(compiler)) before.copy(bits);
+  for (const index of called) bits[index >> 3] |= 1 << (index & 7);
+  fs.writeFileSync(list, [checksum(compiler), ...bits.toString('base64').match(/.{1,120}/g), ''].join('\n'));
 }
 export function loadCalled(compiler) {
-  const [of, ...lines] = fs.readFileSync(list, 'utf8').trim().split('\n');
+  const { of, bits } = known();
   if (of !== checksum(compiler)) throw new Error('called.txt is about another version of the compiler: run tools/online/train.mjs');
-  const bits = Buffer.from(lines.join(''), 'base64');
   return { has: (index) => Boolean(bits[index >> 3] & (1 << (index & 7))) };
 }
 

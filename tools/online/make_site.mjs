@@ -3,17 +3,9 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { onlinePage } from './pages.mjs';
-import { root } from './sources.mjs';
+import { stubs } from './sources.mjs';
 
 const [site, packs, out] = process.argv.slice(2);
-
-function stubs() {
-  const sections = fs.readdirSync(path.join(root, 'solutions')).map((file) => path.parse(file).name).sort();
-  return Object.fromEntries(sections.map((section) => {
-    const stub = fs.readFileSync(path.join(root, 'tests', section, 'stub.cpp'), 'utf8');
-    return [section, { stub, exercises: [...stub.matchAll(/^\/\/ (\d+\.\d+) /gm)].map(([, number]) => number) }];
-  }));
-}
 
 fs.rmSync(out, { recursive: true, force: true });
 fs.cpSync(site, out, { recursive: true });

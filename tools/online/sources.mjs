@@ -8,6 +8,10 @@ const llvm = new URL('node_modules/@yowasp/clang/gen/', import.meta.url);
 
 export const llvmProgram = () => fs.readFileSync(new URL('llvm.core.wasm', llvm));
 
+// The stub of each section, as the editor gets them.
+export const stubs = () => Object.fromEntries(sections().map((name) => [name, { stub: fs.readFileSync(path.join(root, 'tests', name, 'stub.cpp'), 'utf8') }]));
+const sections = () => fs.readdirSync(path.join(root, 'tests')).filter((name) => /^\d\d_/.test(name)).sort();
+
 // Of the archive with the compiler's own headers and libraries: [path, bytes] pairs.
 function* archived() {
   const bytes = fs.readFileSync(new URL('llvm-resources.tar', llvm));
@@ -20,9 +24,9 @@ function* archived() {
   }
 }
 
-function* below(folder, as) {
+function* below(folder, as, isWanted = () => true) {
   for (const entry of fs.readdirSync(folder, { withFileTypes: true, recursive: true }))
-    if (entry.isFile()) {
+    if (entry.isFile() && isWanted(entry.name)) {
       const file = path.join(entry.parentPath ?? entry.path, entry.name);
       yield [path.posix.join(as, path.relative(folder, file)), new Uint8Array(fs.readFileSync(file))];
     }
@@ -35,7 +39,8 @@ export function compilerFiles() {
   return [...archived()].filter(([name]) => !notForPages.test(name));
 }
 export function courseFiles(eigen) {
-  const own = ['chapters', 'tools/base', 'tools/judge', 'exercises', 'solutions', 'tests'].flatMap((folder) => [...below(path.join(root, folder), `/${folder}`)]);
-  return [...own.filter(([name]) => /\.[ch]pp$|__assertion_handler$/.test(name)), ...below(path.join(eigen, 'Eigen'), '/eigen/Eigen'),
+  const isSource = (name) => /\.[ch]pp$|^__assertion_handler$/.test(name);
+  const own = ['chapters', 'tools/base', 'tools/judge', 'solutions', ...sections().map((name) => `tests/${name}`)].flatMap((folder) => [...below(path.join(root, folder), `/${folder}`, isSource)]);
+  return [...own, ...below(path.join(eigen, 'Eigen'), '/eigen/Eigen'),
     ...['quick.hpp', 'student.hpp'].map((name) => [`/loop/${name}`, new Uint8Array(fs.readFileSync(path.join(root, 'tools/judge/server', name)))])];
 }

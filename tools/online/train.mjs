@@ -30,7 +30,9 @@ function exercise() {
   const shared = folder([...compilerFiles(), ...courseFiles(eigen), ['/loop/quick.pch', object('quick.pch')], ...names.map((name) => [`/objects/${name}`, object(name)])]);
   for (const [section, text] of answers()) {
     const compiled = compileAnswer(llvm, shared, section, text);
-    if (compiled.code === 0) link(llvm, shared, compiled.object, ['quick', 'exceptions', 'assertion', `${section}_server`, `${section}_missing`].map((name) => `/objects/${name}.o`));
+    const others = names.filter((name) => name.endsWith('_ours.o') && !name.startsWith(section)); // what it builds on, and more
+    const objects = ['quick.o', 'exceptions.o', 'assertion.o', `${section}_server.o`, `${section}_missing.o`, ...others];
+    if (compiled.code === 0) link(llvm, shared, compiled.object, objects.map((name) => `/objects/${name}`));
   }
 }
 

@@ -38,7 +38,6 @@ function once(name, make) {
   return kept.get(name);
 }
 const compiler = () => once('compiler', () => loadModule(manifest.compiler));
-const wholeCompiler = () => once('whole compiler', () => loadModule(manifest.wholeCompiler));
 const words = () => once('words', async () => loadWords(await loadModule(manifest.words)));
 const commonFiles = () => once('files', async () => {
   const [files, header] = await Promise.all([loadBytes(manifest.files), loadBytes(manifest.header)]);
@@ -64,10 +63,13 @@ const sectionParts = (section) => once(section, async () => {
   };
 });
 
-// A step of the compiler's; by the whole one where the cut one lacks a function.
+// A step of the compiler's; where the cut one lacks a function, by the whole one, and so from then on.
 async function compilerStep(work) {
   const result = work(await compiler());
-  return result.trapped ? work(await wholeCompiler()) : result;
+  if (!result.trapped) return result;
+  const whole = await once('whole compiler', () => loadModule(manifest.wholeCompiler));
+  kept.set('compiler', Promise.resolve(whole));
+  return work(whole);
 }
 
 // What Clang calls a `main` for WASI. A page's module has none, so its linker takes one where the terminal's refuses it.
