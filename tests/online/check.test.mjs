@@ -9,10 +9,10 @@ import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { browser, build, root } from '../site/browser.mjs';
 import { dice, slip } from '../../tools/online/slips.mjs';
+import { folder, manifestIn, scriptsIn } from './built.mjs';
 import { serve } from './server.mjs';
 
-const folder = path.join(build, 'online/site'), manifest = JSON.parse(fs.readFileSync(path.join(folder, 'online/manifest.json')));
-const sections = process.env.SECTIONS?.split(' ') ?? Object.keys(manifest.sections), slips = Number(process.env.SLIPS ?? 2);
+const sections = process.env.SECTIONS?.split(' ') ?? Object.keys(manifestIn(folder).sections), slips = Number(process.env.SLIPS ?? 2);
 const seed = Number(process.env.SEED ?? 20785);
 const read = (of, section) => fs.readFileSync(path.join(root, of, `${section}.cpp`), 'utf8');
 const stub = (section) => fs.readFileSync(path.join(root, 'tests', section, 'stub.cpp'), 'utf8');
@@ -23,10 +23,10 @@ before(async () => {
   page = await (await browser()).newPage();
   page.on('request', (request) => request.url().startsWith(host) || /^(data|blob):/.test(request.url()) || troubles.push(`asks for ${request.url()}`));
   await page.goto(`${host}/chapter_08_nt_collisions.html`);
-  await page.evaluate(async () => {
-    const { Checker } = await import(new URL('online/checker.js', document.baseURI).href);
-    self.checker = new Checker(new URL('online/', document.baseURI).href);
-  });
+  await page.evaluate(async (base) => {
+    const { Checker } = await import(`${base}checker.js`);
+    self.checker = new Checker(base);
+  }, `${host}/${scriptsIn(folder)}/`);
 });
 after(() => page?.close());
 const check = (section, text, exercise = '') => page.evaluate((task) => self.checker.check(task), { section, exercise, text });

@@ -39,7 +39,7 @@ export class Checker {
 
 for (const name of [eight, 'index.html']) {
   const file = path.join(folder, name);
-  fs.writeFileSync(file, onlinePage(fs.readFileSync(file, 'utf8')));
+  fs.writeFileSync(file, onlinePage(fs.readFileSync(file, 'utf8'), 'online'));
 }
 execFileSync('node', [path.join(root, 'tools/online/build_editor.mjs'), path.join(folder, 'online')]);
 fs.writeFileSync(path.join(folder, 'online/stubs.json'), JSON.stringify(stubs()));
@@ -53,6 +53,7 @@ export async function open(t, name = `${eight}#exercise-8.1`, { context, width =
   if (!context) {
     context = await (await browser()).newContext({ viewport: { width, height: 900 }, ...more });
     t.after(() => context.close());
+    await context.addInitScript('delete Navigator.prototype.serviceWorker'); // which offline.test.mjs tries
   }
   const page = await context.newPage(), troubles = [];
   page.on('console', (message) => troubles.push(message.text()));

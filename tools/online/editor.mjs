@@ -3,6 +3,8 @@
 import { Answer } from './answer.mjs';
 import { Box } from './box.mjs';
 import { make } from './elements.mjs';
+import { keepSite, tellOfNewer } from './keeping.mjs';
+import { load } from './load.mjs';
 import { Store } from './store.mjs';
 import { followTicks, showTicks } from './ticks.mjs';
 import { whyNot } from './able.mjs';
@@ -17,20 +19,28 @@ function tellWhyNot(place, exercise, why) {
   place.replaceChildren(`You can’t write here: ${why}. In a terminal, this does the same: `, make('code', {}, `./course check ${exercise}`));
 }
 
+// A script that can't be had doesn't tell why.
+const loadScript = (name) => import(new URL(name, base).href).catch(async (error) => {
+  await load(new URL(name, base), 'the compiler');
+  throw error;
+});
+
 // One check at a time, whichever box asked for it. The checker, and with it the compiler, comes with the first.
 const checks = {
   checker: null,
   running: null,
   async run(task) {
     if (!this.checker) {
-      const { Checker } = await import(new URL('checker.js', base).href);
+      const { Checker } = await loadScript('checker.js');
       this.checker ??= new Checker(base.href);
     }
     if (this.running) this.stop();
     const running = this.checker.check(task);
     this.running = running;
     try {
-      return await running;
+      const result = await running;
+      keepSite(base);
+      return result;
     } finally {
       if (this.running === running) this.running = null;
     }
@@ -75,4 +85,5 @@ for (const box of boxes) {
   if (opened) near.observe(place);
   else tellWhyNot(place, box.dataset.exercise, whyNot());
 }
+tellOfNewer();
 opened?.then(followTicks).catch(() => { /* said in each box */ });

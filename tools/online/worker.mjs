@@ -1,6 +1,8 @@
 // A worker of a page: compiles a reader's file, links it, has the tests call it, and tells what the terminal would print.
 import { withFuel } from './fuel.mjs';
 import { judge } from './judge.mjs';
+import { cacheOf } from './kept.mjs';
+import { load } from './load.mjs';
 import { unpack } from './pack.mjs';
 import { compileAnswer, folder, link } from './toolchain.mjs';
 import { definedFunctions } from './wasm.mjs';
@@ -10,12 +12,14 @@ const seed = 2026; // as in `./course check`
 const decoder = new TextDecoder();
 let manifest, tell; // `tell` of the check that is running
 
-// A file of the manifest, unzipped, as a response; what arrives is told.
+// A file of the manifest, unzipped, as a response; what arrives is told. It's kept for the next time, where a browser keeps
+// anything: a page that isn't from a safe address has no caches.
 const arrived = { loaded: 0, total: 0 };
-async function load({ file, bytes }) {
+async function loadPack({ file, bytes }, what) {
   arrived.total += bytes;
-  const response = await fetch(file);
-  if (!response.ok) throw new Error(`${file} isn't there (${response.status}).`);
+  const address = new URL(`../${file}`, location), packs = await self.caches?.open(cacheOf(new URL('../..', location), 'packs'));
+  const kept = await packs?.match(address), response = kept ?? await load(address, what);
+  if (!kept) packs?.put(address, response.clone()).catch(() => { /* no room */ });
   const count = new TransformStream({
     transform(part, to) {
       arrived.loaded += part.length;
@@ -25,8 +29,8 @@ async function load({ file, bytes }) {
   });
   return new Response(response.body.pipeThrough(count).pipeThrough(new DecompressionStream('gzip')), { headers: { 'content-type': 'application/wasm' } });
 }
-const loadBytes = async (file) => new Uint8Array(await (await load(file)).arrayBuffer());
-const loadModule = (file) => WebAssembly.compileStreaming(load(file));
+const loadBytes = async (...pack) => new Uint8Array(await (await loadPack(...pack)).arrayBuffer());
+const loadModule = (...pack) => WebAssembly.compileStreaming(loadPack(...pack));
 
 // Each of these is loaded once. What failed is tried again at the next check.
 const kept = new Map();
@@ -37,14 +41,14 @@ function once(name, make) {
   }));
   return kept.get(name);
 }
-const compiler = () => once('compiler', () => loadModule(manifest.compiler));
-const words = () => once('words', async () => loadWords(await loadModule(manifest.words)));
+const compiler = () => once('compiler', () => loadModule(manifest.compiler, 'the compiler'));
+const words = () => once('words', async () => loadWords(await loadModule(manifest.words, 'the compiler')));
 const commonFiles = () => once('files', async () => {
-  const [files, header] = await Promise.all([loadBytes(manifest.files), loadBytes(manifest.header)]);
+  const [files, header] = await Promise.all([loadBytes(manifest.files, 'the compiler'), loadBytes(manifest.header, 'the compiler')]);
   return [...unpack(files), ['/loop/quick.pch', header]];
 });
 const sectionParts = (section) => once(section, async () => {
-  const [common, own] = await Promise.all([commonFiles(), loadBytes(manifest.sections[section]).then(unpack)]);
+  const [common, own] = await Promise.all([commonFiles(), loadBytes(manifest.sections[section], `what tests section ${Number(section.slice(0, 2))}`).then(unpack)]);
   const tests = await WebAssembly.compile(own.find(([name]) => name === '/tests.wasm')[1]);
   const text = (name) => decoder.decode(own.find(([file]) => file === name)?.[1] ?? new Uint8Array());
   return {
@@ -67,7 +71,7 @@ const sectionParts = (section) => once(section, async () => {
 async function compilerStep(work) {
   const result = work(await compiler());
   if (!result.trapped) return result;
-  const whole = await once('whole compiler', () => loadModule(manifest.wholeCompiler));
+  const whole = await once('whole compiler', () => loadModule(manifest.wholeCompiler, 'the part of the compiler that this code needs'));
   kept.set('compiler', Promise.resolve(whole));
   return work(whole);
 }
@@ -98,7 +102,7 @@ addEventListener('message', ({ data: { id, ...request } }) => {
   last = last.then(async () => {
     tell = (progress) => postMessage({ id, progress });
     try {
-      manifest ??= await (await fetch('manifest.json')).json();
+      manifest ??= await (await load('manifest.json', 'the compiler')).json();
       postMessage({ id, result: await check(request) });
     } catch (error) {
       postMessage({ id, error: String(error?.message ?? error) });
