@@ -101,3 +101,13 @@ add_custom_command(OUTPUT ${online}/site.stamp
   COMMAND ${CMAKE_COMMAND} -E touch ${online}/site.stamp
   DEPENDS ${packs}/manifest.json ${PROJECT_BINARY_DIR}/site.stamp VERBATIM COMMENT "Making the site to write in")
 add_custom_target(online DEPENDS ${online}/site.stamp)
+
+# And of a handout: `course export handout --online` puts it into this folder. Ours are in the packs, compiled.
+set(handout ${online}/handout)
+add_custom_target(online-handout
+  COMMAND ${CMAKE_COMMAND} -E copy_directory ${PROJECT_BINARY_DIR}/catalogue ${handout}/build/catalogue
+  COMMAND ${CMAKE_COMMAND} -E env COURSE_ROOT=${handout} COURSE_BUILD=${handout}/build $<TARGET_FILE:course-tool>
+    make-site --doxygen ${DOXYGEN} --node ${NODE} --katex ${KATEX} --lunr ${LUNR}
+  COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tools/online/make_site.mjs ${handout}/build/site ${packs} ${online}/handout_site ${handout}
+  DEPENDS ${packs}/manifest.json VERBATIM COMMENT "Making the handout to write in")
+add_dependencies(online-handout course-tool)

@@ -130,6 +130,10 @@ TEST_CASE("a second handout is a commit that students can pull, and keeps out of
     course.write("out/frame-by-frame/mine.txt", "");
     CHECK_THAT(course.handout().err, ContainsSubstring("is there already, and is no handout"));
     CHECK(course.has("out/frame-by-frame/mine.txt"));
+    course.write("out/frame-by-frame-online/mine.txt", "");
+    CHECK_THAT(course({"export", "handout", course.out.string(), "--online"}).err,
+               ContainsSubstring("frame-by-frame-online is there already, and is no handout to write in"));
+    CHECK(course.has("out/frame-by-frame-online/mine.txt"));
 }
 
 TEST_CASE("what gives a solution away is found, and nothing is written") {

@@ -20,6 +20,10 @@ void bring_up_site(const Workspace &workspace);
 /// @return its folder
 std::filesystem::path bring_up_online_site(const Workspace &workspace);
 
+/// And for the handout in that folder, which is made before; online.cpp, too. Returns the site's folder.
+std::filesystem::path bring_up_online_handout(const Workspace &workspace);
+std::filesystem::path online_handout(const Workspace &workspace);
+
 /// Draws the figures of all sections, and throws `ExitRequest` unless what's published agrees; publish.cpp has it.
 void require_published(const Workspace &workspace);
 

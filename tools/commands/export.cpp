@@ -23,7 +23,11 @@ The last line of each exercise says which tests it was handed out with; `check -
 In a handout are no solutions, no wrong or right answers, and no bars of solutions in chapters. Nothing is written
 if a line of ours is still in it. After a build in the handout, --check looks through its site, too.
 
+With --online it writes DIR/frame-by-frame-online instead, a folder for any web server: students write their answers in
+its pages, and install nothing. Ours are in it compiled, for later sections and demos.
+
 Example: ./course export handout dist
+         ./course export handout dist --online
          ./course export handout --check dist/frame-by-frame/build/default/site)";
 
 /// In an editor's words, as compilers have them.
@@ -65,6 +69,28 @@ void put_into_repository(const fs::path &made, const fs::path &repository, const
         git_in(repository, {"commit", "--quiet", "--message", "Frame by Frame " + version});
 }
 
+/// What is committed, without our solutions.
+void make_handout_of(const Workspace &workspace, const fs::path &folder) {
+    take_committed(workspace, folder);
+    make_handout(folder);
+    require_no_leaks(workspace, folder);
+}
+
+void export_online(const Workspace &workspace, const fs::path &folder) {
+    require_committed(workspace, "a handout");
+    const fs::path to = folder / (std::string{repository_name} + "-online"), made = online_handout(workspace);
+    if (fs::exists(to) && !fs::exists(to / "service_worker.js"))
+        throw UserError{to.string() + " is there already, and is no handout to write in: name another folder"};
+    fs::remove_all(made);
+    make_handout_of(workspace, made);
+    const fs::path site = bring_up_online_handout(workspace);
+    require_no_leaks(workspace, site);
+    fs::remove_all(to);
+    fs::create_directories(folder);
+    fs::copy(site, to, fs::copy_options::recursive);
+    std::cout << to.string() << ", a folder for any web server\n";
+}
+
 void export_handout(const Workspace &workspace, const fs::path &folder) {
     require_committed(workspace, "a handout");
     const std::string version = version_of(workspace);
@@ -73,9 +99,7 @@ void export_handout(const Workspace &workspace, const fs::path &folder) {
     if (scratch.folder.empty()) throw UserError{"cannot write in " + folder.string() + "; is it yours?"};
     const fs::path made = scratch.folder / repository_name,
                    zip = folder / fmt::format("frame-by-frame-{}-handout.zip", version);
-    take_committed(workspace, made);
-    make_handout(made);
-    require_no_leaks(workspace, made);
+    make_handout_of(workspace, made);
     put_into_repository(made, folder / repository_name, version);
     printed_by({"cmake", "-E", "tar", "cf", fs::absolute(zip).string(), "--format=zip", repository_name},
                scratch.folder);
@@ -93,10 +117,13 @@ void add_export(CLI::App &app, const Workspace &workspace) {
     const auto folder = std::make_shared<std::string>(), looked_at = std::make_shared<std::string>();
     auto *where = handout->add_option("folder", *folder, "where to write it");
     handout->add_option("--check", *looked_at, "write nothing: look for our solutions in this folder")->excludes(where);
-    handout->callback([&workspace, folder, looked_at] {
+    const auto online = std::make_shared<bool>(false);
+    handout->add_flag("--online", *online, "for a web server: students write and check their answers in its pages");
+    handout->callback([&workspace, folder, looked_at, online] {
         if (!looked_at->empty()) return require_no_leaks(workspace, *looked_at);
         if (folder->empty()) throw UserError{"name a folder to write to: ./course export handout dist"};
-        export_handout(workspace, *folder);
+        if (*online) export_online(workspace, *folder);
+        else export_handout(workspace, *folder);
     });
 }
 

@@ -1,4 +1,4 @@
-// `course site --online`: the edition of the site in which one writes C++ in the page.
+// The edition of the site in which one writes C++ in the page: `course site --online`, and `course export handout --online`.
 
 #include "base/build.hpp"
 #include "base/files.hpp"
@@ -27,20 +27,32 @@ void install_packages(const Workspace &workspace) {
     fs::copy_file(wanted, installed, fs::copy_options::overwrite_existing);
 }
 
+/// Brings one of the two editions up to date.
+void build_online(const Workspace &workspace, const std::string &target) {
+    need_page_compiler(workspace, false);
+    const Lock lock{workspace};
+    install_packages(workspace);
+    std::cout << "What the page needs is compiled; the first time this takes some minutes" << std::endl;
+    const Finished built = build_target(workspace, target);
+    if (built.code != 0) throw UserError{"the online edition can't be built:\n" + built.out + built.err};
+}
+
 } // namespace
 
 fs::path bring_up_online_site(const Workspace &workspace) {
     if (fs::exists(workspace.root / handout_mark))
         throw UserError{
             "a handout has no solutions, which the edition to write in is made with: your instructor can make "
-            "one of the whole course"};
-    need_page_compiler(workspace, false);
-    const Lock lock{workspace};
-    install_packages(workspace);
-    std::cout << "What the page needs is compiled; the first time this takes some minutes" << std::endl;
-    const Finished built = build_target(workspace, "online");
-    if (built.code != 0) throw UserError{"the online edition can't be built:\n" + built.out + built.err};
+            "one for you: ./course export handout dist --online"};
+    build_online(workspace, "online");
     return workspace.build / "online" / "site";
+}
+
+fs::path online_handout(const Workspace &workspace) { return workspace.build / "online" / "handout"; }
+
+fs::path bring_up_online_handout(const Workspace &workspace) {
+    build_online(workspace, "online-handout");
+    return workspace.build / "online" / "handout_site";
 }
 
 } // namespace course

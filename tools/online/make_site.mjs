@@ -1,5 +1,5 @@
 // Puts the online edition together: the site, its pages with the editor, and in online/ what they load.
-//     node make_site.mjs SITE PACKS OUT
+//     node make_site.mjs SITE PACKS OUT [HANDOUT]     HANDOUT: whose site it is, if it isn't ours
 //
 // What pages load is in a folder with a name by what's in it, so that a page never meets another version's script.
 import { createHash } from 'node:crypto';
@@ -9,11 +9,11 @@ import { onlinePage } from './pages.mjs';
 import { listFiles } from './list_files.mjs';
 import { stubs } from './sources.mjs';
 
-const [site, packs, out] = process.argv.slice(2);
+const [site, packs, out, handout] = process.argv.slice(2);
 
 const files = Object.fromEntries(fs.readdirSync(packs).sort().map((name) => [name, fs.readFileSync(path.join(packs, name))]));
 const isPack = (name) => name.endsWith('.gz'), { 'service_worker.js': serviceWorker, ...loaded } = files;
-loaded['stubs.json'] = Buffer.from(JSON.stringify(stubs()));
+loaded['stubs.json'] = Buffer.from(JSON.stringify(stubs(handout)));
 const hash = createHash('sha256');
 for (const name of Object.keys(loaded).filter((name) => !isPack(name))) hash.update(name).update(loaded[name]);
 const folder = `online/${hash.digest('hex').slice(0, 12)}`;

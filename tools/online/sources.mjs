@@ -8,8 +8,8 @@ const llvm = new URL('node_modules/@yowasp/clang/gen/', import.meta.url);
 
 export const llvmProgram = () => fs.readFileSync(new URL('llvm.core.wasm', llvm));
 
-// The stub of each section, as the editor gets them.
-export const stubs = () => Object.fromEntries(sections().map((name) => [name, { stub: fs.readFileSync(path.join(root, 'tests', name, 'stub.cpp'), 'utf8') }]));
+// The stub of each section, as the editor gets them: ours, or those of a handout.
+export const stubs = (from = root) => Object.fromEntries(sections().map((name) => [name, { stub: fs.readFileSync(path.join(from, 'tests', name, 'stub.cpp'), 'utf8') }]));
 const sections = () => fs.readdirSync(path.join(root, 'tests')).filter((name) => /^\d\d_/.test(name)).sort();
 
 // Of the archive with the compiler's own headers and libraries: [path, bytes] pairs.
