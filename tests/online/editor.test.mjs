@@ -63,7 +63,7 @@ describe('an editor', () => {
     await box.write('forever');
     await box.button('Check').click();
     await box.button('Stop').waitFor();
-    assert.equal(await box.box.locator('.step').textContent(), 'Loading the compiler, this once: 12.0 of 30.0 MB');
+    await box.box.locator('.step').getByText('Loading the compiler, this once: 12.0 of 30.0 MB', { exact: true }).waitFor();
     assert.deepEqual(await box.box.locator('progress').evaluate((bar) => [bar.value, bar.max]), [12e6, 30e6]);
     await box.button('Stop').click();
     await box.button('Check').waitFor();

@@ -89,9 +89,9 @@ test('answers survive a zip', async () => {
 
 test('a page gets its script and its policy; one that is no page is refused', () => {
   const page = (body) => `<head>\n<meta charset="utf-8">\n</head>${body}`;
-  const chapter = onlinePage(page('<article class="turn" id="exercise-8.1" data-exercise="8.1">')), other = onlinePage(page(''));
-  assert.match(chapter, /<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="default-src 'self'; [^"]*">[^]*online\/editor\.css[^]*online\/editor\.js" defer[^]*<\/head>/);
-  assert.match(other, /online\/ticks\.js" defer/);
+  const chapter = onlinePage(page('<article class="turn" id="exercise-8.1" data-exercise="8.1">'), 'online/1a2b'), other = onlinePage(page(''), 'online/1a2b');
+  assert.match(chapter, /<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="default-src 'self'; [^"]*">[^]*"online\/1a2b\/editor\.css"[^]*"online\/1a2b\/editor\.js" defer[^]*<\/head>/);
+  assert.match(other, /"online\/1a2b\/ticks\.js" defer/);
   assert.doesNotMatch(other, /editor/);
-  assert.throws(() => onlinePage('<p>'), /a page has no <meta charset/);
+  assert.throws(() => onlinePage('<p>', 'online/1a2b'), /a page has no <meta charset/);
 });
