@@ -61,6 +61,7 @@ test('a file says which tests it was handed out with', () => {
 test('a student’s answer is judged there, and a solution is offered nowhere', async (t) => {
   const host = await serve(folder, [], '/phys');
   const { page } = await open(t, `${host}/chapter_08_nt_collisions.html#exercise-8.1`), box = inBox(page);
+  page.setDefaultTimeout(120_000); // a busy machine compiles slowly
   await box.code.waitFor();
   await box.check();
   assert.equal((await box.verdict.textContent()).split('\n')[0], '· 8.1 decompose, core: not started');

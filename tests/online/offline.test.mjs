@@ -32,9 +32,10 @@ function makeSecond() {
 }
 
 // A host of its own, below a path, and a reader's browser.
-async function visit(t, { below = '/some/path' } = {}) {
-  const shown = { folder: first }, asked = [], host = await serve(() => shown.folder, asked, below);
+async function visit(t) {
+  const shown = { folder: first }, asked = [], host = await serve(() => shown.folder, asked, '/some/path');
   const context = await (await browser()).newContext({ viewport: { width: 1280, height: 900 } });
+  context.setDefaultTimeout(120_000); // a busy machine compiles slowly
   t.after(() => context.close());
   const page = await context.newPage(), failed = [];
   page.on('requestfailed', (request) => failed.push(request.url()));
@@ -48,8 +49,7 @@ async function visit(t, { below = '/some/path' } = {}) {
   return { shown, asked, host, context, page, failed, go };
 }
 const keeps = (page) => page.evaluate(() => caches.keys());
-const patient = { timeout: 120_000 }; // it takes all files, which a busy machine does slowly
-const isKept = (page) => page.waitForFunction(() => navigator.serviceWorker.controller, null, patient);
+const isKept = (page) => page.waitForFunction(() => navigator.serviceWorker.controller);
 const says = async (box) => (await box.check(), (await box.verdict.textContent()).split('\n')[0]);
 // With all that the page loads later than its start.
 async function readThrough(page) {
@@ -99,6 +99,7 @@ describe('without a network', () => {
     fs.symlinkSync(first, path.join(outer, 'two'));
     const host = await serve(() => shown.folder && outer, asked);
     const context = await (await browser()).newContext();
+    context.setDefaultTimeout(120_000);
     t.after(() => context.close());
     const page = await context.newPage();
     await page.goto(`${host}/one/${eight}#exercise-8.1`);
@@ -145,7 +146,7 @@ describe('a new version', () => {
     shown.folder = second;
     asked.length = 0;
     await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
-    await page.getByText('There’s a newer version of this book.').waitFor(patient);
+    await page.getByText('This book has a newer version').waitFor();
     const scripts = scriptsIn(second);
     assert.deepEqual(asked.filter((name) => !name.startsWith(`${scripts}/`) && !name.endsWith('.html')).sort(), ['online/08_nt_collisions-000000000000.gz', 'online/files.json', 'service_worker.js'], 'only what is new is loaded');
     asked.length = 0;

@@ -13,6 +13,6 @@ export function tellOfNewer() {
   const line = make('p', { className: 'newer' });
   line.setAttribute('role', 'status');
   document.body.append(line);
-  serviceWorker?.addEventListener('message', () => (line.textContent = 'There’s a newer version of this book. It’s here when you reload the page, and so is your code.'));
+  serviceWorker?.addEventListener('message', () => (line.textContent = 'This book has a newer version: reload the page. Your code stays.'));
   document.addEventListener('visibilitychange', () => document.visibilityState === 'visible' && serviceWorker?.getRegistration().then((registration) => registration?.update()).catch(() => { /* no network */ }));
 }
