@@ -1,7 +1,9 @@
 // The online edition without a network, and when the site changes under a page that is open; as it is built, in Chromium.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import fs from 'node:fs';
+import os from 'node:os';
 import path from 'node:path';
 import { describe, test } from 'node:test';
 import { browser, build, copyOf, root, site } from '../site/browser.mjs';
@@ -187,4 +189,18 @@ describe('a new version', () => {
     assert.equal(await box.text(), 'int mine; // 8.1');
     assert.match(await says(box), /^✗ 8\.1/);
   });
+});
+
+test('a site that is made ready for an address has its pages listed as they are then', (t) => {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'published-'));
+  t.after(() => fs.rmSync(folder, { recursive: true }));
+  fs.mkdirSync(path.join(folder, 'online'));
+  for (const [name, text] of [['404.html', '<base href="404.html">'], ['service_worker.js', 'work();'], ['online/whole_compiler-1.gz', '']]) fs.writeFileSync(path.join(folder, name), text);
+  const read = (name) => fs.readFileSync(path.join(folder, name), 'utf8'), checksum = (text) => `sha256-${createHash('sha256').update(text).digest('base64')}`;
+  for (const below of ['one', 'one/two']) {
+    execFileSync(path.join(root, 'tools/site/publish_at'), [folder, `https://host/${below}`]);
+    assert.equal(read('404.html'), '<base href="/one/404.html">');
+    assert.equal(read('online/files.json'), JSON.stringify({ files: { '404.html': checksum('<base href="/one/404.html">') }, later: ['online/whole_compiler-1.gz'] }));
+    assert.equal(read('service_worker.js'), `self.version = '${checksum(read('online/files.json'))}';\nwork();`);
+  }
 });
