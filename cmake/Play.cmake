@@ -2,11 +2,11 @@
 #
 #   demo/NN_slug        the demo without a page: a program that its test plays by a script, in every build
 #   play/NN_slug.js     the demo for the site, as WebAssembly: target demos; `./course dev publish` keeps it in demos/
-#   play/NN_slug_mine.js   the same with the student's file: target NN_slug_play_mine
-#   play/NN_slug_bug.js    the same with exercises/NN_bug.cpp: target NN_slug_play_bug
+#   play/NN_slug_mine.js   the student's file as a module that it may call: target NN_slug_play_mine
+#   play/NN_slug_bug.js    exercises/NN_bug.cpp as such a module: target NN_slug_play_bug
 #
 # In a demo of section(NN_slug BUILDS_ON ... PLAYS_YOURS) all functions of earlier sections, too, are called through the
-# page, which passes each call on to ours or to the student's. So it is in any demo of a handout, which has no ours to link.
+# page, which passes each call on to ours or to the student's.
 #
 # The last three need Debian's Clang 19 with its C library and C++ library for WebAssembly. Without them all the rest is
 # built, and the site has the demos that are kept in demos/.
@@ -33,14 +33,13 @@ set_tests_properties(demos.stills demos.colours PROPERTIES LABELS slow)
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(COURSE_WASM_FLAGS --target=wasm32-wasi -std=c++20 -Os ${COURSE_CODE_FLAGS}
   -DEIGEN_INITIALIZE_MATRICES_BY_NAN # as everywhere in the course
-  -D_LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_EXTENSIVE -I${PROJECT_SOURCE_DIR}/tools/play/libcxx # v[7] beyond the end is told
+  -D_LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_EXTENSIVE # v[7] beyond the end is told
   -ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -I${PROJECT_SOURCE_DIR}/chapters -isystem ${eigen})
 set(COURSE_WASM_LINK --target=wasm32-wasi -mexec-model=reactor
   -Wl,--stack-first,-z,stack-size=262144 # endless recursion traps, instead of overwriting data
   -Wl,--max-memory=67108864,--export=__stack_pointer
-  -Wl,--allow-undefined)  # a student's file may lack a function, or use one that a page does not have: the page says so
-# What a student's file is compiled with, besides: a call at each branch, so that an endless loop can be stopped.
-set(COURSE_WASM_FUEL -fsanitize-coverage=trace-pc,no-prune -fno-finite-loops)
+  -Wl,--allow-undefined)  # a student's file may use a function that a page does not have: the page says so
+set(COURSE_WASM_CLAIMS ${PROJECT_SOURCE_DIR}/tools/play/libcxx) # what tells of them
 
 # wasm_object(RESULT source flags...): an object for a page; the section's header is on the path.
 function(wasm_object object source)
@@ -48,7 +47,7 @@ function(wasm_object object source)
   list(FILTER precompiled INCLUDE REGEX "\\.pch$")
   cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE shown)
   add_custom_command(OUTPUT ${object}
-    COMMAND ${COURSE_WASM_CLANG} ${COURSE_WASM_FLAGS} -I${chapter} ${ARGN} -MD -MF ${object}.d -c ${source} -o ${object}
+    COMMAND ${COURSE_WASM_CLANG} ${COURSE_WASM_FLAGS} -I${COURSE_WASM_CLAIMS} -I${chapter} ${ARGN} -MD -MF ${object}.d -c ${source} -o ${object}
     DEPENDS ${source} ${precompiled} DEPFILE ${object}.d VERBATIM COMMENT "Compiling ${shown} for pages")
 endfunction()
 
@@ -66,19 +65,24 @@ function(earlier_headers result section)
   set(${result} ${flags} PARENT_SCOPE)
 endfunction()
 
-# wasm_answers(RESULT whose): flags for a file that answers exercises, ours or yours.
-function(wasm_answers result whose)
-  set(flags -include answers.hpp "-DCOURSE_ANSWERS=\"${whose}\"")
+# wasm_answers(RESULT): flags for a file with our answers, right or wrong.
+function(wasm_answers result)
+  set(flags -include answers.hpp)
   if(section_PLAYS_YOURS)
     list(APPEND flags -DCOURSE_IF_CALLED)
-  endif()
-  if(whose STREQUAL yours)
-    list(APPEND flags ${COURSE_WASM_FUEL} -w)
   endif()
   set(${result} ${flags} PARENT_SCOPE)
 endfunction()
 
-# wasm_demo(RESULT name objects and flags...): linked, and packed into a script that gives it this name.
+# answer_object(RESULT source flags...): for the module of a student's file, which has exceptions.
+set(COURSE_WASM_JUDGE ${PROJECT_SOURCE_DIR}/tools/judge/page)
+set(COURSE_WASM_ANSWER -fwasm-exceptions -I${PROJECT_SOURCE_DIR}/tools)
+function(answer_object object source)
+  set(COURSE_WASM_CLAIMS ${COURSE_WASM_JUDGE}/libcxx)
+  wasm_object(${object} ${source} ${COURSE_WASM_ANSWER} ${ARGN})
+endfunction()
+
+# wasm_demo(RESULT name objects and flags...): linked, and packed into a script that gives it this name. pack_words: see pack.cjs.
 function(wasm_demo script name)
   set(inputs ${ARGN})
   list(FILTER inputs INCLUDE REGEX "\\.o$")
@@ -93,7 +97,7 @@ function(wasm_demo script name)
   endif()
   add_custom_command(OUTPUT ${script}
     COMMAND ${link} ${COURSE_WASM_LINK} ${ARGN} ${to}
-    COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tools/play/pack.cjs ${linked} ${name} > ${script}
+    COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tools/play/pack.cjs ${linked} ${name} ${pack_words} > ${script}
     DEPENDS ${inputs} ${linker} ${PROJECT_SOURCE_DIR}/tools/play/pack.cjs VERBATIM COMMENT "Packing the demo ${name}")
 endfunction()
 
@@ -151,31 +155,13 @@ endmacro()
 
 macro(section_wasm)
   set(host ${PROJECT_SOURCE_DIR}/tools/play/host)
-  earlier_headers(known_before ${section})
-  wasm_answers(as_ours ours)
-  wasm_answers(as_yours yours)
-  set(earlier_wasm)
-  set(earlier_mine)
-  if(section_PLAYS_YOURS)
-    earlier_in_the_page()
-  else()
-    list(TRANSFORM earlier REPLACE "(.+)" "${play}/\\1_solution.o" OUTPUT_VARIABLE earlier_wasm)
-  endif()
-  wasm_object(${play}/${section}_page.o ${host}/page.cpp ${known_before} -include calls.hpp "-DDEMO=\"${section}/demo.cpp\"")
-  set(objects ${play}/${section}_page.o)
-  if(solved)
-    wasm_object(${play}/${section}_ours.o ${solution} ${known_before} ${as_ours})
-    section_bugs(${section} ${play}/${section}_bugs)
-    list(APPEND objects ${play}/${section}_ours.o ${bugs})
-  endif()
-  list(APPEND objects ${earlier_wasm})
-  # What a student's file reads anyway is compiled beforehand: a save is then in the page in a second.
-  set(known ${play}/${section}_known.hpp)
-  file(CONFIGURE OUTPUT ${known} CONTENT "#include <${section}/${slug}.hpp>\n#include <algorithm>\n#include <cmath>\n")
-  set(calls ${known_before} ${as_yours})
-  wasm_object(${known}.pch ${known} ${calls} -x c++-header)
+  section_answer_parts()
+  set(mine)
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
-    section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section}.cpp ${play}/${section}_mine ${earlier_mine})
+    if(section_PLAYS_YOURS)
+      earlier_files(mine ${PROJECT_SOURCE_DIR}/exercises ${play}/${section} ${earlier})
+    endif()
+    answers_script(${PROJECT_SOURCE_DIR}/exercises/${section}.cpp ${play}/${section}_mine ${mine})
     add_custom_target(${section}_play_mine DEPENDS ${play}/${section}_mine.js)
     add_dependencies(lab ${section}_play_mine)
   endif()
@@ -186,88 +172,146 @@ endmacro()
 
 # What needs our functions: the published demo, one with a bug, and what tests play.
 macro(section_wasm_with_ours)
-  wasm_demo(${play}/${section}.js ${section} ${objects} -Wl,--strip-all)
+  earlier_headers(known_before ${section})
+  wasm_answers(as_ours)
+  set(earlier_wasm)
+  if(section_PLAYS_YOURS)
+    foreach(one ${earlier})
+      our_answers(earlier_wasm ${one} ${play}/${section}_${one})
+      our_bugs(earlier_wasm ${one} ${play}/${section}_${one})
+    endforeach()
+  else()
+    list(TRANSFORM earlier REPLACE "(.+)" "${play}/\\1_solution.o" OUTPUT_VARIABLE earlier_wasm)
+  endif()
+  wasm_object(${play}/${section}_page.o ${host}/page.cpp ${known_before} -include calls.hpp "-DDEMO=\"${section}/demo.cpp\"")
+  set(ours)
+  our_answers(ours ${section} ${play}/${section})
+  our_bugs(ours ${section} ${play}/${section})
+  wasm_demo(${play}/${section}.js ${section} ${play}/${section}_page.o ${ours} ${earlier_wasm} -Wl,--strip-all)
   add_custom_target(${section}_play DEPENDS ${play}/${section}.js)
   add_dependencies(demos ${section}_play)
   # What `./course bug` has written, or not yet: one function, and all others are ours
-  section_wasm_of(${PROJECT_SOURCE_DIR}/exercises/${section_number}_bug.cpp ${play}/${section}_bug)
+  answers_script(${PROJECT_SOURCE_DIR}/exercises/${section_number}_bug.cpp ${play}/${section}_bug)
   add_custom_target(${section}_play_bug DEPENDS ${play}/${section}_bug.js)
   # Files that go wrong in a page, each in a way of its own, for tests/site/play.test.mjs; and earlier sections' beside them
   file(GLOB wrong CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/play/${section}/*.cpp)
+  set(wrong_earlier)
   if(section_PLAYS_YOURS)
-    earlier_files(earlier_mine ${PROJECT_SOURCE_DIR}/tests/play/${section}/earlier ${play}/wrong/${section})
+    earlier_files(wrong_earlier ${PROJECT_SOURCE_DIR}/tests/play/${section}/earlier ${play}/wrong/${section} ${earlier})
   endif()
   foreach(file ${wrong})
     cmake_path(GET file STEM stem)
     file(MAKE_DIRECTORY ${play}/wrong)
-    section_wasm_of(${file} ${play}/wrong/${stem} ${earlier_mine})
+    answers_script(${file} ${play}/wrong/${stem} ${wrong_earlier})
     list(APPEND wrong_scripts ${play}/wrong/${stem}.js)
   endforeach()
   add_custom_target(${section}_play_wrong DEPENDS ${wrong_scripts})
 endmacro()
 
-# The demo with this file in the place of a student's, as ${to}.js; and these objects of earlier sections.
-macro(section_wasm_of file to)
-  wasm_object(${to}.o ${file} ${calls} -include-pch ${known}.pch)
-  # The names of functions stay: they say in which exercise something went wrong.
-  wasm_demo(${to}.js ${section}/mine ${objects} ${to}.o ${ARGN} -Wl,--strip-debug)
-endmacro()
+# our_answers(RESULT one to): appends the object of our functions of a section, as a page calls them.
+function(our_answers result one to)
+  set(chapter ${PROJECT_SOURCE_DIR}/chapters/${one})
+  earlier_headers(known_before ${one})
+  wasm_answers(as_ours)
+  wasm_object(${to}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp ${known_before} ${as_ours})
+  set(${result} ${${result}} ${to}_ours.o PARENT_SCOPE)
+endfunction()
 
-# section_bugs(one to): ${bugs}, the object ${to}.o with those wrong answers of a section that its demo can play.
-function(section_bugs one to)
-  set(bugs "" PARENT_SCOPE)
+# our_bugs(RESULT one to): the same for those wrong answers of a section that a demo can play.
+function(our_bugs result one to)
   set(wrong ${PROJECT_SOURCE_DIR}/tests/${one}/mutants.diff)
   if(NOT EXISTS ${wrong})
     return()
   endif()
+  set(chapter ${PROJECT_SOURCE_DIR}/chapters/${one})
   string(SUBSTRING ${one} 3 -1 its_slug)
-  add_custom_command(OUTPUT ${to}.cpp COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${one} ${to}.cpp
+  add_custom_command(OUTPUT ${to}_bugs.cpp COMMAND answers-in-one ${PROJECT_SOURCE_DIR} ${one} ${to}_bugs.cpp
     DEPENDS answers-in-one ${wrong} ${PROJECT_SOURCE_DIR}/tests/bugs.txt ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp
-      ${PROJECT_SOURCE_DIR}/chapters/${one}/${its_slug}.hpp VERBATIM COMMENT "")
-  page_answers(${one} ${to}.cpp ${to}.o ours)
-  set(bugs ${to}.o PARENT_SCOPE)
+      ${chapter}/${its_slug}.hpp VERBATIM COMMENT "")
+  earlier_headers(known_before ${one})
+  wasm_answers(as_ours)
+  wasm_object(${to}_bugs.o ${to}_bugs.cpp ${known_before} ${as_ours})
+  set(${result} ${${result}} ${to}_bugs.o PARENT_SCOPE)
 endfunction()
 
-# Earlier sections for a demo that plays yours of them, too: our solutions, where they are, and a student's files, of which
-# some may not compile, and some may be gone.
-macro(earlier_in_the_page)
-  foreach(one ${earlier})
-    if(EXISTS ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp)
-      page_answers(${one} ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp ${play}/${section}_${one}_ours.o ours)
-      section_bugs(${one} ${play}/${section}_${one}_bugs)
-      list(APPEND earlier_wasm ${play}/${section}_${one}_ours.o ${bugs})
+# What a student's file of this section is linked with: its server, what stands in for functions that it lacks, and a header that
+# is compiled beforehand, so that a save is in the page in a second. Later sections call our functions of this one, or, without
+# ours, the student's.
+macro(section_answer_parts)
+  answer_object(${play}/${section}_server.o ${COURSE_WASM_JUDGE}/server.cpp "-DCOURSE_SECTION=\"${slug}.hpp\"")
+  answer_object(${play}/${section}_missing.o ${PROJECT_SOURCE_DIR}/tests/${section}/stub.cpp -w -DCOURSE_STUB_BEHIND -include judge/server/missing.hpp)
+  set(known ${play}/${section}_known.hpp)
+  file(CONFIGURE OUTPUT ${known} CONTENT "#include <${section}/${slug}.hpp>\n#include <algorithm>\n#include <cmath>\n")
+  answer_object(${known}.pch ${known} -w -x c++-header)
+  if(solved)
+    answer_object(${play}/${section}_answers.o ${solution})
+    set(COURSE_${section}_ANSWERS ${play}/${section}_answers.o CACHE INTERNAL "")
+  else()
+    file(GLOB written CONFIGURE_DEPENDS exercises/${section}.cpp)
+    set(COURSE_${section}_ANSWERS ${play}/${section}_missing.o CACHE INTERNAL "")
+    if(written)
+      earlier_object(${section} ${written} ${play}/${section}_answers.o)
+      set(COURSE_${section}_ANSWERS ${play}/${section}_answers.o ${play}/${section}_missing.o CACHE INTERNAL "")
+    endif()
+  endif()
+  foreach(part exceptions assertion) # of all sections
+    get_property(made GLOBAL PROPERTY course_answer_${part} SET)
+    if(NOT made)
+      answer_object(${play}/${part}.o ${COURSE_WASM_JUDGE}/${part}.cpp)
+      set_property(GLOBAL PROPERTY course_answer_${part} made)
     endif()
   endforeach()
-  earlier_files(earlier_mine ${PROJECT_SOURCE_DIR}/exercises ${play}/${section})
 endmacro()
 
-# earlier_files(RESULT folder to): the objects of those files of earlier sections that are in this folder.
-function(earlier_files result folder to)
-  set(objects)
-  file(GLOB files CONFIGURE_DEPENDS ${folder}/*.cpp)
-  foreach(one ${earlier})
-    if(${folder}/${one}.cpp IN_LIST files)
-      page_answers(${one} ${folder}/${one}.cpp ${to}_${one}_mine.o yours)
-      list(APPEND objects ${to}_${one}_mine.o)
-    endif()
+# answer_entry(RESULT section file object): what link_answers.mjs is told of a student's file.
+function(answer_entry result section file object)
+  set(parts ${file} ${object} ${play}/${section}_server.o ${play}/${section}_missing.o ${play}/exceptions.o ${play}/assertion.o)
+  foreach(one ${COURSE_${section}_BUILDS_ON})
+    list(APPEND parts ${COURSE_${one}_ANSWERS})
   endforeach()
-  set(${result} ${objects} PARENT_SCOPE)
+  list(JOIN parts , parts)
+  set(${result} ${section}=${parts} PARENT_SCOPE)
 endfunction()
 
-# page_answers(one file object whose): a file that answers exercises of a section, for a page. Yours may not compile.
-function(page_answers one file object whose)
-  set(chapter ${PROJECT_SOURCE_DIR}/chapters/${one})
-  earlier_headers(known_before ${one})
-  wasm_answers(as ${whose})
-  if(whose STREQUAL "ours")
-    wasm_object(${object} ${file} ${known_before} ${as})
-    return()
-  endif()
-  wasm_object(${object}.broken ${host}/broken.cpp "-DCOURSE_BROKEN=\"broken ${one}.cpp\"")
+# answers_script(file to entries...): a student's file, or one in its place, as a module in ${to}.js; and those of earlier sections.
+function(answers_script file to)
+  answer_object(${to}.o ${file} -w -include-pch ${known}.pch)
+  answer_entry(own ${section} ${file} ${to}.o)
+  pack_answers(${to}.js ${section} ${own} ${ARGN})
+endfunction()
+
+# pack_answers(script demo entries...)
+function(pack_answers script demo)
+  set(linker ${PROJECT_SOURCE_DIR}/tools/play/link_answers.mjs)
+  string(REGEX REPLACE "[^;=]*=" "" inputs "${ARGN}")
+  string(REPLACE "," ";" inputs "${inputs}")
+  add_custom_command(OUTPUT ${script}
+    COMMAND ${NODE} ${linker} ${script} ${demo} ${COURSE_WASM_CLANG} ${COURSE_WASM_LINK} -Wl,--strip-debug,--gc-sections -- ${ARGN}
+    DEPENDS ${linker} ${inputs} ${PROJECT_SOURCE_DIR}/tools/play/fuel.mjs ${PROJECT_SOURCE_DIR}/tools/play/wasm.mjs VERBATIM
+    COMMENT "Packing answers for the demo ${demo}")
+endfunction()
+
+# earlier_files(RESULT folder to sections...): entries for those files of earlier sections that are in this folder.
+function(earlier_files result folder to)
+  set(entries)
+  file(GLOB files CONFIGURE_DEPENDS ${folder}/*.cpp)
+  foreach(one ${ARGN})
+    if(${folder}/${one}.cpp IN_LIST files)
+      earlier_object(${one} ${folder}/${one}.cpp ${to}_${one}_mine.o)
+      answer_entry(entry ${one} ${folder}/${one}.cpp ${to}_${one}_mine.o)
+      list(APPEND entries ${entry})
+    endif()
+  endforeach()
+  set(${result} ${entries} PARENT_SCOPE)
+endfunction()
+
+# earlier_object(section file object): a student's file of an earlier section, which may not compile.
+function(earlier_object one file object)
   set(compile ${PROJECT_SOURCE_DIR}/tools/play/earlier.cjs)
+  string(SUBSTRING ${one} 3 -1 its_slug)
   cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE shown)
   add_custom_command(OUTPUT ${object}
-    COMMAND ${NODE} ${compile} ${object}.broken ${object} ${COURSE_WASM_CLANG} ${COURSE_WASM_FLAGS} -I${chapter} ${known_before} ${as}
-      -MD -MF ${object}.d -c ${file}
-    DEPENDS ${compile} ${file} ${object}.broken DEPFILE ${object}.d VERBATIM COMMENT "Compiling ${shown} for pages")
+    COMMAND ${NODE} ${compile} ${its_slug} ${object} ${COURSE_WASM_CLANG} ${COURSE_WASM_FLAGS} -I${COURSE_WASM_JUDGE}/libcxx
+      -I${PROJECT_SOURCE_DIR}/chapters/${one} ${COURSE_WASM_ANSWER} -w -MD -MF ${object}.d -c ${file}
+    DEPENDS ${compile} ${file} DEPFILE ${object}.d VERBATIM COMMENT "Compiling ${shown} for pages")
 endfunction()

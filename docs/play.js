@@ -3,7 +3,8 @@
 (function () {
   'use strict';
   const { colours, reader, aboutOf, frameOf, viewOf } = demoPicture;
-  const branches = 3e7; // in one frame, about a tenth of a second: more counts as an endless loop
+  const { AnswerInstance, callFrame, readReply, fuelPerSecond } = courseAnswers;
+  const longestFrame = 0.1; // [s] of the reader's code: more counts as an endless loop
   const glow = 0.3; // of a lamp, after its function was called [s]
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   const playable = (self.playable ??= {});
@@ -23,9 +24,9 @@
     return button;
   }
 
-  // The compiled demos, each unpacked once: base64 of gzip, because a page from disk may read scripts and nothing else.
+  // What's compiled, each unpacked once: base64 of gzip, because a page from disk may read scripts and nothing else; or a module.
   const compiled = {};
-  const compile = (text) => (compiled[text] ??= (async () => {
+  const compile = (text) => (text instanceof WebAssembly.Module ? text : compiled[text] ??= (async () => {
     const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
     return WebAssembly.compile(await new Response(stream).arrayBuffer());
@@ -35,75 +36,123 @@
   class Stopped extends Error {
     constructor(said) { super('stopped'); this.said = said; }
   }
-  class NotStarted extends Error {}
+
+  const failedCheck = (who, words) => `${who} was stopped by a check of the library that it uses: ${words}.`;
+  // What such a check has printed last; '' if none has.
+  function checkIn(printed) {
+    const line = printed.trimEnd().split('\n').at(-1), at = line.lastIndexOf(' failed: ');
+    return at < 0 ? '' : line.slice(at + 9).replace(/ \([^(]*: \d+\)$/, '');
+  }
+
+  // The system's functions, of which a page has none: 52 is "not supported". Only what's printed as an error is heard.
+  function quiet(memory, hear = () => {}) {
+    const write = (fd, parts, count, written) => {
+      if (fd !== 2) return 52;
+      const view = new DataView(memory());
+      let size = 0;
+      for (let at = parts; count-- > 0; at += 8) {
+        const length = view.getUint32(at + 4, true);
+        hear(new TextDecoder().decode(new Uint8Array(memory(), view.getUint32(at, true), length)));
+        size += length;
+      }
+      view.setUint32(written, size, true);
+      return 0;
+    };
+    return new Proxy({}, { get: (_, name) => (name === 'fd_write' ? write : () => 52) });
+  }
 
   // Why ours stands in for this function from the start; '' if it needn't. The reader's of an earlier section play once they're done.
   const notDone = 'not done yet', isDone = (number) => (self.progress?.sections ?? []).some(({ exercises }) => exercises.some((one) => one.number === number && one.done));
-  // A handout has none of ours to play in a demo with the reader's code: there the demo stops instead.
-  function whyOurs(called, section, exports) {
-    const number = called.split(' ')[0], [, broken] = Object.keys(exports).map((name) => /^broken ((\d+)_.*)/.exec(name)).find((found) => Number(found?.[2]) === parseInt(number, 10)) ?? [];
-    return broken ? `${broken} doesn't compile` : !exports[`yours ${called}`] ? 'not in your file' : !exports[`ours ${called}`] || parseInt(number, 10) === section || isDone(number) ? '' : notDone;
+  function whyOurs(called, section, file) {
+    const number = called.split(' ')[0];
+    return !file ? 'not in your file' : !file.module ? `${file.name}.cpp doesn't compile` : parseInt(number, 10) === section || isDone(number) ? '' : notDone;
+  }
+
+  // The reader's files, as modules that answer calls. `packed` has each by its section's name, or null where it doesn't compile.
+  async function filesOf(packed) {
+    const files = new Map();
+    for (const [name, text] of Object.entries(packed)) files.set(parseInt(name, 10), { name, module: text && await compile(text), instance: null, calls: 0, printed: '' });
+    return files;
   }
 
   // A world: a demo of this section that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
-  // Those whose names are in `broken` are one of our wrong answers, where the demo has one.
-  async function instantiate(module, yours, section, broken) {
+  // packed: the reader's files, or null where all are ours. Those whose names are in `broken` are one of our wrong answers, where the demo has one.
+  async function instantiate(module, packed, section, broken) {
     const isSketch = Number.isNaN(section), nobody = isSketch ? 'Your sketch' : 'The demo'; // stopped outside of the reader's functions
     const called = new Map(), fallen = new Map(); // what was called, and when last; what ours stand in for, and why
-    let running = [], clock = 0, exports;
+    const files = await filesOf(packed ?? {});
+    let running = [], clock = 0, exports, answer;
     const text = (from) => {
       const bytes = new Uint8Array(exports.memory.buffer);
       return new TextDecoder().decode(bytes.slice(from, bytes.indexOf(0, from)));
     };
     const stop = (said) => { throw new Stopped(said); };
     const lost = 'A position is infinite, or not a number (NaN): which function returned it, or which Vec2 did you never set?';
+    const endless = (who) => `${who} gave no answer: look for a loop that never ends.`;
     function thrown(type, what) {
       const kind = text(type), words = text(what), [, known] = /^St\d+(\w+)$/.exec(kind) ?? [];
-      if (kind === 'N6course6NotYetE') throw new NotStarted(words);
-      stop((who) => kind === 'assert' ? `${who} was stopped by a check of the library that it uses: ${words}.`
+      stop((who) => kind === 'assert' ? failedCheck(who, words)
         : known === 'invalid_argument' && who === nobody && /nan|inf/.test(words) ? lost
         : known === 'invalid_argument' ? `${who} refused its input: ${words}.`
         : `${who} threw ${known ? `std::${known}` : kind === 'i' ? 'a number' : 'something'}${words && `: ${words}`}. In a page no \`catch\` can take that.`);
     }
     function call(name, values) {
       called.set(name, clock);
-      const own = exports[`yours ${name}`], ours = exports[`ours ${name}`];
-      if (broken.has(name)) return exports[`wrong ${name}`](...values);
-      if (!yours || fallen.has(name)) return ours ? ours(...values) : stop(() => `${name} can't be played: ${fallen.get(name)}.`);
-      const stack = exports.__stack_pointer.value;
+      const ours = exports[`ours ${name}`];
+      return (broken.has(name) ? exports[`wrong ${name}`] : ours ?? stop(() => `${name} can't be played: ${fallen.get(name)}.`))(...values);
+    }
+
+    // The reader's function answers, and how many bytes; -1 for one of ours instead.
+    function callYours(name, at, size) {
+      called.set(name, clock);
+      if (broken.has(name) || fallen.has(name)) return -1;
+      const file = files.get(parseInt(name, 10)), index = Number(name.split(' ')[0].split('.')[1]) - 1;
       running.push(name);
-      try {
-        const answer = own(...values);
-        running.pop();
-        return answer;
-      } catch (error) {
-        if (!(error instanceof NotStarted) || !ours) throw error;
-        running.pop();
-        const [, inner = name] = /\byours (\d+\.\d+ \w+)/.exec(error.stack) ?? [];
-        fallen.set(name, inner === name ? 'not started' : `needs ${inner.split(' ')[0]}`);
-        exports.__stack_pointer.value = stack;
-        return ours(...values);
+      const { kind, value, words: [what, more] } = readReply(reply(file, callFrame(++file.calls, index, new Uint8Array(exports.memory.buffer, at, size))));
+      if (kind === 'missing') fallen.set(name, 'not in your file');
+      else if (kind === 'not yet') fallen.set(name, needs(name, more));
+      else if (kind === 'refused') stop((who) => `${who} refused its input: ${what}.`);
+      else if (kind === 'threw') stop((who) => `${who} threw ${what === 'int' ? `the number ${more}` : more ? `${what}: ${more}` : what}.`);
+      else if (kind === 'no memory') stop((who) => `${who} asks for more memory than there is.`);
+      running.pop();
+      return kind === 'result' ? (answer = value).length : -1;
+    }
+    function needs(name, inner) {
+      const other = names.find((each) => each.endsWith(` ${inner}`));
+      return !other || other === name ? 'not started' : `needs ${other.split(' ')[0]}`;
+    }
+    // From an instance that stays as long as the world does.
+    function reply(file, frame) {
+      if (!file.instance) {
+        file.instance = new AnswerInstance(file.module, quiet(() => file.instance.memory, (words) => (file.printed += words)));
+        file.instance.greet(longestFrame);
       }
+      return file.instance.answer(frame, longestFrame);
     }
     const imports = {
-      play: { thrown, endless: () => stop((who) => `${who} gave no answer: look for a loop that never ends.`) },
-      exercises: {}, env: {},
-      wasi_snapshot_preview1: new Proxy({}, { get: () => () => 52 }), // "not supported": nobody reads what is printed
+      play: { thrown, take: (to) => new Uint8Array(exports.memory.buffer).set(answer, to) },
+      exercises: {}, yours: {}, env: {},
+      wasi_snapshot_preview1: quiet(() => exports.memory.buffer),
     };
     for (const { module: from, name } of WebAssembly.Module.imports(module)) {
       if (from === 'exercises') imports.exercises[name] = (...values) => call(name, values);
+      if (from === 'yours') imports.yours[name] = (at, size) => callYours(name, at, size);
       if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which doesn't exist in a page.`);
     }
     exports = (await WebAssembly.instantiate(module, imports)).exports;
     const names = Object.keys(imports.exercises).sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
     function lookWhoseTheyAre() {
-      for (const name of yours ? names : []) {
-        const why = whyOurs(name, section, exports);
+      for (const name of packed ? names : []) {
+        const why = whyOurs(name, section, files.get(parseInt(name, 10)));
         if (why) fallen.set(name, why);
         else if (fallen.get(name) === notDone) fallen.delete(name);
       }
     }
     lookWhoseTheyAre();
+    function refuel() {
+      for (const { instance } of files.values()) if (instance) instance.spent = 0;
+      if (exports.fuel) exports.fuel.value = BigInt(fuelPerSecond * longestFrame); // of a sketch
+    }
 
     // The numbers that a call left in memory
     const read = (address) => reader(new Float64Array(exports.memory.buffer, address));
@@ -115,24 +164,33 @@
       ofMany: isSketch ? names.length > 0 : new Set(names.map((name) => parseInt(name, 10))).size > 1,
       canBreak: (name) => `wrong ${name}` in exports,
       calledWithin: (name, seconds) => clock - called.get(name) < seconds,
-      initialize: () => exports._initialize(), // the demo's own constants may call exercises
-      begin: () => aboutOf(read(exports.begin(branches))),
+      initialize() {
+        if (packed) exports.ask_reader();
+        refuel();
+        exports._initialize(); // the demo's own constants may call exercises
+      },
+      begin() {
+        refuel();
+        return aboutOf(read(exports.begin()));
+      },
       control: (i, value) => exports.control(i, value),
       frame(dt, step, hand) {
         running = [];
         clock += step ? 1 : dt; // after a step only what it has called glows
-        const seen = frameOf(read(exports.frame(dt, step, hand.x, hand.y, hand.inside, hand.pressed, hand.down, hand.handle, hand.key, branches)));
+        refuel();
+        const seen = frameOf(read(exports.frame(dt, step, hand.x, hand.y, hand.inside, hand.pressed, hand.down, hand.handle, hand.key)));
         if (seen.shapes.some(({ points }) => points.some(([x, y]) => !isFinite(x + y)))) stop(() => lost);
         return seen;
       },
-      // Whatever went wrong, in one sentence. The stack has the innermost of the reader's functions by name.
+      // Whatever went wrong, in one sentence.
       sentence(error) {
-        const inner = /\byours (\d+\.\d+ \w+)/.exec(error.stack)?.[1] ?? running.at(-1), [, ours] = /^[^]*?\b(?:yours|ours (\d+\.\d+ \w+))/.exec(error.stack) ?? [];
-        const who = inner && ours ? `${inner} called ${ours}, which` : inner ?? nobody;
+        const name = running[0], file = files.get(parseInt(name, 10)), who = name ?? nobody;
         running = [];
-        if (error instanceof NotStarted) return `${who} isn't started: ${error.message}${error.message.endsWith('?') ? '' : '.'}`;
         if (error instanceof Stopped) return error.said(who);
-        if (error instanceof RangeError || /recursion/.test(error.message) || exports.__stack_pointer.value < 4096) return `${who} called itself, again and again, until the stack was full. When does it stop?`;
+        const { instance = null, printed = '' } = file ?? {};
+        if (instance?.isOutOfFuel || exports.fuel?.value < 0n) return endless(who);
+        if (error instanceof RangeError || /recursion/.test(error.message) || instance?.stackIsFull || exports.__stack_pointer.value < 4096) return `${who} called itself, again and again, until the stack was full. When does it stop?`;
+        if (checkIn(printed)) return failedCheck(who, checkIn(printed));
         return `${who} crashed: ${error.message}.`;
       },
     };
@@ -210,7 +268,7 @@
       answers.textContent = '';
       if (choose.hidden && 'mine' in figure.dataset) howToPlayOnes();
       if (whose === 'yours' && trouble()) return fail(trouble());
-      const fresh = await instantiate(await compile(whose === 'ours' ? playable[name] : mine()), whose === 'yours', section, broken);
+      const fresh = await instantiate(await compile(playable[name]), whose === 'yours' ? mine() : null, section, broken);
       if (start !== starts) return; // another one has overtaken this one
       world = fresh;
       Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false, down: false });

@@ -7,7 +7,7 @@ import os from 'node:os';
 import path from 'node:path';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { definedFunctions } from '../../tools/online/wasm.mjs';
+import { definedFunctions } from '../../tools/play/wasm.mjs';
 import { loadWords } from '../../tools/online/words.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');

@@ -59,9 +59,9 @@ std::vector<Section> sections_of_demo(const Workspace &workspace, const Section 
 std::string about_broken(const Workspace &workspace, const Section &section) {
     std::string lines;
     for (const Section &each : sections_of_demo(workspace, section))
-        if (read_file(earlier_object(workspace, section, each)).find("broken " + each.name) != std::string::npos)
-            lines += workspace.relative_name(workspace.exercise(each)) + " doesn't compile, so the demo has "
-                     + (workspace.has_solution(each) ? "our" : "no") + " functions of section " + each.short_number()
+        if (read_file(earlier_object(workspace, section, each)).starts_with("broken"))
+            lines += workspace.relative_name(workspace.exercise(each))
+                     + " doesn't compile, so the demo has our functions of section " + each.short_number()
                      + ": ./course check " + each.short_number() + " says why.\n";
     return lines;
 }

@@ -44,6 +44,8 @@ struct Sketch {
         play = workspace.work() / "play" / "sketches";
     }
     fs::path packed() const { return play / (name + ".js"); }
+    /// The reader's answers, which sketches may call.
+    fs::path answers() const { return play / "answers.js"; }
     fs::path page() const { return play / (name + ".html"); }
     /// Where docs/play.js looks for news, beside the page.
     fs::path news() const { return play / "demos" / (name + "_mine.js"); }
@@ -134,8 +136,8 @@ std::string playable(const std::string &name, const std::string &value) {
 
 /// What's compiled, for both sides of the page's switch.
 std::string compiled_script(const Sketch &sketch) {
-    return read_file(sketch.packed())
-           + playable(sketch.name, "self.playable[" + nlohmann::json(sketch.name + "/mine").dump() + "]");
+    return read_file(sketch.packed()) + read_file(sketch.answers())
+           + playable(sketch.name + "/mine", "self.playable[\"sketches/mine\"]");
 }
 
 /// @return whether it could be compiled

@@ -39,7 +39,6 @@ constexpr std::array not_in_a_handout{
     "tests/CMakeLists.txt",
     "tests/fresh_machine.sh",
     "tests/under_load.sh",
-    "tools/judge/page",
     "tools/online",
     "docs/instructors.md",
     "exercises/sketches",

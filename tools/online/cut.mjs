@@ -3,7 +3,7 @@
 // bit for each function in base 64; another training adds to it.
 import { createHash } from 'node:crypto';
 import fs from 'node:fs';
-import { countImports, section, withBodies, withSections } from './wasm.mjs';
+import { countImports, section, withBodies, withSections } from '../play/wasm.mjs';
 
 const list = new URL('called.txt', import.meta.url);
 const checksum = (bytes) => createHash('sha256').update(bytes).digest('hex');

@@ -1,9 +1,9 @@
 // A section's tests, a WebAssembly module, call the module that a reader's file became: each case in a new instance of it, by
 // the frames of tools/judge/protocol/wire.hpp. What goes wrong there is told as a process would have ended.
 import { ConsoleStdout, WASI, WASIProcExit } from '@bjorn3/browser_wasi_shim';
+import '../../docs/answers.js';
 
 const encoder = new TextEncoder(), decoder = new TextDecoder();
-const fuelPerSecond = 4e8; // see fuel.mjs
 const longestPrint = 4 << 20; // [bytes], as in judge/runner/student_process.hpp
 const silence = { ended: -1, late: -2 }; // -1 - StudentProcess::Silence
 const signals = { abort: 6, division: 8, printedTooMuch: 25 };
@@ -15,22 +15,17 @@ function outputs(write) {
   return [0, 1, 2].map(() => new ConsoleStdout(write));
 }
 
-// One instance of the reader's module.
-class Student {
-  #wasi;
-  #exports;
+// One instance of the reader's module, and what it prints.
+class Student extends courseAnswers.AnswerInstance {
   #printed = [];
   #size = 0;
-  spent = 0; // [s]
 
   constructor(module) {
-    this.#wasi = new WASI(['answer'], [], outputs((bytes) => this.#print(bytes)), { debug: false });
-    const instance = new WebAssembly.Instance(module, {
-      wasi_snapshot_preview1: this.#wasi.wasiImport,
-      env: { __cpp_exception: new WebAssembly.Tag({ parameters: ['i32'] }) },
-    });
-    this.#wasi.inst = instance;
-    this.#exports = instance.exports;
+    let print;
+    const wasi = new WASI(['answer'], [], outputs((bytes) => print(bytes)), { debug: false });
+    super(module, wasi.wasiImport);
+    wasi.inst = this.instance;
+    print = (bytes) => this.#print(bytes);
   }
   #print(bytes) {
     const room = longestPrint - this.#size;
@@ -46,43 +41,6 @@ class Student {
       at += part.length;
     }
     return all;
-  }
-
-  // Calls with what is left of so many seconds.
-  #within(seconds, work) {
-    const { fuel } = this.#exports, given = Math.max(0, Math.round((seconds - this.spent) * fuelPerSecond));
-    fuel.value = BigInt(given);
-    try {
-      work();
-    } finally {
-      this.spent += (given - Number(fuel.value)) / fuelPerSecond;
-    }
-  }
-  get isOutOfFuel() {
-    return this.#exports.fuel.value < 0n;
-  }
-
-  greet(seconds) {
-    this.#within(seconds, () => {
-      this.#exports._initialize();
-      this.#exports.course_greet();
-    });
-    return this.#reply();
-  }
-  answer(message, seconds) {
-    this.#within(seconds, () => {
-      const at = this.#exports.course_room(message.length); // which may move the memory
-      new Uint8Array(this.#exports.memory.buffer).set(message, at);
-      this.#exports.course_answer();
-    });
-    return this.#reply();
-  }
-  #reply() {
-    return new Uint8Array(this.#exports.memory.buffer, this.#exports.course_reply(), this.#exports.course_reply_size()).slice();
-  }
-  // Below its first kilobytes there is only the guard that the linker put there.
-  get stackIsFull() {
-    return this.#exports.__stack_pointer.value < 4096;
   }
 }
 

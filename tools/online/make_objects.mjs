@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { compilerFiles, courseFiles, llvmProgram } from './sources.mjs';
 import { compile, compileBehindHeader, compileHeader, folder, precompile } from './toolchain.mjs';
-import { weakened } from './wasm.mjs';
+import { weakened } from '../play/wasm.mjs';
 
 const [eigen, out, section] = process.argv.slice(2);
 const llvm = new WebAssembly.Module(llvmProgram()), files = [...compilerFiles(), ...courseFiles(eigen)];

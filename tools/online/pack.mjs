@@ -1,5 +1,5 @@
 // Files as one: the length of a list, the list [[path, size]…] as JSON, and all bytes.
-import { joined } from './wasm.mjs';
+import { joined } from '../play/wasm.mjs';
 
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 

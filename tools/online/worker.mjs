@@ -1,11 +1,11 @@
 // A worker of a page: compiles a reader's file, links it, has the tests call it, and tells what the terminal would print.
-import { withFuel } from './fuel.mjs';
+import { withFuel } from '../play/fuel.mjs';
 import { judge } from './judge.mjs';
 import { cacheOf } from './kept.mjs';
 import { load } from './load.mjs';
 import { unpack } from './pack.mjs';
 import { compileAnswer, folder, link } from './toolchain.mjs';
-import { definedFunctions } from './wasm.mjs';
+import { definedFunctions } from '../play/wasm.mjs';
 import { loadWords } from './words.mjs';
 
 const seed = 2026; // as in `./course check`

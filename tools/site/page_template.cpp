@@ -151,8 +151,10 @@ class Surroundings {
         for (const GallerySketch &sketch : sketches)
             if (contains(body, "data-demo=\"" + sketch.demo + '"'))
                 scripts += "<script src=\"" + sketch.script() + "\"></script>\n";
-        return scripts.empty() ? ""
-                               : scripts + "<script src=\"draw.js\"></script>\n<script src=\"play.js\"></script>\n";
+        if (scripts.empty()) return "";
+        for (const std::string name : {"draw", "answers", "play"})
+            scripts += "<script src=\"" + name + ".js\"></script>\n";
+        return scripts;
     }
 
     std::string sidebar(const SitePage &page) const {

@@ -60,7 +60,7 @@ std::string page_of(const Workspace &workspace, const std::string &title, const 
                     const std::string &words, const std::string &compiled) {
     std::string page = head + ("<title>" + escaped(title) + "</title>\n") + style(workspace)
                        + script(of_site(workspace, "theme.js")) + "<main>\n" + figure + words + "</main>\n" + compiled;
-    for (const char *each : {"draw.js", "play.js"}) page += script(of_site(workspace, each));
+    for (const char *each : {"draw.js", "answers.js", "play.js"}) page += script(of_site(workspace, each));
     return page + "</html>\n";
 }
 

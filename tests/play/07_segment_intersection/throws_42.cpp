@@ -1,4 +1,4 @@
-// the page says: 7.4 move_and_bounce threw a number.
+// the page says: 7.4 move_and_bounce threw the number 42.
 #include "segment_intersection.hpp"
 
 namespace segment_intersection {

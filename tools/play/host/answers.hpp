@@ -1,5 +1,5 @@
 #pragma once
-// The same for a file that has exercises in it. COURSE_ANSWERS is "ours" or "yours": it defines "ours 7.4 move_and_bounce".
+// The same for our answers: a file with exercises in it defines "ours 7.4 move_and_bounce".
 // COURSE_IF_CALLED: what is exported is what a page may call, which tools/play/link.cjs finds out.
 #include "interface.hpp"
 
@@ -15,6 +15,5 @@
 #undef COURSE_EXERCISE
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
     }                                                                                                                  \
-    decltype(function) function __asm__(COURSE_ANSWERS " " number " " #function)                                       \
-        COURSE_EXPORT(COURSE_ANSWERS " " number " " #function);                                                        \
+    decltype(function) function __asm__("ours " number " " #function) COURSE_EXPORT("ours " number " " #function);     \
     namespace subject {
