@@ -24,13 +24,17 @@
     return button;
   }
 
-  // What's compiled, each unpacked once: base64 of gzip, because a page from disk may read scripts and nothing else; or a module.
-  const compiled = {};
-  const compile = (text) => (text instanceof WebAssembly.Module ? text : compiled[text] ??= (async () => {
+  // What's compiled, each made ready once: base64 of gzip, because a page from disk may read scripts and nothing else; or bytes.
+  const ofTexts = new Map(), ofBytes = new WeakMap();
+  async function unpack(text) {
     const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-    return WebAssembly.compile(await new Response(stream).arrayBuffer());
-  })());
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+  }
+  function compile(packed) {
+    const isText = typeof packed === 'string', compiled = isText ? ofTexts : ofBytes;
+    if (!compiled.has(packed)) compiled.set(packed, (async () => WebAssembly.compile(isText ? await unpack(packed) : packed))());
+    return compiled.get(packed);
+  }
 
   // What stops a demo: `said` makes a sentence of it, given the exercise that it happened in.
   class Stopped extends Error {
@@ -68,10 +72,14 @@
     return !file ? 'not in your file' : !file.module ? `${file.name}.cpp doesn't compile` : parseInt(number, 10) === section || isDone(number) ? '' : notDone;
   }
 
-  // The reader's files, as modules that answer calls. `packed` has each by its section's name, or null where it doesn't compile.
-  async function filesOf(packed) {
+  // The reader's files of these sections, as modules that answer calls. `packed` has each by its section's name, or null where it
+  // doesn't compile.
+  async function filesOf(packed, sections) {
     const files = new Map();
-    for (const [name, text] of Object.entries(packed)) files.set(parseInt(name, 10), { name, module: text && await compile(text), instance: null, calls: 0, printed: '' });
+    for (const [name, file] of Object.entries(packed)) {
+      const section = parseInt(name, 10);
+      if (sections.has(section)) files.set(section, { name, module: file && await compile(file), instance: null, calls: 0, printed: '' });
+    }
     return files;
   }
 
@@ -80,7 +88,8 @@
   async function instantiate(module, packed, section, broken) {
     const isSketch = Number.isNaN(section), nobody = isSketch ? 'Your sketch' : 'The demo'; // stopped outside of the reader's functions
     const called = new Map(), fallen = new Map(); // what was called, and when last; what ours stand in for, and why
-    const files = await filesOf(packed ?? {});
+    const names = WebAssembly.Module.imports(module).filter(({ module: from }) => from === 'exercises').map(({ name }) => name).sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
+    const files = await filesOf(packed ?? {}, new Set(names.map((name) => parseInt(name, 10))));
     let running = [], clock = 0, exports, answer;
     const text = (from) => {
       const bytes = new Uint8Array(exports.memory.buffer);
@@ -140,7 +149,6 @@
       if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which doesn't exist in a page.`);
     }
     exports = (await WebAssembly.instantiate(module, imports)).exports;
-    const names = Object.keys(imports.exercises).sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
     function lookWhoseTheyAre() {
       for (const name of packed ? names : []) {
         const why = whyOurs(name, section, files.get(parseInt(name, 10)));

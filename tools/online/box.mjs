@@ -4,6 +4,7 @@ import { Code } from './code.mjs';
 import { download, asZip, read } from './files.mjs';
 import { make, makeButton } from './elements.mjs';
 import { findPiece } from './pieces.mjs';
+import { keepModule } from './scenes.mjs';
 import { asElements, asPicture } from './verdict.mjs';
 
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
@@ -98,11 +99,17 @@ export class Box {
     this.checkButton.textContent = 'Check';
     this.step.hidden = this.bar.hidden = true;
   }
-  showProgress({ step, loaded, total }) {
+  showProgress({ step, loaded, total, module }) {
+    if (module) this.playOn(module);
     this.step.hidden = false;
     this.bar.hidden = step !== 'load';
     this.step.textContent = step === 'load' ? `${steps.load}, this once: ${megabytes(loaded)} of ${megabytes(total)} MB` : `${steps[step]} …`;
     if (step === 'load') Object.assign(this.bar, { max: total, value: loaded });
+  }
+
+  // The page's scenes run on what was compiled, even if its tests turn out red.
+  playOn(module) {
+    keepModule(this.section, this.answer.text === this.answer.stub ? null : module).catch(console.error);
   }
 
   async startAgain() {

@@ -12,7 +12,7 @@ export class Checker {
   }
 
   // Judges an exercise, or all of a section's ('').
-  // progress: called with { step: 'load', loaded, total } in bytes, or { step: 'compile' | 'link' | 'test' }
+  // progress: called with { step: 'load', loaded, total } in bytes, or { step: 'compile' | 'link' }, or { step: 'test', module: what is tested, as bytes }
   check({ section, exercise, text, progress = () => {} }) {
     this.#worker ??= this.#start();
     const id = ++this.#number;

@@ -5,6 +5,7 @@ import { Box } from './box.mjs';
 import { make } from './elements.mjs';
 import { keepSite, tellOfNewer } from './keeping.mjs';
 import { load } from './load.mjs';
+import { showScenes } from './scenes.mjs';
 import { Store } from './store.mjs';
 import { followTicks, showTicks } from './ticks.mjs';
 import { whyNot } from './able.mjs';
@@ -86,4 +87,4 @@ for (const box of boxes) {
   else tellWhyNot(place, box.dataset.exercise, whyNot());
 }
 tellOfNewer();
-opened?.then(followTicks).catch(() => { /* said in each box */ });
+opened?.then(followTicks).then(showScenes).catch(() => { /* said in each box */ });

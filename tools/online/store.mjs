@@ -5,7 +5,7 @@ import { follow } from './pieces.mjs';
 
 const mostCopies = 50;
 
-const asPromise = (request) => new Promise((done, failed) => {
+export const asPromise = (request) => new Promise((done, failed) => {
   request.onsuccess = () => done(request.result);
   request.onerror = () => failed(request.error);
 });

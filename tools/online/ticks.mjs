@@ -1,4 +1,5 @@
 // What the reader has done here, as the store knows it, laid over what progress.js says: docs/done.js shows it.
+import { showScenes } from './scenes.mjs';
 import { Store } from './store.mjs';
 
 // The same shape as progress.js has it (tools/site/progress_script.cpp), with the states of these records, and where to go
@@ -41,4 +42,4 @@ export function followTicks(store) {
 }
 
 // For a page without exercises.
-export const start = () => Store.open().then(followTicks).catch(() => { /* a browser that keeps nothing: nothing is done */ });
+export const start = () => Store.open().then(followTicks).then(showScenes).catch(() => { /* a browser that keeps nothing: nothing is done */ });

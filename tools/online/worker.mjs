@@ -90,9 +90,9 @@ async function check({ section, exercise, text }) {
   tell({ step: 'link' });
   const linked = await compilerStep((llvm) => link(llvm, parts.shared, compiled.object, parts.objects));
   if (linked.code !== 0) return report({ ...about, step: 'not linked', compiler: linked.said || linked.trapped });
-  tell({ step: 'test' });
-  const verdicts = [];
-  judge(parts.tests, await WebAssembly.compile(withFuel(linked.linked)), exercise, seed, (verdict) => verdicts.push(verdict));
+  const module = withFuel(linked.linked), verdicts = [];
+  tell({ step: 'test', module });
+  judge(parts.tests, await WebAssembly.compile(module), exercise, seed, (verdict) => verdicts.push(verdict));
   return report({ ...about, step: 'compiled', compiler: compiled.said, verdicts, symbols });
 }
 

@@ -1,0 +1,33 @@
+// A page's scenes run on the reader's functions, once a file of theirs has been compiled here: the module that it became is kept, by
+// its section's name, until it's compiled again. In a database of its own, which may be lost.
+import { asPromise } from './store.mjs';
+
+let database;
+async function modules(mode) {
+  database ??= (() => {
+    const request = indexedDB.open('frame-by-frame-modules', 1);
+    request.onupgradeneeded = () => request.result.createObjectStore('modules');
+    return asPromise(request);
+  })();
+  return (await database).transaction('modules', mode).objectStore('modules');
+}
+
+// bytes: null where nothing of a section is the reader's any more
+export async function keepModule(section, bytes) {
+  const kept = await modules('readwrite');
+  await asPromise(bytes ? kept.put(bytes, section) : kept.delete(section));
+  await showScenes();
+}
+
+// docs/play.js runs a demo on what stands in `playable` as the reader's: modules by their sections' names.
+export async function showScenes() {
+  const kept = await modules('readonly'), [names, all] = await Promise.all([asPromise(kept.getAllKeys()), asPromise(kept.getAll())]);
+  const answers = Object.fromEntries(names.map((name, at) => [name, all[at]]));
+  const figures = [...document.querySelectorAll('.play')];
+  for (const demo of new Set(figures.map(({ dataset }) => dataset.demo))) {
+    const mine = `${demo}/mine`, isTheirs = Boolean(answers[demo]);
+    if (!self.playable || (!isTheirs && !self.playable[mine])) continue;
+    self.playable[mine] = isTheirs ? answers : null;
+    for (const figure of figures) if (figure.dataset.demo === demo) figure.dispatchEvent(new Event('play-again'));
+  }
+}
