@@ -14,22 +14,26 @@ const tolerance = /^07_/.test(name) ? 0 : /^10_/.test(name) ? 1e-6 : 1e-9;
 
 const module = new WebAssembly.Module(gunzipSync(Buffer.from(packed, 'base64')));
 const text = (from) => Buffer.from(world.memory.buffer).subarray(from, Buffer.from(world.memory.buffer).indexOf(0, from)).toString();
+const nobody = () => { throw new Error('asked for a function of a reader, and there is none'); };
 const imports = {
-  play: { thrown: (type, what) => { throw new Error(`${text(type)}: ${text(what)}`); } },
+  play: { thrown: (type, what) => { throw new Error(`${text(type)}: ${text(what)}`); }, take: nobody },
   exercises: {},
+  yours: {},
   wasi_snapshot_preview1: new Proxy({}, { get: () => () => 52 }),
 };
-for (const { module: from, name: called } of WebAssembly.Module.imports(module))
+for (const { module: from, name: called } of WebAssembly.Module.imports(module)) {
   if (from === 'exercises') imports.exercises[called] = (...values) => world[`ours ${called}`](...values);
+  if (from === 'yours') imports.yours[called] = nobody;
+}
 const world = new WebAssembly.Instance(module, imports).exports;
 world._initialize();
 
 const seen = (address) => reader(new Float64Array(world.memory.buffer, address));
 function frame(...input) {
-  const rest = seen(world.frame(...input, 1e9)), { shapes } = frameOf(rest);
+  const rest = seen(world.frame(...input)), { shapes } = frameOf(rest);
   return { row: rest.taken(), handles: shapes.filter(({ kind }) => kind === 'handle').flatMap(({ points }) => points).length };
 }
-const about = aboutOf(seen(world.begin(1e9)));
+const about = aboutOf(seen(world.begin()));
 
 let state = 7;
 const chance = () => (state = (state * 48271) % 2147483647) / 2147483647;
