@@ -86,6 +86,19 @@ foreach(section ${COURSE_SECTIONS})
   list(APPEND sections ${section}=${earlier})
 endforeach()
 
+# What a sketch in a page is linked with; our functions as modules that it asks; and the book's scenes, to begin with.
+file(GLOB hosts CONFIGURE_DEPENDS tools/play/host/*.[ch]pp chapters/*.hpp chapters/*/*.hpp chapters/*/scenes/*.hpp docs/gallery/*.cpp)
+add_custom_command(OUTPUT ${objects}/sketches.o COMMAND ${make_objects} sketches DEPENDS ${common} ${hosts} VERBATIM COMMENT "Compiling what sketches are linked with in pages")
+add_custom_command(OUTPUT ${online}/scenes.json COMMAND course-tool make-scenes > ${online}/scenes.json DEPENDS course-tool ${hosts} VERBATIM COMMENT "")
+list(APPEND parts ${objects}/sketches.o ${online}/scenes.json)
+set(play ${PROJECT_BINARY_DIR}/play)
+file(MAKE_DIRECTORY ${online}/ours)
+foreach(section ${COURSE_SECTIONS})
+  answer_entry(entry ${section} ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${play}/${section}_answers.o)
+  pack_answers(${online}/ours/${section}.js ours/${section} ${entry})
+  list(APPEND parts ${online}/ours/${section}.js)
+endforeach()
+
 add_custom_target(online-parts DEPENDS ${parts})
 
 # All that a page loads, and the site with it.

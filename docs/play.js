@@ -83,14 +83,18 @@
     return files;
   }
 
+  // Our functions where they aren't linked with what calls them: `playable` has a script of each section's.
+  const oursApart = () => Object.assign({}, ...Object.entries(playable).filter(([name]) => name.startsWith('ours/')).map(([, file]) => file));
+
   // A world: a demo of this section that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
   // packed: the reader's files, or null where all are ours. Those whose names are in `broken` are one of our wrong answers, where the demo has one.
   async function instantiate(module, packed, section, broken) {
     const isSketch = Number.isNaN(section), nobody = isSketch ? 'Your sketch' : 'The demo'; // stopped outside of the reader's functions
     const called = new Map(), fallen = new Map(); // what was called, and when last; what ours stand in for, and why
-    const names = WebAssembly.Module.imports(module).filter(({ module: from }) => from === 'exercises').map(({ name }) => name).sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
-    const files = await filesOf(packed ?? {}, new Set(names.map((name) => parseInt(name, 10))));
-    let running = [], clock = 0, exports, answer;
+    const imported = WebAssembly.Module.imports(module), asksFor = imported.filter(({ module: from }) => ['exercises', 'yours'].includes(from)).map(({ name }) => name);
+    const names = [...new Set(asksFor)].sort((a, b) => a.localeCompare(b, 'en', { numeric: true })), sections = new Set(names.map((name) => parseInt(name, 10)));
+    const files = await filesOf(packed ?? {}, sections), apart = await filesOf(oursApart(), sections);
+    let running = [], clock = 0, exports, answer, printed = '';
     const text = (from) => {
       const bytes = new Uint8Array(exports.memory.buffer);
       return new TextDecoder().decode(bytes.slice(from, bytes.indexOf(0, from)));
@@ -111,13 +115,17 @@
       return (broken.has(name) ? exports[`wrong ${name}`] : ours ?? stop(() => `${name} can't be played: ${fallen.get(name)}.`))(...values);
     }
 
-    // The reader's function answers, and how many bytes; -1 for one of ours instead.
+    // The reader's function answers, and how many bytes, or ours from a module of its own; -1 for one that's linked with the demo.
     function callYours(name, at, size) {
       called.set(name, clock);
-      if (broken.has(name) || fallen.has(name)) return -1;
-      const file = files.get(parseInt(name, 10)), index = Number(name.split(' ')[0].split('.')[1]) - 1;
+      const section = parseInt(name, 10), values = new Uint8Array(exports.memory.buffer, at, size).slice();
+      const answered = packed && !broken.has(name) && !fallen.has(name) ? ask(files.get(section), name, values) : -1;
+      return answered < 0 && apart.has(section) ? ask(apart.get(section), name, values) : answered;
+    }
+    function ask(file, name, values) {
+      const index = Number(name.split(' ')[0].split('.')[1]) - 1;
       running.push(name);
-      const { kind, value, words: [what, more] } = readReply(reply(file, callFrame(++file.calls, index, new Uint8Array(exports.memory.buffer, at, size))));
+      const { kind, value, words: [what, more] } = readReply(reply(file, callFrame(++file.calls, index, values)));
       if (kind === 'missing') fallen.set(name, 'not in your file');
       else if (kind === 'not yet') fallen.set(name, needs(name, more));
       else if (kind === 'refused') stop((who) => `${who} refused its input: ${what}.`);
@@ -141,12 +149,13 @@
     const imports = {
       play: { thrown, take: (to) => new Uint8Array(exports.memory.buffer).set(answer, to) },
       exercises: {}, yours: {}, env: {},
-      wasi_snapshot_preview1: quiet(() => exports.memory.buffer),
+      wasi_snapshot_preview1: quiet(() => exports.memory.buffer, (words) => (printed += words)),
     };
-    for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+    for (const { module: from, name, kind } of imported) {
       if (from === 'exercises') imports.exercises[name] = (...values) => call(name, values);
       if (from === 'yours') imports.yours[name] = (at, size) => callYours(name, at, size);
-      if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which doesn't exist in a page.`);
+      if (kind === 'tag') imports.env[name] = new WebAssembly.Tag({ parameters: ['i32'] });
+      else if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which doesn't exist in a page.`);
     }
     exports = (await WebAssembly.instantiate(module, imports)).exports;
     function lookWhoseTheyAre() {
@@ -158,7 +167,7 @@
     }
     lookWhoseTheyAre();
     function refuel() {
-      for (const { instance } of files.values()) if (instance) instance.spent = 0;
+      for (const { instance } of [...files.values(), ...apart.values()]) if (instance) instance.spent = 0;
       if (exports.fuel) exports.fuel.value = BigInt(fuelPerSecond * longestFrame); // of a sketch
     }
 
@@ -173,7 +182,7 @@
       canBreak: (name) => `wrong ${name}` in exports,
       calledWithin: (name, seconds) => clock - called.get(name) < seconds,
       initialize() {
-        if (packed) exports.ask_reader();
+        if (packed || apart.size > 0) exports.ask_reader();
         refuel();
         exports._initialize(); // the demo's own constants may call exercises
       },
@@ -195,10 +204,10 @@
         const name = running[0], file = files.get(parseInt(name, 10)), who = name ?? nobody;
         running = [];
         if (error instanceof Stopped) return error.said(who);
-        const { instance = null, printed = '' } = file ?? {};
+        const { instance = null, printed: heard } = file ?? { printed };
         if (instance?.isOutOfFuel || exports.fuel?.value < 0n) return endless(who);
         if (error instanceof RangeError || /recursion/.test(error.message) || instance?.stackIsFull || exports.__stack_pointer.value < 4096) return `${who} called itself, again and again, until the stack was full. When does it stop?`;
-        if (checkIn(printed)) return failedCheck(who, checkIn(printed));
+        if (checkIn(heard)) return failedCheck(who, checkIn(heard));
         return `${who} crashed: ${error.message}.`;
       },
     };
@@ -595,7 +604,7 @@
     addEventListener('progress', () => world && (world.lookWhoseTheyAre(), hung.forEach(light)));
     figure.addEventListener('play-again', () => (whose = 'yours', restart()));
     await restart();
-    if (isSketch && 'mine' in figure.dataset) canvas.focus({ preventScroll: true, focusVisible: false }); // so that it hears keys
+    if (isSketch && 'mine' in figure.dataset && document.activeElement === document.body) canvas.focus({ preventScroll: true, focusVisible: false }); // so that it hears keys
     figure.dataset.ready = '';
   }
 
@@ -630,6 +639,7 @@
 
   const all = [...document.querySelectorAll('.play')].filter(({ dataset }) => playable[dataset.demo]);
   for (const figure of all) play(figure);
+  self.playFigure = play; // for one that comes later
   for (const name of new Set(all.map(({ dataset }) => dataset.demo)))
     if (`${name}/trouble` in playable) setInterval(() => document.hidden || lookForNews(name), 1000);
 })();

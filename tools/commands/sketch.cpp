@@ -199,6 +199,16 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
     if (!fine) throw ExitRequest{something_to};
 }
 
+/// For pages: what a sketch may begin with, as text: { "07_segment_intersection": { "bounces (7.4)": … }, "gallery": { … }, "new": … }.
+void print_scenes(const Workspace &workspace) {
+    nlohmann::json all{{"new", first_sketch("mine")}};
+    for (const Section &section : workspace.sections())
+        for (const auto &[name, file] : scenes_of(workspace, section))
+            all[section.name][name] = sketch_of(workspace, section.short_number() + '/' + name);
+    for (const GallerySketch &each : gallery(workspace)) all["gallery"][each.name] = read_file(each.file);
+    std::cout << all.dump() << '\n';
+}
+
 } // namespace
 
 std::string first_sketch(const std::string &name) {
@@ -241,6 +251,9 @@ void add_sketch(CLI::App &app, const Workspace &workspace) {
     command->add_flag("--yes", options->yes, "install a compiler for pages without asking, if there is none");
     command->footer(about_sketch);
     command->callback([&workspace, options] { sketch_for(workspace, *options); });
+    app.add_subcommand("make-scenes", "Print the book's scenes as sketches, for pages")
+        ->group("")
+        ->callback([&workspace] { print_scenes(workspace); });
 }
 
 } // namespace course

@@ -4,11 +4,10 @@ import { Code } from './code.mjs';
 import { download, asZip, read } from './files.mjs';
 import { make, makeButton } from './elements.mjs';
 import { findPiece } from './pieces.mjs';
+import { showProgress } from './progress.mjs';
 import { keepModule } from './scenes.mjs';
 import { asElements, asPicture } from './verdict.mjs';
 
-const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
-const steps = { load: 'Loading the compiler', compile: 'Compiling', link: 'Linking', test: 'Running the tests' };
 const linesIn = (text) => text.split('\n').length - 1;
 let made = 0;
 
@@ -87,7 +86,7 @@ export class Box {
     this.picture.replaceChildren();
     try {
       await this.answer.save();
-      const result = await this.checks.run({ section: this.section, exercise: this.exercise, text: this.answer.text, progress: (now) => this.showProgress(now) });
+      const result = await this.checks.run('check', { section: this.section, exercise: this.exercise, text: this.answer.text, progress: (now) => this.hear(now) });
       this.verdict.replaceChildren(...asElements(result.text, this.section, (line) => this.go(line, result.place?.line === line ? result.place.column : 1)));
       const picture = result.picture && asPicture(result.picture);
       if (picture) this.picture.append(picture);
@@ -99,12 +98,9 @@ export class Box {
     this.checkButton.textContent = 'Check';
     this.step.hidden = this.bar.hidden = true;
   }
-  showProgress({ step, loaded, total, module }) {
-    if (module) this.playOn(module);
-    this.step.hidden = false;
-    this.bar.hidden = step !== 'load';
-    this.step.textContent = step === 'load' ? `${steps.load}, this once: ${megabytes(loaded)} of ${megabytes(total)} MB` : `${steps[step]} …`;
-    if (step === 'load') Object.assign(this.bar, { max: total, value: loaded });
+  hear(now) {
+    if (now.module) this.playOn(now.module);
+    showProgress(this, now);
   }
 
   // The page's scenes run on what was compiled, even if its tests turn out red.

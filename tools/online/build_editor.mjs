@@ -1,5 +1,6 @@
 // Makes the scripts and the stylesheet of the online edition's pages: node build_editor.mjs OUT
 //   OUT/editor.js, OUT/editor.css   for pages with exercises
+//   OUT/sketch.js                   for the page about sketches
 //   OUT/ticks.js                    for all others
 //   OUT/checker.js, OUT/worker.js   what compiles and judges: the editor asks for it at the first Check
 //   OUT/service_worker.js           what keeps the site, after it
@@ -42,7 +43,7 @@ function licences(inputs) {
 
 const bundle = (entryPoints, format) => build({ absWorkingDir: here, entryPoints, outdir: path.resolve(out), bundle: true, minify: true, format, target: 'es2022', metafile: true });
 // What pages load is no module, which a page that was opened as a file can't load: it is to say so.
-const bundles = await Promise.all([bundle({ editor: 'editor.mjs', ticks: 'ticks_page.mjs', service_worker: 'service_worker.mjs' }, 'iife'), bundle({ checker: 'checker.mjs', worker: 'worker.mjs' }, 'esm')]);
+const bundles = await Promise.all([bundle({ editor: 'editor.mjs', sketch: 'sketch.mjs', ticks: 'ticks_page.mjs', service_worker: 'service_worker.mjs' }, 'iife'), bundle({ checker: 'checker.mjs', worker: 'worker.mjs' }, 'esm')]);
 const { code } = await transform(styleOfPictures() + fs.readFileSync(path.join(here, 'editor.css'), 'utf8'), { loader: 'css', minify: true });
 fs.writeFileSync(path.join(out, 'editor.css'), code);
 fs.writeFileSync(path.join(out, 'editor_licences.txt'), licences(Object.assign({}, ...bundles.map(({ metafile }) => metafile.inputs))));

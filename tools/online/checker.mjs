@@ -13,12 +13,20 @@ export class Checker {
 
   // Judges an exercise, or all of a section's ('').
   // progress: called with { step: 'load', loaded, total } in bytes, or { step: 'compile' | 'link' }, or { step: 'test', module: what is tested, as bytes }
-  check({ section, exercise, text, progress = () => {} }) {
+  check({ section, exercise, text, progress }) {
+    return this.#ask({ section, exercise, text }, progress);
+  }
+  // Compiles a sketch: { module, as bytes }, or as a check says that it can't: { text, place }.
+  sketch({ text, progress }) {
+    return this.#ask({ text }, progress);
+  }
+
+  #ask(task, progress = () => {}) {
     this.#worker ??= this.#start();
     const id = ++this.#number;
     return new Promise((resolve, reject) => {
       this.#waiting.set(id, { resolve, reject, progress });
-      this.#worker.postMessage({ id, section, exercise, text });
+      this.#worker.postMessage({ id, ...task });
     });
   }
 

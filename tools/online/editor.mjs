@@ -2,10 +2,10 @@
 // first Check nothing of the compiler is loaded.
 import { Answer } from './answer.mjs';
 import { Box } from './box.mjs';
+import { checks } from './checks.mjs';
 import { make } from './elements.mjs';
-import { keepSite, tellOfNewer } from './keeping.mjs';
-import { load } from './load.mjs';
-import { showScenes } from './scenes.mjs';
+import { tellOfNewer } from './keeping.mjs';
+import { offerChanges, showScenes } from './scenes.mjs';
 import { Store } from './store.mjs';
 import { followTicks, showTicks } from './ticks.mjs';
 import { whyNot } from './able.mjs';
@@ -19,38 +19,6 @@ function tellWhyNot(place, exercise, why) {
   place.className = 'cannot';
   place.replaceChildren(`You can’t write here: ${why}. In a terminal, this does the same: `, make('code', {}, `./course check ${exercise}`));
 }
-
-// A script that can't be had doesn't tell why.
-const loadScript = (name) => import(new URL(name, base).href).catch(async (error) => {
-  await load(new URL(name, base), 'the compiler');
-  throw error;
-});
-
-// One check at a time, whichever box asked for it. The checker, and with it the compiler, comes with the first.
-const checks = {
-  checker: null,
-  running: null,
-  async run(task) {
-    if (!this.checker) {
-      const { Checker } = await loadScript('checker.js');
-      this.checker ??= new Checker(base.href);
-    }
-    if (this.running) this.stop();
-    const running = this.checker.check(task);
-    this.running = running;
-    try {
-      const result = await running;
-      keepSite(base);
-      return result;
-    } finally {
-      if (this.running === running) this.running = null;
-    }
-  },
-  stop() {
-    this.checker?.stop();
-    this.running = null;
-  },
-};
 
 // What all boxes share; read once, for the first of them.
 let shared = null;
@@ -87,4 +55,5 @@ for (const box of boxes) {
   else tellWhyNot(place, box.dataset.exercise, whyNot());
 }
 tellOfNewer();
+if (opened) offerChanges();
 opened?.then(followTicks).then(showScenes).catch(() => { /* said in each box */ });

@@ -35,6 +35,10 @@ function section(name, earlier) {
     ...['server', 'missing'].map((part) => object(`${name}_${part}.o`)), ...earlier.map((one) => object(`${one}_ours.o`))]);
 }
 
+const names = sections.map((each) => each.split('=')[0]);
+// Of sketches: all sections' headers, and what one is linked with.
+const sketches = () => pack([...names.map((name) => source(`chapters/${name}/${name.slice(3)}.hpp`)), object('sketches.o')]);
+
 const compiler = llvmProgram();
 const manifest = {
   compiler: save('compiler', cut(compiler, loadCalled(compiler))),
@@ -42,6 +46,10 @@ const manifest = {
   header: save('header', made('objects/quick.pch')),
   files: save('files', pack(files())),
   words: save('words', made('words.wasm')),
+  sketches: save('sketches', sketches()),
   sections: Object.fromEntries(sections.map((each) => each.split('=')).map(([name, earlier]) => [name, save(name, section(name, earlier.split(',').filter(Boolean)))])),
 };
 fs.writeFileSync(path.join(out, 'manifest.json'), JSON.stringify(manifest));
+
+// What the page about sketches loads as it is: scenes to begin with, and our functions.
+for (const file of ['scenes.json', ...names.map((name) => `ours/${name}.js`)]) fs.copyFileSync(path.join(built, file), path.join(out, file.replace('/', '_')));

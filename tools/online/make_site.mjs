@@ -22,7 +22,7 @@ fs.rmSync(out, { recursive: true, force: true });
 fs.cpSync(site, out, { recursive: true });
 for (const file of fs.readdirSync(out).filter((name) => name.endsWith('.html'))) {
   const page = path.join(out, file);
-  fs.writeFileSync(page, onlinePage(fs.readFileSync(page, 'utf8'), folder));
+  fs.writeFileSync(page, onlinePage(fs.readFileSync(page, 'utf8'), folder, file));
 }
 // Whoever makes the site may have done some exercises: its readers haven't.
 const progress = path.join(out, 'progress.js');

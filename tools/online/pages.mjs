@@ -12,13 +12,21 @@ const policy = [
   "form-action 'none'",
 ].join('; ');
 
-// The same page with the editor, if it has exercises, or else with ticks for what is done. They lie in this folder.
-export function onlinePage(html, folder) {
-  const charset = '<meta charset="utf-8">', end = '</head>';
+const script = (name) => `<script src="${name}" defer></script>\n`;
+const style = (name) => `<link rel="stylesheet" href="${name}">\n`;
+
+// What a page gets of this folder: the editor in its boxes, if it has exercises; a place for sketches, if it is the one about them; or
+// else ticks for what is done.
+function additions(html, file, folder) {
+  const own = (name) => `${folder}/${name}`;
+  if (file === 'sketches.html') return style('play.css') + style(own('editor.css')) + ['draw.js', 'answers.js', 'play.js', own('ticks.js'), own('sketch.js')].map(script).join('');
+  return /class="turn"[^>]* data-exercise=/.test(html) ? style(own('editor.css')) + script(own('editor.js')) : script(own('ticks.js'));
+}
+
+// The same page in the online edition.
+export function onlinePage(html, folder, file = '') {
+  const charset = '<meta charset="utf-8">', end = '</head>', heading = '</h1>';
   if (!html.includes(charset) || !html.includes(end)) throw new Error(`a page has no ${charset} or no ${end}: ${html.slice(0, 100)}`);
-  const isExercise = /class="turn"[^>]* data-exercise=/.test(html);
-  const scripts = isExercise
-    ? `<link rel="stylesheet" href="${folder}/editor.css">\n<script src="${folder}/editor.js" defer></script>\n`
-    : `<script src="${folder}/ticks.js" defer></script>\n`;
-  return html.replace(charset, `${charset}\n<meta http-equiv="Content-Security-Policy" content="${policy}">`).replace(end, scripts + end);
+  const changed = file === 'sketches.html' ? html.replace(heading, `${heading}\n<div id="sketch"></div>`) : html;
+  return changed.replace(charset, `${charset}\n<meta http-equiv="Content-Security-Policy" content="${policy}">`).replace(end, additions(html, file, folder) + end);
 }

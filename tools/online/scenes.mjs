@@ -1,5 +1,6 @@
 // A page's scenes run on the reader's functions, once a file of theirs has been compiled here: the module that it became is kept, by
 // its section's name, until it's compiled again. In a database of its own, which may be lost.
+import { make } from './elements.mjs';
 import { asPromise } from './store.mjs';
 
 let database;
@@ -25,9 +26,22 @@ export async function showScenes() {
   const answers = Object.fromEntries(names.map((name, at) => [name, all[at]]));
   const figures = [...document.querySelectorAll('.play')];
   for (const demo of new Set(figures.map(({ dataset }) => dataset.demo))) {
-    const mine = `${demo}/mine`, isTheirs = Boolean(answers[demo]);
+    const mine = `${demo}/mine`, isTheirs = Boolean(answers[demo]) || (demo === 'sketch' && names.length > 0);
     if (!self.playable || (!isTheirs && !self.playable[mine])) continue;
     self.playable[mine] = isTheirs ? answers : null;
     for (const figure of figures) if (figure.dataset.demo === demo) figure.dispatchEvent(new Event('play-again'));
   }
+}
+
+// Beside each scene a link to its code, in the page about sketches.
+export function offerChanges() {
+  for (const figure of document.querySelectorAll('.play:not(.suspects *)')) {
+    const link = make('a', { textContent: 'Change it', href: 'sketches.html', onclick: () => (link.href = `sketches.html#from=${encodeURIComponent(sceneOf(figure))}`) });
+    figure.append(make('p', { className: 'change' }, link));
+  }
+}
+// The one that the reader has chosen in it.
+function sceneOf(figure) {
+  const { demo } = figure.dataset;
+  return demo.startsWith('sketch_') ? `gallery/${demo.slice(7)}` : `${demo}/${figure.querySelector('fieldset :checked + span')?.textContent ?? ''}`;
 }

@@ -10,7 +10,7 @@ export const llvmProgram = () => fs.readFileSync(new URL('llvm.core.wasm', llvm)
 
 // The stub of each section, as the editor gets them: ours, or those of a handout.
 export const stubs = (from = root) => Object.fromEntries(sections().map((name) => [name, { stub: fs.readFileSync(path.join(from, 'tests', name, 'stub.cpp'), 'utf8') }]));
-const sections = () => fs.readdirSync(path.join(root, 'tests')).filter((name) => /^\d\d_/.test(name)).sort();
+export const sections = () => fs.readdirSync(path.join(root, 'tests')).filter((name) => /^\d\d_/.test(name)).sort();
 
 // Of the archive with the compiler's own headers and libraries: [path, bytes] pairs.
 function* archived() {
@@ -40,7 +40,7 @@ export function compilerFiles() {
 }
 export function courseFiles(eigen) {
   const isSource = (name) => /\.[ch]pp$|^__assertion_handler$/.test(name);
-  const own = ['chapters', 'tools/base', 'tools/judge', 'solutions', ...sections().map((name) => `tests/${name}`)].flatMap((folder) => [...below(path.join(root, folder), `/${folder}`, isSource)]);
+  const own = ['chapters', 'tools/base', 'tools/judge', 'tools/play/host', 'solutions', ...sections().map((name) => `tests/${name}`)].flatMap((folder) => [...below(path.join(root, folder), `/${folder}`, isSource)]);
   return [...own, ...below(path.join(eigen, 'Eigen'), '/eigen/Eigen'),
     ...['quick.hpp', 'student.hpp'].map((name) => [`/loop/${name}`, new Uint8Array(fs.readFileSync(path.join(root, 'tools/judge/server', name)))])];
 }

@@ -1,5 +1,5 @@
 // What the reader has done here, as the store knows it, laid over what progress.js says: docs/done.js shows it.
-import { showScenes } from './scenes.mjs';
+import { offerChanges, showScenes } from './scenes.mjs';
 import { Store } from './store.mjs';
 
 // The same shape as progress.js has it (tools/site/progress_script.cpp), with the states of these records, and where to go
@@ -42,4 +42,7 @@ export function followTicks(store) {
 }
 
 // For a page without exercises.
-export const start = () => Store.open().then(followTicks).then(showScenes).catch(() => { /* a browser that keeps nothing: nothing is done */ });
+export function start() {
+  offerChanges();
+  return Store.open().then(followTicks).then(showScenes).catch(() => { /* a browser that keeps nothing: nothing is done */ });
+}

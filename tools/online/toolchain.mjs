@@ -145,6 +145,12 @@ export const compileAnswer = (module, shared, section, text, name = `${section}.
   run(module, [...compiler, ...toObject(name), '-O0', ...behindHeader, ...warnings, `-I/chapters/${section}`, '-x', 'c++', `/own/${name}`,
     '-o', '/own/object'], shared, { [name]: text }, 'object');
 
+// A reader's sketch, which sees the functions of these sections.
+export const compileSketch = (module, shared, sections, text, name = 'sketch.cpp') =>
+  run(module, [...compiler, ...toObject(name), '-O0', ...behindHeader, ...warnings, ...headersOf(sections), '-x', 'c++', `/own/${name}`, '-o', '/own/object'],
+    shared, { [name]: text }, 'object');
+export const headersOf = (sections) => sections.flatMap((name) => ['-include', `${name}/${name.slice(3)}.hpp`]);
+
 const system = '/usr/lib/wasm32-wasip1';
 export const libraries = [`${system}/crt1-reactor.o`, ...['c++', 'c++abi', 'c'].map((name) => `${system}/lib${name}.a`),
   '/usr/lib/wasm32-unknown-wasip1/libclang_rt.builtins.a'];

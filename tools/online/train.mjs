@@ -7,21 +7,26 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { saveCalled } from './cut.mjs';
 import { dice, slip } from './slips.mjs';
-import { compilerFiles, courseFiles, llvmProgram, root } from './sources.mjs';
-import { compileAnswer, folder, link } from './toolchain.mjs';
+import { compilerFiles, courseFiles, llvmProgram, root, sections } from './sources.mjs';
+import { compileAnswer, compileSketch, folder, link } from './toolchain.mjs';
 
 const [eigen, objects, slips = 2000, seed = 2026, inside] = process.argv.slice(2);
 
 // Text and section of each answer, the slips after them.
 function* answers() {
-  const sections = fs.readdirSync(path.join(root, 'solutions')).map((file) => path.parse(file).name);
   const read = (folder, section) => fs.readFileSync(path.join(root, folder, `${section}.cpp`), 'utf8');
-  for (const section of sections) for (const of of ['exercises', 'solutions']) yield [section, read(of, section)];
+  const all = sections();
+  for (const section of all) for (const of of ['exercises', 'solutions']) yield [section, read(of, section)];
   const roll = dice(Number(seed));
   for (let i = 0; i < slips; ++i) {
-    const section = sections[roll(sections.length)];
+    const section = all[roll(all.length)];
     yield [section, slip(read(roll(4) === 0 ? 'exercises' : 'solutions', section), roll)];
   }
+}
+
+// And of the gallery, and of some readers.
+function* sketches() {
+  for (const folder of ['docs/gallery', 'tests/sketches']) for (const file of fs.readdirSync(path.join(root, folder))) yield fs.readFileSync(path.join(root, folder, file), 'utf8');
 }
 
 function exercise() {
@@ -33,6 +38,10 @@ function exercise() {
     const others = names.filter((name) => name.endsWith('_ours.o') && !name.startsWith(section)); // what it builds on, and more
     const objects = ['quick.o', 'exceptions.o', 'assertion.o', `${section}_server.o`, `${section}_missing.o`, ...others];
     if (compiled.code === 0) link(llvm, shared, compiled.object, objects.map((name) => `/objects/${name}`));
+  }
+  for (const text of sketches()) {
+    const compiled = compileSketch(llvm, shared, sections(), text);
+    if (compiled.code === 0) link(llvm, shared, compiled.object, ['sketches.o', 'quick.o', 'exceptions.o', 'assertion.o'].map((name) => `/objects/${name}`));
   }
 }
 

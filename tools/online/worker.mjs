@@ -4,7 +4,7 @@ import { judge } from './judge.mjs';
 import { cacheOf } from './kept.mjs';
 import { load } from './load.mjs';
 import { unpack } from './pack.mjs';
-import { compileAnswer, folder, link } from './toolchain.mjs';
+import { compileAnswer, compileSketch, folder, link } from './toolchain.mjs';
 import { definedFunctions } from '../play/wasm.mjs';
 import { loadWords } from './words.mjs';
 
@@ -96,6 +96,25 @@ async function check({ section, exercise, text }) {
   return report({ ...about, step: 'compiled', compiler: compiled.said, verdicts, symbols });
 }
 
+const sketchParts = () => once('sketches', async () => {
+  const [common, own] = await Promise.all([commonFiles(), loadBytes(manifest.sketches, 'what sketches need').then(unpack)]);
+  const shared = ['/objects/sketches.o', '/objects/quick.o', '/objects/exceptions.o', '/objects/assertion.o'];
+  return { shared: folder([...common, ...own]), objects: shared };
+});
+
+// A sketch: { module, as bytes } or, if it can't be compiled, as a check says it: { text, place }.
+async function sketch({ text }) {
+  const sections = Object.keys(manifest.sections), [parts, report] = await Promise.all([sketchParts(), words(), compiler()]);
+  const trouble = (step, said) => report({ section: sections[0], sections, exercises: [], file: '/own/sketch.cpp', name: 'sketch.cpp', text, step, compiler: said });
+  tell({ step: 'compile' });
+  const compiled = await compilerStep((llvm) => compileSketch(llvm, parts.shared, sections, text));
+  if (compiled.code !== 0) return trouble('not compiled', compiled.said || compiled.trapped);
+  tell({ step: 'link' });
+  const linked = await compilerStep((llvm) => link(llvm, parts.shared, compiled.object, parts.objects));
+  if (linked.code !== 0) return trouble('not linked', linked.said || linked.trapped);
+  return { module: withFuel(linked.linked) };
+}
+
 // One check after the other, in the order in which they came.
 let last = Promise.resolve();
 addEventListener('message', ({ data: { id, ...request } }) => {
@@ -103,7 +122,7 @@ addEventListener('message', ({ data: { id, ...request } }) => {
     tell = (progress) => postMessage({ id, progress });
     try {
       manifest ??= await (await load('manifest.json', 'the compiler')).json();
-      postMessage({ id, result: await check(request) });
+      postMessage({ id, result: await (request.section ? check : sketch)(request) });
     } catch (error) {
       postMessage({ id, error: String(error?.message ?? error) });
     }

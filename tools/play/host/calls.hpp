@@ -2,7 +2,10 @@
 // Read before a section's header, says what its COURSE_EXERCISE means to a file that calls exercises in a page. There each
 // exercise may be the reader's, which is a module of its own, and answers by frames, or else ours or a wrong one of ours, which
 // are linked with the demo: the page knows which. A friend can have the exercise's name without its parameters' names.
+// COURSE_OURS_APART: ours are modules of their own, too.
 #include "judge/protocol/border.hpp"
+
+#include <cstdlib>
 
 extern "C" void play_take(void *to)
     __attribute__((import_module("play"), import_name("take"))); ///< what the reader's function has answered
@@ -28,6 +31,12 @@ std::optional<Result> of_reader(int yours(const char *, std::size_t), const Argu
 
 } // namespace host
 
+#ifdef COURSE_OURS_APART
+#define COURSE_OURS(function) std::abort() // the page has had them answer
+#else
+#define COURSE_OURS(function) return function##_in_page(values...)
+#endif
+
 #undef COURSE_EXERCISE // it meant nothing in the headers of earlier sections
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
     }                                                                                                                  \
@@ -40,7 +49,7 @@ std::optional<Result> of_reader(int yours(const char *, std::size_t), const Argu
         friend Result function(Arguments... values) {                                                                  \
             course::require_within(largest_number(number), values...);                                                 \
             if (auto theirs = host::of_reader<Result>(function##_of_reader, values...)) return *std::move(theirs);     \
-            return function##_in_page(values...);                                                                      \
+            COURSE_OURS(function);                                                                                     \
         }                                                                                                              \
     };                                                                                                                 \
     template struct function##_call<decltype(function)>;                                                               \

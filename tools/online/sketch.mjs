@@ -1,0 +1,137 @@
+// Sketches in a page: a scene's code beside its picture, which follows at each pause of typing, once the reader has asked for the
+// compiler. Each is kept as answers are, under the name sketches/NAME.
+import { Answer } from './answer.mjs';
+import { checks } from './checks.mjs';
+import { Code } from './code.mjs';
+import { make, makeButton } from './elements.mjs';
+import { download } from './files.mjs';
+import { showProgress } from './progress.mjs';
+import { showScenes } from './scenes.mjs';
+import { sharedPage } from './share.mjs';
+import { Store } from './store.mjs';
+import { asElements } from './verdict.mjs';
+import { whyNot } from './able.mjs';
+
+const pause = 700; // from the last key to the next picture [ms]
+const base = new URL('.', document.currentScript.src), place = document.getElementById('sketch');
+const titleOf = (text) => text.match(/^SKETCH\(\w+, "(.*)"\)/m)?.[1] ?? 'without a title';
+
+class Sketching {
+  constructor(store, scenes) {
+    Object.assign(this, { store, scenes, module: null, timer: null, runs: false, again: false });
+    this.build();
+  }
+
+  build() {
+    this.list = make('select', { ariaLabel: 'Which sketch', onchange: () => (location.hash = this.list.value) });
+    const frame = make('div', { className: 'frame' });
+    this.figure = make('figure', { className: 'play', hidden: true }, make('figcaption'));
+    Object.assign(this.figure.dataset, { demo: 'sketch', mine: '' });
+    this.runButton = makeButton('Run', () => this.run(), { className: 'check' });
+    this.shareButton = makeButton('Share', () => this.share(), { disabled: true, title: 'One page with your scene in it, to send to a friend' });
+    this.step = make('p', { className: 'step', hidden: true });
+    this.bar = make('progress', { hidden: true, ariaLabel: 'Loading the compiler' });
+    this.said = make('div', { className: 'verdict' });
+    this.said.setAttribute('role', 'status');
+    place.className = 'answer whole';
+    place.replaceChildren(
+      make('div', { className: 'row' }, this.list, makeButton('New sketch', () => this.begin(this.scenes.new)), this.shareButton, makeButton('Download', () => download(`${this.name}.cpp`, this.answer.text, 'text/x-c++src'))),
+      make('div', { className: 'beside' }, make('div', {}, frame, make('div', { className: 'row' }, this.runButton), this.step, this.bar, this.said), this.figure));
+    this.code = new Code(frame, { label: 'Your sketch', typed: (text) => this.typed(text), check: () => this.run() });
+  }
+
+  // The one that the address names, or the newest, or a first one.
+  async open() {
+    const hash = self.linkedId(), [, section, scene] = hash.match(/^from=([^/]+)\/(.*)/) ?? [], kept = await this.kept();
+    if (this.scenes[section]?.[scene]) return this.begin(this.scenes[section][scene]);
+    const name = kept.find((each) => each === hash) ?? kept.at(-1);
+    return name ? this.show(name) : this.begin(this.scenes.new);
+  }
+  async kept() {
+    return (await this.store.all()).map(({ name }) => name).filter((name) => name.startsWith('sketches/')).map((name) => name.slice(9));
+  }
+  async begin(text) {
+    const kept = await this.kept();
+    let number = 1;
+    while (kept.includes(`sketch_${number}`)) ++number;
+    await this.show(`sketch_${number}`, text);
+    await this.answer.change();
+    await this.listAll();
+  }
+  async show(name, stub = '') {
+    await this.answer?.save();
+    this.name = name;
+    this.answer = await Answer.open(this.store, `sketches/${name}`, stub || (await this.store.read(`sketches/${name}`))?.stub || '');
+    this.answer.addEventListener('text', ({ detail }) => detail !== this && this.code.set(this.answer.text, 0));
+    this.code.begin(this.answer.text, 0);
+    this.said.replaceChildren();
+    history.replaceState(null, '', `#${name}`);
+    await this.listAll();
+    if (this.module) await this.run();
+  }
+  async listAll() {
+    const all = (await this.store.all()).filter(({ name }) => name.startsWith('sketches/'));
+    this.list.replaceChildren(...all.map(({ name, text }) => make('option', { value: name.slice(9), textContent: `${name.slice(9)}: ${titleOf(text)}` })));
+    this.list.value = this.name;
+  }
+
+  typed(text) {
+    this.answer.type(text, this);
+    clearTimeout(this.timer);
+    if (this.module) this.timer = setTimeout(() => this.run(), pause);
+  }
+
+  // What's typed while it is compiled is compiled next.
+  async run() {
+    if (this.runs) return void (this.again = true);
+    this.runs = true;
+    try {
+      do {
+        this.again = false;
+        await this.answer.save();
+        await this.take(await checks.run('sketch', { text: this.answer.text, progress: (now) => showProgress(this, now) }));
+      } while (this.again);
+    } catch (error) {
+      this.said.textContent = `This couldn’t be compiled: ${error.message}. Are you online? Your code is kept; try again.`;
+    }
+    this.runs = false;
+    this.step.hidden = this.bar.hidden = true;
+  }
+  async take({ module, text, place: at }) {
+    this.said.replaceChildren(...(text ? asElements(text, 'sketch', (line) => this.code.go(line, at?.column ?? 1)) : []));
+    if (!module) return;
+    this.module = module;
+    await this.load(module);
+    self.playable.sketch = module;
+    this.shareButton.disabled = false;
+    if (!this.figure.hidden) return this.figure.dispatchEvent(new Event('play-again'));
+    this.figure.hidden = false;
+    await self.playFigure(this.figure);
+  }
+
+  // Our functions of the sections that it calls.
+  async load(module) {
+    const names = WebAssembly.Module.imports(await WebAssembly.compile(module)).filter(({ module: from }) => from === 'yours').map(({ name }) => parseInt(name, 10));
+    this.sections = Object.keys(this.scenes).filter((section) => names.includes(parseInt(section, 10)));
+    await Promise.all(this.sections.filter((section) => !self.playable[`ours/${section}/mine`]).map((section) => new Promise((done, failed) => {
+      const script = make('script', { src: new URL(`ours_${section}.js`, base).href, onload: done, onerror: () => failed(new Error(`our functions of ${section} can’t be loaded`)) });
+      document.head.append(script);
+    })));
+  }
+
+  async share() {
+    const title = titleOf(this.answer.text);
+    download(`${this.name}.html`, await sharedPage(title, this.module, this.sections), 'text/html');
+  }
+}
+
+async function start() {
+  const store = await Store.open(), scenes = await (await fetch(new URL('scenes.json', base))).json();
+  const sketching = new Sketching(store, scenes);
+  await sketching.open();
+  await showScenes();
+  addEventListener('hashchange', () => self.linkedId() !== sketching.name && sketching.open());
+}
+const why = whyNot();
+if (why) place.replaceChildren(make('p', { className: 'cannot' }, `You can’t write here: ${why}. In a terminal, this does the same: `, make('code', {}, './course sketch moon --watch')));
+else start().catch((error) => place.replaceChildren(make('p', { className: 'cannot' }, `This doesn’t work here: ${error.message}.`)));
