@@ -182,8 +182,8 @@
       canBreak: (name) => `wrong ${name}` in exports,
       calledWithin: (name, seconds) => clock - called.get(name) < seconds,
       initialize() {
-        if (packed || apart.size > 0) exports.ask_reader();
         refuel();
+        if (packed || apart.size > 0) exports.ask_reader();
         exports._initialize(); // the demo's own constants may call exercises
       },
       begin() {
