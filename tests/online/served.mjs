@@ -1,4 +1,4 @@
-// What the tests of the editor share: a site of one chapter and the front page, served as a static host would, with a
+// What the tests of the editor share: a site of two chapters and the front page, served as a static host would, with a
 // checker that only plays its part.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -8,8 +8,8 @@ import { stubs } from '../../tools/online/sources.mjs';
 import { serve } from './server.mjs';
 import { browser, copyOf, root, site } from '../site/browser.mjs';
 
-export const eight = 'chapter_08_nt_collisions.html', section = '08_nt_collisions';
-export const folder = copyOf(site, (name) => !/\.html$/.test(name) || [eight, 'index.html'].includes(path.basename(name)));
+export const one = 'chapter_01_motion.html', eight = 'chapter_08_nt_collisions.html', section = '08_nt_collisions';
+export const folder = copyOf(site, (name) => !/\.html$/.test(name) || [one, eight, 'index.html'].includes(path.basename(name)));
 
 export const { stub } = stubs()[section];
 
@@ -37,7 +37,7 @@ export class Checker {
 }
 `;
 
-for (const name of [eight, 'index.html']) {
+for (const name of [one, eight, 'index.html']) {
   const file = path.join(folder, name);
   fs.writeFileSync(file, onlinePage(fs.readFileSync(file, 'utf8'), 'online'));
 }

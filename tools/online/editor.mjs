@@ -50,10 +50,11 @@ const near = new IntersectionObserver((all) => {
 }, { rootMargin: '50% 0px' });
 for (const box of boxes) {
   const place = make('div', { className: 'answer' });
-  box.append(place);
+  box.insertBefore(place, box.querySelector(':scope > .hints'));
   if (opened) near.observe(place);
   else tellWhyNot(place, box.dataset.exercise, whyNot());
 }
+for (const hint of document.querySelectorAll('.turn .hint')) hint.addEventListener('toggle', () => hint.classList.add('seen'));
 tellOfNewer();
 if (opened) offerChanges();
 opened?.then(followTicks).then(showScenes).catch(() => { /* said in each box */ });

@@ -1,4 +1,5 @@
 // What a page of the site gets in the online edition.
+import { asHere } from './words_here.mjs';
 
 // Nothing comes from another host, and of what may run only WebAssembly is compiled on the page. Formulas and the editor
 // have styles of their own, and the site's icon is a `data:`.
@@ -11,6 +12,24 @@ const policy = [
   "base-uri 'self'", // 404.html has one
   "form-action 'none'",
 ].join('; ');
+
+const box = /<article class="turn"[^>]* data-exercise="([\d.]+)"[^>]*>[^]*?(?=<\/article>)/g;
+const verdict = /<figure class="listing"><pre class="console"><code>\$ \.\/course check [^]*?<\/figure>\n/;
+const hints = /<div class="hints">((?:<details class="hint">[^]*?<\/details>\s*)+)<\/div>\n/g;
+
+// What we get is folded in a box, where the reader's own is to be; a box has the hints that follow it, or follow a later
+// one of the same exercise.
+function asBoxes(html) {
+  const rows = {};
+  let exercise;
+  const without = html.replace(new RegExp(`${box.source}|${hints.source}`, 'g'), (all, number, row) => {
+    exercise = number ?? exercise;
+    if (row) rows[exercise] = (rows[exercise] ?? '') + row;
+    return row ? '' : all;
+  });
+  return without.replace(box, (all, number) => all.replace(verdict, '<details><summary>What comes out</summary>\n$&</details>\n')
+    + (rows[number] ? `<div class="hints">${rows[number]}</div>\n` : ''));
+}
 
 const script = (name) => `<script src="${name}" defer></script>\n`;
 const style = (name) => `<link rel="stylesheet" href="${name}">\n`;
@@ -28,5 +47,5 @@ export function onlinePage(html, folder, file = '') {
   const charset = '<meta charset="utf-8">', end = '</head>', heading = '</h1>';
   if (!html.includes(charset) || !html.includes(end)) throw new Error(`a page has no ${charset} or no ${end}: ${html.slice(0, 100)}`);
   const changed = file === 'sketches.html' ? html.replace(heading, `${heading}\n<div id="sketch"></div>`) : html;
-  return changed.replace(charset, `${charset}\n<meta http-equiv="Content-Security-Policy" content="${policy}">`).replace(end, additions(html, file, folder) + end);
+  return asHere(asBoxes(changed)).replace(charset, `${charset}\n<meta http-equiv="Content-Security-Policy" content="${policy}">`).replace(end, additions(html, file, folder) + end);
 }
