@@ -76,6 +76,13 @@ void bench_program(const Workspace &workspace, const Section &section) {
     std::cout << "The trace is in " << (workspace.build / "bench").string() << '\n';
 }
 
+/// The online edition, in Chromium: tests/online/bench.test.mjs.
+void bench_page(const Workspace &workspace) {
+    std::cout << "This takes some minutes; let the machine do nothing else.\n" << std::flush;
+    if (run({(workspace.root / "tests" / "online" / "run").string(), "bench"}, {.quiet = false}).code)
+        throw ExitRequest{something_to};
+}
+
 } // namespace
 
 void add_bench(CLI::App &app, const Workspace &workspace) {
@@ -89,6 +96,10 @@ void add_bench(CLI::App &app, const Workspace &workspace) {
     loop->add_option("--runs", *runs, "how often")->check(CLI::Range(1, 1000))->capture_default_str();
     loop->footer("Example: ./course dev bench loop 7 --runs 31");
     loop->callback([&workspace, section, runs] { bench_loop(workspace, workspace.section(*section), *runs); });
+
+    CLI::App *page = command->add_subcommand("page", "What a check in the online edition costs: bytes, time, memory");
+    page->footer("Example: ./course dev bench page");
+    page->callback([&workspace] { bench_page(workspace); });
 
     for (const Benchmark &each : benchmarks) {
         CLI::App *program = command->add_subcommand(each.name, each.what);
