@@ -283,7 +283,7 @@
       if (choose.hidden) whose = 'ours';
       for (const side of sides) side.setAttribute('aria-pressed', String(side.value === whose));
       answers.textContent = '';
-      if (choose.hidden && 'mine' in figure.dataset) howToPlayOnes();
+      if (choose.hidden && 'mine' in figure.dataset && !isSketch) howToPlayOnes();
       if (whose === 'yours' && trouble()) return fail(trouble());
       const fresh = await instantiate(await compile(playable[name]), whose === 'yours' ? mine() : null, section, broken);
       if (start !== starts) return; // another one has overtaken this one
@@ -466,7 +466,8 @@
       const words = shapes.filter(({ kind, material }) => kind === 'words' && material === 'solid').map(({ text }) => text).join(', ');
       if (words !== stands) stands = words, touched && tellSoon();
     }
-    const howToPlayOnes = () => answers.append('This is our code. To play with yours, type ', make('code', { textContent: `./course play ${figure.dataset.exercise ?? section} --mine` }));
+    const command = make('code', { textContent: `./course play ${figure.dataset.exercise ?? section} --mine` });
+    const howToPlayOnes = () => answers.append(...('online' in document.documentElement.dataset ? ['This is our code, until you press Check.'] : ['This is our code. To play with yours, type ', command]));
     function tellWhose() {
       const number = (exercise) => exercise.split(' ')[0], sorted = world.names.filter((each) => world.called.has(each));
       const yours = sorted.filter((each) => !world.fallen.has(each)).map(number), ours = sorted.filter((each) => world.fallen.has(each));

@@ -73,7 +73,7 @@ describe('a sketch in the page', { concurrency: 1 }, () => {
     const { page } = chapter;
     await page.waitForURL(/sketches\.html#sketch_2$/);
     const sketch = page.locator('#sketch');
-    await sketch.locator('.cm-line', { hasText: 'SKETCH(play::' }).waitFor();
+    await sketch.locator('.cm-line', { hasText: '#include "07_segment_intersection/scenes/shared.hpp"' }).waitFor();
     await sketch.getByRole('button', { name: 'Run' }).click();
     await page.locator('.play[data-demo="sketch"][data-ready]').waitFor({ timeout: 180_000 });
     const demo = await demoOn(page, 'sketch');

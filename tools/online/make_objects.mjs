@@ -1,11 +1,11 @@
 // What answers are compiled behind and linked with, made by the page's own compiler: objects of two compilers never meet.
 //     node make_objects.mjs EIGEN OUT                      the precompiled header, and what all sections need
 //     node make_objects.mjs EIGEN OUT 08_nt_collisions     a section's server, our solution, and what stands in for functions that a file lacks
-//     node make_objects.mjs EIGEN OUT sketches             what shows a sketch, and has functions of all sections asked for
+//     node make_objects.mjs EIGEN OUT sketches             what sketches begin with, and what shows one, and has functions of all sections asked for
 import fs from 'node:fs';
 import path from 'node:path';
 import { compilerFiles, courseFiles, llvmProgram, sections } from './sources.mjs';
-import { compile, compileBehindHeader, compileHeader, folder, headersOf, precompile } from './toolchain.mjs';
+import { compile, compileBehindHeader, compileHeader, compileSketchHeader, folder, headersOf, precompile, precompileSketch, sketchFiles } from './toolchain.mjs';
 import { weakened } from '../play/wasm.mjs';
 
 const [eigen, out, section] = process.argv.slice(2);
@@ -20,9 +20,13 @@ const write = (name, bytes) => fs.writeFileSync(path.join(out, name), bytes);
 fs.mkdirSync(out, { recursive: true });
 
 if (section === 'sketches') {
-  const shared = folder([...files, ['/loop/quick.pch', new Uint8Array(fs.readFileSync(path.join(out, 'quick.pch')))]]);
+  const behind = [...files, ['/loop/quick.pch', new Uint8Array(fs.readFileSync(path.join(out, 'quick.pch')))], ...sketchFiles()];
+  const pch = done(precompileSketch(llvm, folder(behind), sections()), 'what sketches begin with').object;
+  write('sketch.pch', pch);
+  const shared = folder([...behind, ['/loop/sketch.pch', pch]]);
+  write('sketch.o', done(compileSketchHeader(llvm, shared), 'the templates of sketches').object);
   const flags = ['-I/tools/play/host', '-DCOURSE_OURS_APART', '-DDEMO="sketched.hpp"', '-include', 'calls.hpp', ...headersOf(sections())];
-  write('sketches.o', done(compileBehindHeader(llvm, shared, '', '/tools/play/host/page.cpp', ...flags), 'page.cpp').object);
+  write('sketch_page.o', done(compileBehindHeader(llvm, shared, '', '/tools/play/host/page.cpp', ...flags), 'page.cpp').object);
 } else if (section) {
   const slug = section.slice(3), shared = folder([...files, ['/loop/quick.pch', new Uint8Array(fs.readFileSync(path.join(out, 'quick.pch')))]]);
   const make = (file, ...flags) => done(compileBehindHeader(llvm, shared, section, file, ...flags), file).object;

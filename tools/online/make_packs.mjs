@@ -7,7 +7,7 @@ import { gzipSync } from 'node:zlib';
 import { cut, loadCalled } from './cut.mjs';
 import { pack } from './pack.mjs';
 import { compilerFiles, courseFiles, llvmProgram, root } from './sources.mjs';
-import { libraries } from './toolchain.mjs';
+import { libraries, sketchFiles } from './toolchain.mjs';
 
 const [eigen, built, out, ...sections] = process.argv.slice(2);
 const made = (name) => new Uint8Array(fs.readFileSync(path.join(built, name)));
@@ -36,8 +36,10 @@ function section(name, earlier) {
 }
 
 const names = sections.map((each) => each.split('=')[0]);
-// Of sketches: all sections' headers, and what one is linked with.
-const sketches = () => pack([...names.map((name) => source(`chapters/${name}/${name.slice(3)}.hpp`)), object('sketches.o')]);
+// Of sketches: all sections' headers, and what their scenes share; and what one is compiled behind and linked with.
+const headers = (name) => fs.readdirSync(path.join(root, 'chapters', name), { recursive: true }).filter((file) => file.endsWith('.hpp')).map((file) => source(`chapters/${name}/${file}`));
+const sketches = () => pack([...names.flatMap(headers), ...sketchFiles(), ['/loop/sketch.pch', made('objects/sketch.pch')],
+  ...['sketch.o', 'sketch_page.o'].map(object)]);
 
 const compiler = llvmProgram();
 const manifest = {

@@ -25,18 +25,16 @@ class Sketching {
   build() {
     this.list = make('select', { ariaLabel: 'Which sketch', onchange: () => (location.hash = this.list.value) });
     const frame = make('div', { className: 'frame' });
-    this.figure = make('figure', { className: 'play', hidden: true }, make('figcaption'));
-    Object.assign(this.figure.dataset, { demo: 'sketch', mine: '' });
+    this.figure = make('figure', { hidden: true });
     this.runButton = makeButton('Run', () => this.run(), { className: 'check' });
     this.shareButton = makeButton('Share', () => this.share(), { disabled: true, title: 'One page with your scene in it, to send to a friend' });
     this.step = make('p', { className: 'step', hidden: true });
     this.bar = make('progress', { hidden: true, ariaLabel: 'Loading the compiler' });
     this.said = make('div', { className: 'verdict' });
     this.said.setAttribute('role', 'status');
-    place.className = 'answer whole';
     place.replaceChildren(
-      make('div', { className: 'row' }, this.list, makeButton('New sketch', () => this.begin(this.scenes.new)), this.shareButton, makeButton('Download', () => download(`${this.name}.cpp`, this.answer.text, 'text/x-c++src'))),
-      make('div', { className: 'beside' }, make('div', {}, frame, make('div', { className: 'row' }, this.runButton), this.step, this.bar, this.said), this.figure));
+      make('div', { className: 'answer' }, make('div', { className: 'row' }, this.list, makeButton('New sketch', () => this.begin(this.scenes.new)), this.shareButton, makeButton('Download', () => download(`${this.name}.cpp`, this.answer.text, 'text/x-c++src')))),
+      make('div', { className: 'beside' }, make('div', { className: 'answer whole' }, frame, make('div', { className: 'row' }, this.runButton), this.step, this.bar, this.said), this.figure));
     this.code = new Code(frame, { label: 'Your sketch', typed: (text) => this.typed(text), check: () => this.run() });
   }
 
@@ -103,10 +101,14 @@ class Sketching {
     this.module = module;
     await this.load(module);
     self.playable.sketch = module;
+    await this.listAll();
     this.shareButton.disabled = false;
-    if (!this.figure.hidden) return this.figure.dispatchEvent(new Event('play-again'));
-    this.figure.hidden = false;
-    await self.playFigure(this.figure);
+    // A new one each time, since its controls may be others.
+    const figure = make('figure', { className: 'play' }, make('figcaption'));
+    Object.assign(figure.dataset, { demo: 'sketch', mine: '' });
+    this.figure.replaceWith(figure);
+    this.figure = figure;
+    await self.playFigure(figure);
   }
 
   // Our functions of the sections that it calls.

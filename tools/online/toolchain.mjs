@@ -126,13 +126,13 @@ const header = '/loop/quick.hpp', precompiled = '/loop/quick.pch';
 const behindHeader = ['-include-pch', precompiled, '-fno-validate-pch'];
 const toObject = (name) => ['-emit-obj', '-main-file-name', name];
 
-// The header that stands before a reader's file, with the templates that answers use made once.
-export const precompile = (module, shared) =>
-  run(module, [...compiler, '-fpch-instantiate-templates', '-fmodules-codegen', '-emit-pch', '-fno-pch-timestamp', '-x', 'c++-header', header,
+// The header that stands before a reader's file, with the templates that answers use made once; or another one.
+export const precompile = (module, shared, file = header, ...flags) =>
+  run(module, [...compiler, ...flags, '-fpch-instantiate-templates', '-fmodules-codegen', '-emit-pch', '-fno-pch-timestamp', '-x', 'c++-header', file,
     '-o', '/own/object'], shared, {}, 'object');
 // The code of these templates.
-export const compileHeader = (module, shared) =>
-  run(module, [...compiler, ...toObject('quick'), '-O2', '-x', 'precompiled-header', precompiled, '-o', '/own/object'], shared, {}, 'object');
+export const compileHeader = (module, shared, file = precompiled) =>
+  run(module, [...compiler, ...toObject('quick'), '-O2', '-x', 'precompiled-header', file, '-o', '/own/object'], shared, {}, 'object');
 
 // A file of ours. Behind the header it is quick to compile.
 export const compile = (module, shared, file, ...flags) =>
@@ -145,11 +145,15 @@ export const compileAnswer = (module, shared, section, text, name = `${section}.
   run(module, [...compiler, ...toObject(name), '-O0', ...behindHeader, ...warnings, `-I/chapters/${section}`, '-x', 'c++', `/own/${name}`,
     '-o', '/own/object'], shared, { [name]: text }, 'object');
 
-// A reader's sketch, which sees the functions of these sections.
-export const compileSketch = (module, shared, sections, text, name = 'sketch.cpp') =>
-  run(module, [...compiler, ...toObject(name), '-O0', ...behindHeader, ...warnings, ...headersOf(sections), '-x', 'c++', `/own/${name}`, '-o', '/own/object'],
-    shared, { [name]: text }, 'object');
+// A reader's sketch stands behind a header of its own, and that one behind the other: with scenes, and the functions of all sections.
+const sketchHeader = '/loop/sketch.hpp', precompiledSketch = '/loop/sketch.pch';
 export const headersOf = (sections) => sections.flatMap((name) => ['-include', `${name}/${name.slice(3)}.hpp`]);
+export const sketchFiles = () => [[sketchHeader, '#include <sketch.hpp>\n#include <array>\n#include <cmath>\n#include <string>\n#include <vector>\n']];
+export const precompileSketch = (module, shared, sections) => precompile(module, shared, sketchHeader, ...behindHeader, ...headersOf(sections));
+export const compileSketchHeader = (module, shared) => compileHeader(module, shared, precompiledSketch);
+export const compileSketch = (module, shared, text, name = 'sketch.cpp') =>
+  run(module, [...compiler, ...toObject(name), '-O0', '-include-pch', precompiledSketch, '-fno-validate-pch', ...warnings, '-x', 'c++', `/own/${name}`, '-o', '/own/object'],
+    shared, { [name]: text }, 'object');
 
 const system = '/usr/lib/wasm32-wasip1';
 export const libraries = [`${system}/crt1-reactor.o`, ...['c++', 'c++abi', 'c'].map((name) => `${system}/lib${name}.a`),

@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { saveCalled } from './cut.mjs';
 import { dice, slip } from './slips.mjs';
 import { compilerFiles, courseFiles, llvmProgram, root, sections } from './sources.mjs';
-import { compileAnswer, compileSketch, folder, link } from './toolchain.mjs';
+import { compileAnswer, compileSketch, folder, link, sketchFiles } from './toolchain.mjs';
 
 const [eigen, objects, slips = 2000, seed = 2026, inside] = process.argv.slice(2);
 
@@ -32,7 +32,7 @@ function* sketches() {
 function exercise() {
   const object = (name) => new Uint8Array(fs.readFileSync(path.join(objects, name)));
   const llvm = new WebAssembly.Module(llvmProgram()), names = fs.readdirSync(objects).filter((name) => name.endsWith('.o'));
-  const shared = folder([...compilerFiles(), ...courseFiles(eigen), ['/loop/quick.pch', object('quick.pch')], ...names.map((name) => [`/objects/${name}`, object(name)])]);
+  const shared = folder([...compilerFiles(), ...courseFiles(eigen), ...sketchFiles(), ...['quick.pch', 'sketch.pch'].map((name) => [`/loop/${name}`, object(name)]), ...names.map((name) => [`/objects/${name}`, object(name)])]);
   for (const [section, text] of answers()) {
     const compiled = compileAnswer(llvm, shared, section, text);
     const others = names.filter((name) => name.endsWith('_ours.o') && !name.startsWith(section)); // what it builds on, and more
@@ -40,8 +40,9 @@ function exercise() {
     if (compiled.code === 0) link(llvm, shared, compiled.object, objects.map((name) => `/objects/${name}`));
   }
   for (const text of sketches()) {
-    const compiled = compileSketch(llvm, shared, sections(), text);
-    if (compiled.code === 0) link(llvm, shared, compiled.object, ['sketches.o', 'quick.o', 'exceptions.o', 'assertion.o'].map((name) => `/objects/${name}`));
+    const compiled = compileSketch(llvm, shared, text);
+    if (compiled.code !== 0) throw new Error(compiled.said);
+    link(llvm, shared, compiled.object, ['sketch_page.o', 'sketch.o', 'quick.o', 'exceptions.o', 'assertion.o'].map((name) => `/objects/${name}`));
   }
 }
 

@@ -17,7 +17,7 @@ const notThere = 52; // ENOSYS: it asks nothing of a system but at its end
 //     states: { '8.1': 'passed' | 'wrong' | 'not started' | … },  of those that this check says something of
 //     picture: '<svg…' | null,                                    of the first failure
 //     place: { line, column } | null }                            from 1, where the compiler stopped in the file
-// Needed are section, exercises, file, text and step.
+// Needed are section, exercises, file, text and step. A sketch, { sketch: true, section: '00_sketch', … }, belongs to no section.
 export function loadWords(module) {
   const wasi = new Proxy({}, { get: () => () => notThere });
   const { exports } = new WebAssembly.Instance(module, { wasi_snapshot_preview1: wasi });

@@ -98,16 +98,16 @@ async function check({ section, exercise, text }) {
 
 const sketchParts = () => once('sketches', async () => {
   const [common, own] = await Promise.all([commonFiles(), loadBytes(manifest.sketches, 'what sketches need').then(unpack)]);
-  const shared = ['/objects/sketches.o', '/objects/quick.o', '/objects/exceptions.o', '/objects/assertion.o'];
-  return { shared: folder([...common, ...own]), objects: shared };
+  const files = [...common, ...own];
+  return { shared: folder(files), objects: files.map(([name]) => name).filter((name) => name.startsWith('/objects/')) };
 });
 
 // A sketch: { module, as bytes } or, if it can't be compiled, as a check says it: { text, place }.
 async function sketch({ text }) {
-  const sections = Object.keys(manifest.sections), [parts, report] = await Promise.all([sketchParts(), words(), compiler()]);
-  const trouble = (step, said) => report({ section: sections[0], sections, exercises: [], file: '/own/sketch.cpp', name: 'sketch.cpp', text, step, compiler: said });
+  const [parts, report] = await Promise.all([sketchParts(), words(), compiler()]);
+  const trouble = (step, said) => report({ sketch: true, section: '00_sketch', exercises: [], file: '/own/sketch.cpp', name: 'sketch.cpp', text, step, compiler: said });
   tell({ step: 'compile' });
-  const compiled = await compilerStep((llvm) => compileSketch(llvm, parts.shared, sections, text));
+  const compiled = await compilerStep((llvm) => compileSketch(llvm, parts.shared, text));
   if (compiled.code !== 0) return trouble('not compiled', compiled.said || compiled.trapped);
   tell({ step: 'link' });
   const linked = await compilerStep((llvm) => link(llvm, parts.shared, compiled.object, parts.objects));

@@ -31,6 +31,7 @@ struct Request {
     std::vector<Section> sections;
     std::string name, file, text, only, step, printed, mistakes, symbols;
     std::vector<Verdict> verdicts;
+    bool is_sketch = false; ///< it belongs to no section
 };
 
 /// Functions of an object, by their names in it, as `nm -C --defined-only` lists them.
@@ -57,6 +58,7 @@ Request read_request(const json &from) {
     request.only = text("only");
     request.step = from.at("step");
     request.printed = sanitize(text("compiler"));
+    request.is_sketch = from.value("sketch", false);
     request.mistakes = text("mistakes");
     request.symbols = listed(from.value("symbols", std::vector<std::string>{}));
     for (const json &verdict : from.value("verdicts", json::array()))
@@ -66,9 +68,14 @@ Request read_request(const json &from) {
 
 /// As `judge` goes on where a compiler, a linker and tests have spoken.
 JudgeResult judged(const Request &request) {
-    const auto &[facts, sections, name, file, text, only, step, printed, mistakes, symbols, reported] = request;
-    if (auto trouble = trouble_in(text, name, facts.section, sections, Reader::page)) return {trouble, {}, {}};
-    if (step == "not compiled") return {why_not_compiled(printed, file, name, text, facts), {}, {}};
+    const auto &[facts, sections, name, file, text, only, step, printed, mistakes, symbols, reported, is_sketch] =
+        request;
+    if (!is_sketch)
+        if (auto trouble = trouble_in(text, name, facts.section, sections, Reader::page)) return {trouble, {}, {}};
+    if (step == "not compiled")
+        return {is_sketch ? diagnose_compiler(printed, file, name) : why_not_compiled(printed, file, name, text, facts),
+                {},
+                {}};
     std::vector<std::string> warnings = find_warnings(printed, file, name);
     for (const std::string &warning : warnings_in(text, name)) warnings.push_back(warning);
     if (step == "not linked")

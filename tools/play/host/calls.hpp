@@ -33,7 +33,10 @@ std::optional<Result> of_reader(int yours(const char *, std::size_t), const Argu
 
 #ifdef COURSE_OURS_APART
 #define COURSE_OURS(function) std::abort() // the page has had them answer
+#define COURSE_EMIT(function)                                                                                          \
+    decltype(&function) function##_emitted() { return &function; } // for other files, which only declare it
 #else
+#define COURSE_EMIT(function)
 #define COURSE_OURS(function) return function##_in_page(values...)
 #endif
 
@@ -53,4 +56,5 @@ std::optional<Result> of_reader(int yours(const char *, std::size_t), const Argu
         }                                                                                                              \
     };                                                                                                                 \
     template struct function##_call<decltype(function)>;                                                               \
+    COURSE_EMIT(function)                                                                                              \
     namespace subject {
