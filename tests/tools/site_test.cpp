@@ -644,9 +644,9 @@ TEST_CASE("pages with a demo have its scripts, and one page has all demos") {
     const Finished made = book.make("<!-- demo: room | Throw the ball. -->\n");
     INFO(made.err);
     REQUIRE(made.code == 0);
-    const std::string scripts =
-        "<script src=\"demos/07_wall_meeting.js\"></script>\n<script src=\"draw.js\"></script>\n<script src=\"answers.js\"></script>\n"
-        "<script src=\"play.js\"></script>";
+    const std::string scripts = "<script src=\"demos/07_wall_meeting.js\"></script>\n<script "
+                                "src=\"draw.js\"></script>\n<script src=\"answers.js\"></script>\n"
+                                "<script src=\"play.js\"></script>";
     CHECK_THAT(book.made("chapter_07_wall_meeting.html"), ContainsSubstring(scripts));
     CHECK_THAT(book.made("play.html"),
                ContainsSubstring(scripts) && ContainsSubstring("Throw the ball.")
