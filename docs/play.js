@@ -69,7 +69,8 @@
   const notDone = 'not done yet', isDone = (number) => (self.progress?.sections ?? []).some(({ exercises }) => exercises.some((one) => one.number === number && one.done));
   function whyOurs(called, section, file) {
     const number = called.split(' ')[0];
-    return !file ? 'not in your file' : !file.module ? `${file.name}.cpp doesn't compile` : parseInt(number, 10) === section || isDone(number) ? '' : notDone;
+    if (parseInt(number, 10) !== section && !isDone(number)) return notDone;
+    return !file ? 'not in your file' : file.module ? '' : `${file.name}.cpp doesn't compile`;
   }
 
   // The reader's files of these sections, as modules that answer calls. `packed` has each by its section's name, or null where it
@@ -611,7 +612,7 @@
 
   // `./course play 7 --mine --watch` writes the reader's code anew: a page that has it looks once a second.
   function lookForNews(name) {
-    const stamp = () => `${playable[`${name}/mine`]} ${playable[`${name}/trouble`]}`;
+    const stamp = () => JSON.stringify(['', '/mine', '/trouble'].map((part) => playable[name + part]));
     const before = stamp();
     const script = make('script', { src: `demos/${name}_mine.js?${Date.now()}` });
     script.onload = script.onerror = () => {

@@ -1,6 +1,6 @@
 // Links readers' files into modules whose functions a demo may call, and packs them as the reader's in it:
 //     link_answers.mjs OUT.js DEMO compiler and its words... -- SECTION=FILE.cpp,OBJECT,OBJECT... SECTION=...
-// The first section is the demo's. Of the others those that aren't begun are left out, and one that doesn't compile is null: see
+// Of sections that aren't the demo's those that aren't begun are left out, and one that doesn't compile is null: see
 // earlier.cjs. Among the objects those whose names end in _missing.o stand in for functions that a file lacks.
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -29,8 +29,8 @@ function link(section, objects) {
 }
 
 const packed = {};
-entries.forEach((entry, at) => {
+for (const entry of entries) {
   const [section, parts] = entry.split('='), [file, ...objects] = parts.split(',');
-  if (at === 0 || isBegun(section, file)) packed[section] = isBroken(objects[0]) ? null : link(section, objects);
-});
+  if (demo.endsWith(section) || isBegun(section, file)) packed[section] = isBroken(objects[0]) ? null : link(section, objects);
+}
 fs.writeFileSync(out, `(self.playable ??= {})['${demo}/mine'] = ${JSON.stringify(packed)};\n`);
