@@ -5,6 +5,7 @@ import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { address, browser, build, inaccessible, root } from '../site/browser.mjs';
 import { demoOn } from '../site/demo.mjs';
+import { inBox } from './in_box.mjs';
 import { serve } from './server.mjs';
 
 const host = await serve(path.join(build, 'online/site'), [], '/some/path');
@@ -67,8 +68,14 @@ describe('a sketch in the page', { concurrency: 1 }, () => {
     assert.deepEqual(troubles, []);
   });
 
-  test('is begun with a scene of a chapter, calls ours, and is there the next time', async (t) => {
-    const chapter = await openPage(t, 'chapter_07_segment_intersection.html'), scene = await demoOn(chapter.page, '07_segment_intersection', '[data-exercise="7.4"]');
+  test('is begun with a scene of a chapter, calls the reader’s function, and is there the next time', async (t) => {
+    const chapter = await openPage(t, 'chapter_07_segment_intersection.html'), box = inBox(chapter.page, '7.4');
+    await box.box.scrollIntoViewIfNeeded();
+    await box.button('The whole file').click();
+    await box.write(fs.readFileSync(path.join(root, 'solutions/07_segment_intersection.cpp'), 'utf8'));
+    await box.button('Check').click();
+    await box.box.locator('.done').waitFor({ timeout: 120_000 });
+    const scene = await demoOn(chapter.page, '07_segment_intersection', '[data-exercise="7.4"]');
     await scene.figure.getByRole('link', { name: 'Change it' }).click();
     const { page } = chapter;
     await page.waitForURL(/sketches\.html#sketch_2$/);
@@ -78,7 +85,7 @@ describe('a sketch in the page', { concurrency: 1 }, () => {
     await page.locator('.play[data-demo="sketch"][data-ready]').waitFor({ timeout: 180_000 });
     const demo = await demoOn(page, 'sketch');
     assert.equal(await demo.said(), '');
-    assert.ok((await demo.figure.locator('.lamps code').allTextContents()).includes('move_and_bounce'));
+    await demo.figure.locator('.lamps [data-whose=yours]', { hasText: '7.4 move_and_bounce yours' }).waitFor();
     assert.equal(await demo.moves(3000), true);
     const again = await openPage(t, 'sketches.html');
     await again.code.waitFor();

@@ -20,13 +20,18 @@ export async function keepModule(section, bytes) {
   await showScenes();
 }
 
-// docs/play.js runs a demo on what stands in `playable` as the reader's: modules by their sections' names.
-export async function showScenes() {
+// All of them, by their sections' names; null for none.
+export async function keptModules() {
   const kept = await modules('readonly'), [names, all] = await Promise.all([asPromise(kept.getAllKeys()), asPromise(kept.getAll())]);
-  const answers = Object.fromEntries(names.map((name, at) => [name, all[at]]));
+  return names.length > 0 ? Object.fromEntries(names.map((name, at) => [name, all[at]])) : null;
+}
+
+// docs/play.js runs a demo on what stands in `playable` as the reader's.
+export async function showScenes() {
+  const answers = await keptModules();
   const figures = [...document.querySelectorAll('.play')];
   for (const demo of new Set(figures.map(({ dataset }) => dataset.demo))) {
-    const mine = `${demo}/mine`, isTheirs = Boolean(answers[demo]) || (demo === 'sketch' && names.length > 0);
+    const mine = `${demo}/mine`, isTheirs = Boolean(answers?.[demo]);
     if (!self.playable || (!isTheirs && !self.playable[mine])) continue;
     self.playable[mine] = isTheirs ? answers : null;
     for (const figure of figures) if (figure.dataset.demo === demo) figure.dispatchEvent(new Event('play-again'));

@@ -6,7 +6,7 @@ import { Code } from './code.mjs';
 import { make, makeButton } from './elements.mjs';
 import { download } from './files.mjs';
 import { showProgress } from './progress.mjs';
-import { showScenes } from './scenes.mjs';
+import { keptModules } from './scenes.mjs';
 import { sharedPage } from './share.mjs';
 import { Store } from './store.mjs';
 import { asElements } from './verdict.mjs';
@@ -40,18 +40,19 @@ class Sketching {
 
   // The one that the address names, or the newest, or a first one.
   async open() {
-    const hash = self.linkedId(), [, section, scene] = hash.match(/^from=([^/]+)\/(.*)/) ?? [], kept = await this.kept();
+    const hash = self.linkedId(), [, section, scene] = hash.match(/^from=([^/]+)\/(.*)/) ?? [], names = (await this.kept()).map(([name]) => name);
     if (this.scenes[section]?.[scene]) return this.begin(this.scenes[section][scene]);
-    const name = kept.find((each) => each === hash) ?? kept.at(-1);
+    const name = names.find((each) => each === hash) ?? names.at(-1);
     return name ? this.show(name) : this.begin(this.scenes.new);
   }
+  // Those that are kept, [name, text].
   async kept() {
-    return (await this.store.all()).map(({ name }) => name).filter((name) => name.startsWith('sketches/')).map((name) => name.slice(9));
+    return (await this.store.all()).filter(({ name }) => name.startsWith('sketches/')).map(({ name, text }) => [name.slice(9), text]);
   }
   async begin(text) {
-    const kept = await this.kept();
+    const names = (await this.kept()).map(([name]) => name);
     let number = 1;
-    while (kept.includes(`sketch_${number}`)) ++number;
+    while (names.includes(`sketch_${number}`)) ++number;
     await this.show(`sketch_${number}`, text);
     await this.answer.change();
     await this.listAll();
@@ -68,8 +69,7 @@ class Sketching {
     if (this.module) await this.run();
   }
   async listAll() {
-    const all = (await this.store.all()).filter(({ name }) => name.startsWith('sketches/'));
-    this.list.replaceChildren(...all.map(({ name, text }) => make('option', { value: name.slice(9), textContent: `${name.slice(9)}: ${titleOf(text)}` })));
+    this.list.replaceChildren(...(await this.kept()).map(([name, text]) => make('option', { value: name, textContent: `${name}: ${titleOf(text)}` })));
     this.list.value = this.name;
   }
 
@@ -100,7 +100,7 @@ class Sketching {
     if (!module) return;
     this.module = module;
     await this.load(module);
-    self.playable.sketch = module;
+    Object.assign(self.playable, { sketch: module, 'sketch/mine': await keptModules() });
     await this.listAll();
     this.shareButton.disabled = false;
     // A new one each time, since its controls may be others.
@@ -123,7 +123,7 @@ class Sketching {
 
   async share() {
     const title = titleOf(this.answer.text);
-    download(`${this.name}.html`, await sharedPage(title, this.module, this.sections), 'text/html');
+    download(`${this.name}.html`, await sharedPage(this.scenes.page, title, this.module, this.sections), 'text/html');
   }
 }
 
@@ -131,7 +131,6 @@ async function start() {
   const store = await Store.open(), scenes = await (await fetch(new URL('scenes.json', base))).json();
   const sketching = new Sketching(store, scenes);
   await sketching.open();
-  await showScenes();
   addEventListener('hashchange', () => self.linkedId() !== sketching.name && sketching.open());
 }
 const why = whyNot();
