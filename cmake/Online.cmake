@@ -89,7 +89,7 @@ endforeach()
 # What a sketch in a page is linked with; our functions as modules that it asks; and the book's scenes, to begin with.
 file(GLOB hosts CONFIGURE_DEPENDS tools/play/host/*.[ch]pp chapters/*.hpp chapters/*/*.hpp chapters/*/scenes/*.hpp docs/gallery/*.cpp)
 add_custom_command(OUTPUT ${objects}/sketch.pch ${objects}/sketch.o ${objects}/sketch_page.o COMMAND ${make_objects} sketches DEPENDS ${common} ${hosts} VERBATIM COMMENT "Compiling what sketches are linked with in pages")
-add_custom_command(OUTPUT ${online}/scenes.json COMMAND course-tool make-scenes > ${online}/scenes.json DEPENDS course-tool ${hosts} VERBATIM COMMENT "")
+add_custom_command(OUTPUT ${online}/scenes.json COMMAND course-tool make-scenes > ${online}/scenes.json DEPENDS course-tool ${hosts} ${PROJECT_BINARY_DIR}/site.stamp VERBATIM COMMENT "")
 list(APPEND parts ${objects}/sketch_page.o ${online}/scenes.json)
 set(play ${PROJECT_BINARY_DIR}/play)
 file(MAKE_DIRECTORY ${online}/ours)

@@ -86,5 +86,7 @@
     return { kind, value, words };
   }
 
-  globalThis.courseAnswers = { AnswerInstance, callFrame, readReply, fuelPerSecond };
+  const frameOf = (kind) => hello + kinds.indexOf(kind);
+
+  globalThis.courseAnswers = { AnswerInstance, callFrame, frameOf, readReply, fuelPerSecond };
 })();

@@ -42,6 +42,7 @@
   }
 
   const failedCheck = (who, words) => `${who} was stopped by a check of the library that it uses: ${words}.`;
+  const lastOf = (printed) => printed.slice(-1000);
   // What such a check has printed last; '' if none has.
   function checkIn(printed) {
     const line = printed.trimEnd().split('\n').at(-1), at = line.lastIndexOf(' failed: ');
@@ -95,7 +96,8 @@
     const imported = WebAssembly.Module.imports(module), asksFor = imported.filter(({ module: from }) => ['exercises', 'yours'].includes(from)).map(({ name }) => name);
     const names = [...new Set(asksFor)].sort((a, b) => a.localeCompare(b, 'en', { numeric: true })), sections = new Set(names.map((name) => parseInt(name, 10)));
     const files = await filesOf(packed ?? {}, sections), apart = await filesOf(oursApart(), sections);
-    let running = [], clock = 0, exports, answer, printed = '';
+    const catches = imported.some(({ kind }) => kind === 'tag');
+    let running = null, clock = 0, exports, answer, printed = ''; // running: which of the reader's functions
     const text = (from) => {
       const bytes = new Uint8Array(exports.memory.buffer);
       return new TextDecoder().decode(bytes.slice(from, bytes.indexOf(0, from)));
@@ -108,7 +110,7 @@
       stop((who) => kind === 'assert' ? failedCheck(who, words)
         : known === 'invalid_argument' && who === nobody && /nan|inf/.test(words) ? lost
         : known === 'invalid_argument' ? `${who} refused its input: ${words}.`
-        : `${who} threw ${known ? `std::${known}` : kind === 'i' ? 'a number' : 'something'}${words && `: ${words}`}. In a page no \`catch\` can take that.`);
+        : `${who} threw ${known ? `std::${known}` : kind === 'i' ? 'a number' : 'something'}${words && `: ${words}`}.${catches ? '' : ' In a page no `catch` can take that.'}`);
     }
     function call(name, values) {
       called.set(name, clock);
@@ -117,22 +119,24 @@
     }
 
     // The reader's function answers, and how many bytes, or ours from a module of its own; -1 for one that's linked with the demo.
-    function callYours(name, at, size) {
-      called.set(name, clock);
-      const section = parseInt(name, 10), values = new Uint8Array(exports.memory.buffer, at, size).slice();
-      const answered = packed && !broken.has(name) && !fallen.has(name) ? ask(files.get(section), name, values) : -1;
-      return answered < 0 && apart.has(section) ? ask(apart.get(section), name, values) : answered;
+    function caller(name) {
+      const [number] = name.split(' '), [section, place] = number.split('.').map(Number), theirs = files.get(section), ours = apart.get(section);
+      return (at, size) => {
+        called.set(name, clock);
+        const values = new Uint8Array(exports.memory.buffer, at, size);
+        const answered = packed && !broken.has(name) && !fallen.has(name) ? ask(theirs, name, place - 1, values) : -1;
+        return answered < 0 && ours ? ask(ours, name, place - 1, values) : answered;
+      };
     }
-    function ask(file, name, values) {
-      const index = Number(name.split(' ')[0].split('.')[1]) - 1;
-      running.push(name);
+    function ask(file, name, index, values) {
+      running = name;
       const { kind, value, words: [what, more] } = readReply(reply(file, callFrame(++file.calls, index, values)));
       if (kind === 'missing') fallen.set(name, 'not in your file');
       else if (kind === 'not yet') fallen.set(name, needs(name, more));
       else if (kind === 'refused') stop((who) => `${who} refused its input: ${what}.`);
       else if (kind === 'threw') stop((who) => `${who} threw ${what === 'int' ? `the number ${more}` : more ? `${what}: ${more}` : what}.`);
       else if (kind === 'no memory') stop((who) => `${who} asks for more memory than there is.`);
-      running.pop();
+      running = null;
       return kind === 'result' ? (answer = value).length : -1;
     }
     function needs(name, inner) {
@@ -142,7 +146,7 @@
     // From an instance that stays as long as the world does.
     function reply(file, frame) {
       if (!file.instance) {
-        file.instance = new AnswerInstance(file.module, quiet(() => file.instance.memory, (words) => (file.printed += words)));
+        file.instance = new AnswerInstance(file.module, quiet(() => file.instance.memory, (words) => (file.printed = lastOf(file.printed + words))));
         file.instance.greet(longestFrame);
       }
       return file.instance.answer(frame, longestFrame);
@@ -150,11 +154,11 @@
     const imports = {
       play: { thrown, take: (to) => new Uint8Array(exports.memory.buffer).set(answer, to) },
       exercises: {}, yours: {}, env: {},
-      wasi_snapshot_preview1: quiet(() => exports.memory.buffer, (words) => (printed += words)),
+      wasi_snapshot_preview1: quiet(() => exports.memory.buffer, (words) => (printed = lastOf(printed + words))),
     };
     for (const { module: from, name, kind } of imported) {
       if (from === 'exercises') imports.exercises[name] = (...values) => call(name, values);
-      if (from === 'yours') imports.yours[name] = (at, size) => callYours(name, at, size);
+      if (from === 'yours') imports.yours[name] = caller(name);
       if (kind === 'tag') imports.env[name] = new WebAssembly.Tag({ parameters: ['i32'] });
       else if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which doesn't exist in a page.`);
     }
@@ -193,7 +197,7 @@
       },
       control: (i, value) => exports.control(i, value),
       frame(dt, step, hand) {
-        running = [];
+        running = null;
         clock += step ? 1 : dt; // after a step only what it has called glows
         refuel();
         const seen = frameOf(read(exports.frame(dt, step, hand.x, hand.y, hand.inside, hand.pressed, hand.down, hand.handle, hand.key)));
@@ -202,8 +206,8 @@
       },
       // Whatever went wrong, in one sentence.
       sentence(error) {
-        const name = running[0], file = files.get(parseInt(name, 10)), who = name ?? nobody;
-        running = [];
+        const file = files.get(parseInt(running, 10)), who = running ?? nobody;
+        running = null;
         if (error instanceof Stopped) return error.said(who);
         const { instance = null, printed: heard } = file ?? { printed };
         if (instance?.isOutOfFuel || exports.fuel?.value < 0n) return endless(who);

@@ -9,6 +9,7 @@
 #include "commands/commands.hpp"
 #include "site/build.hpp"
 #include "site/demos.hpp"
+#include "site/progress_script.hpp"
 #include "site/share.hpp"
 
 #include <algorithm>
@@ -179,11 +180,13 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
         std::cout << "The first time this compiles the functions of all sections, which takes a while.\n" << std::flush;
     const bool fine = build_sketch(workspace, sketch);
     if (fine) {
-        const std::string compiled = "<script>\n" + compiled_script(sketch) + "</script>\n";
-        write_file(sketch.page(), sketch_page(workspace, sketch.name,
-                                              "<script src=\"demos/" + sketch.name + "_mine.js\"></script>\n"));
+        const auto script = [](const std::string &text) { return "<script>\n" + text + "</script>\n"; };
+        const std::string progress = script(progress_script(workspace));
+        write_file(sketch.page(),
+                   sketch_page(workspace, sketch.name,
+                               "<script src=\"demos/" + sketch.name + "_mine.js\"></script>\n" + progress));
         if (!options.share.empty()) {
-            write_file(options.share, sketch_page(workspace, sketch.name, compiled));
+            write_file(options.share, sketch_page(workspace, sketch.name, script(compiled_script(sketch)) + progress));
             std::cout << "Written: " << options.share.string() << ", " << fs::file_size(options.share) / 1000
                       << " kB. Send it to a friend, who opens it with a double click.\n";
             return;
@@ -199,9 +202,11 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
     if (!fine) throw ExitRequest{something_to};
 }
 
-/// For pages: what a sketch may begin with, as text: { "07_segment_intersection": { "bounces (7.4)": … }, "gallery": { … }, "new": … }.
+/// For pages: what a sketch may begin with, as text: { "07_segment_intersection": { "bounces (7.4)": … }, "gallery": { … }, "new": … };
+/// and "page", the one to send to a friend, where a place says what is compiled. The site must be there.
 void print_scenes(const Workspace &workspace) {
-    nlohmann::json all{{"new", first_sketch("mine")}};
+    nlohmann::json all{{"new", first_sketch("mine")},
+                       {"page", sketch_page(workspace, "sketch", "<!-- compiled -->\n")}};
     for (const Section &section : workspace.sections())
         for (const auto &[name, file] : scenes_of(workspace, section))
             all[section.name][name] = sketch_of(workspace, section.short_number() + '/' + name);

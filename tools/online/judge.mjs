@@ -7,7 +7,7 @@ const encoder = new TextEncoder(), decoder = new TextDecoder();
 const longestPrint = 4 << 20; // [bytes], as in judge/runner/student_process.hpp
 const silence = { ended: -1, late: -2 }; // -1 - StudentProcess::Silence
 const signals = { abort: 6, division: 8, printedTooMuch: 25 };
-const crashed = 0x46624630 + 8, crash = { memory: 0, fullStack: 1 }; // wire::Frame and wire::Crash
+const crash = { memory: 0, fullStack: 1 }; // wire::Crash
 
 class PrintedTooMuch extends Error {}
 
@@ -56,7 +56,7 @@ function ending(error, student, call) {
   return { frame: crashFrame(call, crash.memory) };
 }
 const somewhere = 1 << 16; // an address that is no null pointer
-const crashFrame = (call, why) => new Uint8Array(new Uint32Array([crashed, call, 12, why, somewhere, 0]).buffer);
+const crashFrame = (call, why) => new Uint8Array(new Uint32Array([courseAnswers.frameOf('crashed'), call, 12, why, somewhere, 0]).buffer);
 
 // Runs the tests of an exercise, or all of them, on a module withFuel; `tell` is called with each verdict.
 export function judge(tests, answer, exercise, seed, tell) {

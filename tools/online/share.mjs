@@ -1,8 +1,7 @@
 // A sketch as one page that needs nothing else, to send to a friend: as `./course sketch --share` writes it.
-const base = new URL('.', document.currentScript.src), site = new URL('../..', base);
+const base = new URL('.', document.currentScript.src);
 
-const text = async (address) => (await fetch(address)).text();
-const ofSite = (name) => text(new URL(name, site)), ours = (section) => text(new URL(`ours_${section}.js`, base));
+const ours = async (section) => (await fetch(new URL(`ours_${section}.js`, base))).text();
 const script = (code) => `<script>\n${code}</script>\n`;
 const escaped = (words) => words.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 
@@ -16,24 +15,10 @@ async function answersOf(sections) {
   return Object.fromEntries(await Promise.all(names.map(async (name) => [name, await packed(all[name])])));
 }
 
-// sections: those whose functions it calls
-export async function sharedPage(title, module, sections) {
-  const style = (await Promise.all(['site.css', 'play.css'].map(ofSite))).join('').replace(/@font-face \{[^}]*\}\n?/g, ''), mine = await answersOf(sections);
-  const scripts = await Promise.all([ofSite('theme.js'), ...sections.map(ours), ...['draw.js', 'answers.js', 'play.js'].map(ofSite)]);
-  const playable = { sketch: await packed(module), ...(Object.keys(mine).length > 0 && { 'sketch/mine': mine }) };
+// page: as the terminal writes it, without what is compiled; sections: those whose functions it calls
+export async function sharedPage(page, title, module, sections) {
+  const mine = await answersOf(sections), playable = { sketch: await packed(module), ...(Object.keys(mine).length > 0 && { 'sketch/mine': mine }) };
   const data = `self.playable = ${JSON.stringify(playable)};\nself.progress = ${JSON.stringify({ sections: self.progress?.sections ?? [] })};\n`;
-  return `<!DOCTYPE html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>${escaped(title)}</title>
-<style>
-${style}main { padding-top: 0; }
-</style>
-<main>
-<figure class="play" id="demo" data-demo="sketch" data-mine><figcaption>${escaped(title)}</figcaption></figure>
-<p class="above">I wrote this with <em>Frame by Frame</em>, a course in game physics.</p>
-</main>
-${script(data)}${scripts.map(script).join('')}</html>
-`;
+  const scripts = [data, ...await Promise.all(sections.map(ours))].map(script).join('');
+  return page.replace('<title>sketch</title>', () => `<title>${escaped(title)}</title>`).replace('<!-- compiled -->\n', () => scripts);
 }

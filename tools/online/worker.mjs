@@ -47,14 +47,14 @@ const commonFiles = () => once('files', async () => {
   const [files, header] = await Promise.all([loadBytes(manifest.files, 'the compiler'), loadBytes(manifest.header, 'the compiler')]);
   return [...unpack(files), ['/loop/quick.pch', header]];
 });
+const linkedWith = (files) => ({ shared: folder(files), objects: files.map(([name]) => name).filter((name) => name.startsWith('/objects/')) });
 const sectionParts = (section) => once(section, async () => {
   const [common, own] = await Promise.all([commonFiles(), loadBytes(manifest.sections[section], `what tests section ${Number(section.slice(0, 2))}`).then(unpack)]);
   const tests = await WebAssembly.compile(own.find(([name]) => name === '/tests.wasm')[1]);
   const text = (name) => decoder.decode(own.find(([file]) => file === name)?.[1] ?? new Uint8Array());
   return {
     tests,
-    shared: folder([...common, ...own]),
-    objects: [...own, ...common].map(([name]) => name).filter((name) => name.startsWith('/objects/')),
+    ...linkedWith([...own, ...common]),
     facts: {
       section,
       sections: Object.keys(manifest.sections),
@@ -79,40 +79,40 @@ async function compilerStep(work) {
 // What Clang calls a `main` for WASI. A page's module has none, so its linker takes one where the terminal's refuses it.
 const mains = new Set(['main', '__main_void', '__main_argc_argv', '__original_main']);
 
+// What a file becomes: { compiler: what was printed, module, as bytes, symbols }, or where it ended: { step, compiler }.
+async function toModule(compile, { shared, objects }) {
+  tell({ step: 'compile' });
+  const compiled = await compilerStep((llvm) => compile(llvm, shared));
+  if (compiled.code !== 0) return { step: 'not compiled', compiler: compiled.said || compiled.trapped };
+  const symbols = definedFunctions(compiled.object);
+  if (symbols.some((name) => mains.has(name))) return { step: 'not linked', compiler: "multiple definition of `main'" };
+  tell({ step: 'link' });
+  const linked = await compilerStep((llvm) => link(llvm, shared, compiled.object, objects));
+  if (linked.code !== 0) return { step: 'not linked', compiler: linked.said || linked.trapped };
+  return { compiler: compiled.said, module: withFuel(linked.linked), symbols };
+}
+
 async function check({ section, exercise, text }) {
   const [parts, report] = await Promise.all([sectionParts(section), words(), compiler()]);
   const about = { ...parts.facts, only: exercise, text, file: `/own/${section}.cpp` };
-  tell({ step: 'compile' });
-  const compiled = await compilerStep((llvm) => compileAnswer(llvm, parts.shared, section, text));
-  if (compiled.code !== 0) return report({ ...about, step: 'not compiled', compiler: compiled.said || compiled.trapped });
-  const symbols = definedFunctions(compiled.object);
-  if (symbols.some((name) => mains.has(name))) return report({ ...about, step: 'not linked', compiler: "multiple definition of `main'" });
-  tell({ step: 'link' });
-  const linked = await compilerStep((llvm) => link(llvm, parts.shared, compiled.object, parts.objects));
-  if (linked.code !== 0) return report({ ...about, step: 'not linked', compiler: linked.said || linked.trapped });
-  const module = withFuel(linked.linked), verdicts = [];
+  const { module, ...built } = await toModule((llvm, shared) => compileAnswer(llvm, shared, section, text), parts);
+  if (!module) return report({ ...about, ...built });
+  const verdicts = [];
   tell({ step: 'test', module });
   judge(parts.tests, await WebAssembly.compile(module), exercise, seed, (verdict) => verdicts.push(verdict));
-  return report({ ...about, step: 'compiled', compiler: compiled.said, verdicts, symbols });
+  return report({ ...about, ...built, step: 'compiled', verdicts });
 }
 
 const sketchParts = () => once('sketches', async () => {
   const [common, own] = await Promise.all([commonFiles(), loadBytes(manifest.sketches, 'what sketches need').then(unpack)]);
-  const files = [...common, ...own];
-  return { shared: folder(files), objects: files.map(([name]) => name).filter((name) => name.startsWith('/objects/')) };
+  return linkedWith([...own, ...common]);
 });
 
 // A sketch: { module, as bytes } or, if it can't be compiled, as a check says it: { text, place }.
 async function sketch({ text }) {
   const [parts, report] = await Promise.all([sketchParts(), words(), compiler()]);
-  const trouble = (step, said) => report({ sketch: true, section: '00_sketch', exercises: [], file: '/own/sketch.cpp', name: 'sketch.cpp', text, step, compiler: said });
-  tell({ step: 'compile' });
-  const compiled = await compilerStep((llvm) => compileSketch(llvm, parts.shared, text));
-  if (compiled.code !== 0) return trouble('not compiled', compiled.said || compiled.trapped);
-  tell({ step: 'link' });
-  const linked = await compilerStep((llvm) => link(llvm, parts.shared, compiled.object, parts.objects));
-  if (linked.code !== 0) return trouble('not linked', linked.said || linked.trapped);
-  return { module: withFuel(linked.linked) };
+  const { module, ...built } = await toModule((llvm, shared) => compileSketch(llvm, shared, text), parts);
+  return module ? { module } : report({ sketch: true, section: '00_sketch', exercises: [], file: '/own/sketch.cpp', name: 'sketch.cpp', text, ...built });
 }
 
 // One check after the other, in the order in which they came.

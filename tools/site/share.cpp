@@ -89,7 +89,7 @@ std::string page_with_bug(const Workspace &workspace, const Demo &demo, const De
 std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled) {
     const std::string place = "<figure class=\"play\" id=\"demo\" data-demo=\"" + name + "\" data-mine><figcaption>"
                               + with_capital(name) + "</figcaption></figure>\n";
-    return page_of(workspace, name, place, sketch_signature, compiled + script(progress_script(workspace)));
+    return page_of(workspace, name, place, sketch_signature, compiled);
 }
 
 } // namespace course

@@ -16,7 +16,7 @@ std::string shared_page(const Workspace &workspace, const Demo &demo, const Demo
 std::string page_with_bug(const Workspace &workspace, const Demo &demo, const DemoMark &mark);
 
 /// A sketch in a page.
-/// @param compiled  the elements that bring its script, `playable[name]` and `playable[name + "/mine"]`
+/// @param compiled  the elements that bring its script, `playable[name]` and `playable[name + "/mine"]`, and what is done
 std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled);
 
 } // namespace course
