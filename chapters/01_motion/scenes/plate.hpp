@@ -22,7 +22,7 @@ struct Plate : Scene {
     void draw(Canvas &canvas) const override {
         std::vector<Vec2> points;
         Vec2 mean{0, 0};
-        double area = 0; // with its sign [m²]
+        double area = 0; // signed [m²]
         for (int i = 0; i < 6; ++i) {
             const Vec2 p = corners[i], q = corners[(i + 1) % 6];
             points.push_back(p);
