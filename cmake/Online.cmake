@@ -78,7 +78,15 @@ foreach(section ${COURSE_SECTIONS})
     string(SUBSTRING ${one} 3 -1 other)
     list(APPEND headers ${PROJECT_SOURCE_DIR}/chapters/${one}/${other}.hpp)
   endforeach()
-  add_custom_command(OUTPUT ${made} COMMAND ${make_objects} ${section}
+  set(asked)
+  if(COURSE_${section}_PLAYS_YOURS)
+    set(asked ${earlier})
+    list(TRANSFORM earlier REPLACE "(.+)" "${objects}/${section}_asks_\\1.o" OUTPUT_VARIABLE asking)
+    list(TRANSFORM earlier REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/solutions/\\1.cpp" OUTPUT_VARIABLE theirs)
+    list(APPEND made ${objects}/${section}_asks.o ${asking})
+    list(APPEND headers ${theirs} ${host}/asks.cpp ${host}/calls.hpp ${host}/answers.hpp)
+  endif()
+  add_custom_command(OUTPUT ${made} COMMAND ${make_objects} ${section} ${asked}
     DEPENDS ${common} ${headers} ${PROJECT_SOURCE_DIR}/solutions/${section}.cpp ${PROJECT_SOURCE_DIR}/tests/${section}/stub.cpp ${page}/server.cpp
     VERBATIM COMMENT "Compiling what answers of ${section} are linked with in pages")
   list(APPEND parts ${online}/${section}.wasm ${made} ${PROJECT_BINARY_DIR}/catalogue/${section}.json)

@@ -40,6 +40,7 @@ set(COURSE_WASM_LINK --target=wasm32-wasi -mexec-model=reactor
   -Wl,--max-memory=67108864,--export=__stack_pointer
   -Wl,--allow-undefined)  # a student's file may use a function that a page does not have: the page says so
 set(COURSE_WASM_CLAIMS ${PROJECT_SOURCE_DIR}/tools/play/libcxx) # what tells of them
+set(host ${PROJECT_SOURCE_DIR}/tools/play/host)
 
 # wasm_object(RESULT source flags...): an object for a page; the section's header is on the path.
 function(wasm_object object source)
@@ -154,7 +155,6 @@ macro(section_script)
 endmacro()
 
 macro(section_wasm)
-  set(host ${PROJECT_SOURCE_DIR}/tools/play/host)
   section_answer_parts()
   set(mine)
   if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${section}.cpp)
@@ -208,12 +208,12 @@ macro(section_wasm_with_ours)
   add_custom_target(${section}_play_wrong DEPENDS ${wrong_scripts})
 endmacro()
 
-# our_answers(RESULT one to): appends the object of our functions of a section, as a page calls them.
+# our_answers(RESULT one to flags...): appends the object of our functions of a section, as a page calls them.
 function(our_answers result one to)
   set(chapter ${PROJECT_SOURCE_DIR}/chapters/${one})
   earlier_headers(known_before ${one})
   wasm_answers(as_ours)
-  wasm_object(${to}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp ${known_before} ${as_ours})
+  wasm_object(${to}_ours.o ${PROJECT_SOURCE_DIR}/solutions/${one}.cpp ${known_before} ${as_ours} ${ARGN})
   set(${result} ${${result}} ${to}_ours.o PARENT_SCOPE)
 endfunction()
 
@@ -236,7 +236,7 @@ endfunction()
 
 # What a student's file of this section is linked with: its server, what stands in for functions that it lacks, and a header that
 # is compiled beforehand, so that a save is in the page in a second. Later sections call our functions of this one, or, without
-# ours, the student's.
+# ours, the student's; where the demo plays the student's, they ask for them.
 macro(section_answer_parts)
   answer_object(${play}/${section}_server.o ${COURSE_WASM_JUDGE}/server.cpp "-DCOURSE_SECTION=\"${slug}.hpp\"")
   answer_object(${play}/${section}_missing.o ${PROJECT_SOURCE_DIR}/tests/${section}/stub.cpp -w -DCOURSE_STUB_BEHIND -include judge/server/missing.hpp)
@@ -254,6 +254,22 @@ macro(section_answer_parts)
       set(COURSE_${section}_ANSWERS ${play}/${section}_answers.o ${play}/${section}_missing.o CACHE INTERNAL "")
     endif()
   endif()
+  set(called)
+  if(solved AND section_PLAYS_YOURS)
+    earlier_headers(known_before ${section})
+    set(called ${play}/${section}_asks.o)
+    answer_object(${called} ${host}/asks.cpp ${known_before} -DCOURSE_OURS_BESIDE -DCOURSE_EMITTED)
+    set(COURSE_WASM_CLAIMS ${COURSE_WASM_JUDGE}/libcxx)
+    foreach(one ${earlier})
+      our_answers(called ${one} ${play}/${section}_beside_${one} ${COURSE_WASM_ANSWER} -DCOURSE_OURS_BESIDE)
+    endforeach()
+    set(COURSE_WASM_CLAIMS ${PROJECT_SOURCE_DIR}/tools/play/libcxx)
+  else()
+    foreach(one ${earlier})
+      list(APPEND called ${COURSE_${one}_ANSWERS})
+    endforeach()
+  endif()
+  set(COURSE_${section}_CALLED ${called} CACHE INTERNAL "")
   foreach(part exceptions assertion) # of all sections
     get_property(made GLOBAL PROPERTY course_answer_${part} SET)
     if(NOT made)
@@ -265,10 +281,8 @@ endmacro()
 
 # answer_entry(RESULT section file object): what link_answers.mjs is told of a student's file.
 function(answer_entry result section file object)
-  set(parts ${file} ${object} ${play}/${section}_server.o ${play}/${section}_missing.o ${play}/exceptions.o ${play}/assertion.o)
-  foreach(one ${COURSE_${section}_BUILDS_ON})
-    list(APPEND parts ${COURSE_${one}_ANSWERS})
-  endforeach()
+  set(parts ${file} ${object} ${play}/${section}_server.o ${play}/${section}_missing.o ${play}/exceptions.o ${play}/assertion.o
+    ${COURSE_${section}_CALLED})
   list(JOIN parts , parts)
   set(${result} ${section}=${parts} PARENT_SCOPE)
 endfunction()

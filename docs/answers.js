@@ -13,15 +13,21 @@
     return Object.fromEntries(missing.map(({ name }) => [name, () => { throw new Error(`it uses ${name}, which doesn’t exist in a page`); }]));
   }
 
+  // A file of a section that plays the reader's of earlier ones asks for these, but not before it's told to.
+  const nobody = new Proxy({}, { get: () => () => -1 });
+
   class AnswerInstance {
     #exports;
+    #asks;
     spent = 0; // [s]
 
-    // wasi: what the module imports of the system's functions
-    constructor(module, wasi) {
+    // wasi: what the module imports of the system's functions. asked: what answers for the reader's other files, { yours, play };
+    // nothing where ours are meant.
+    constructor(module, wasi, asked) {
       const env = { ...absent(module), __cpp_exception: new WebAssembly.Tag({ parameters: ['i32'] }) };
-      this.instance = new WebAssembly.Instance(module, { wasi_snapshot_preview1: wasi, env });
+      this.instance = new WebAssembly.Instance(module, { wasi_snapshot_preview1: wasi, env, yours: nobody, play: nobody, ...asked });
       this.#exports = this.instance.exports;
+      this.#asks = Boolean(asked);
     }
 
     // Calls with what is left of so many seconds.
@@ -48,6 +54,7 @@
     // The frame with which it says that it's there.
     greet(seconds) {
       this.#within(seconds, () => {
+        if (this.#asks) this.#exports.ask_reader?.();
         this.#exports._initialize();
         this.#exports.course_greet();
       });

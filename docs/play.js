@@ -85,6 +85,10 @@
     return files;
   }
 
+  // The exercises that a module asks the page for.
+  const askedBy = (module) => WebAssembly.Module.imports(module).filter(({ module: from }) => ['exercises', 'yours'].includes(from)).map(({ name }) => name);
+  const sectionsOf = (names) => new Set(names.map((name) => parseInt(name, 10)));
+
   // Our functions where they aren't linked with what calls them: `playable` has a script of each section's.
   const oursApart = () => Object.assign({}, ...Object.entries(playable).filter(([name]) => name.startsWith('ours/')).map(([, file]) => file));
 
@@ -93,16 +97,19 @@
   async function instantiate(module, packed, section, broken) {
     const isSketch = Number.isNaN(section), nobody = isSketch ? 'Your sketch' : 'The demo'; // stopped outside of the reader's functions
     const called = new Map(), fallen = new Map(); // what was called, and when last; what ours stand in for, and why
-    const imported = WebAssembly.Module.imports(module), asksFor = imported.filter(({ module: from }) => ['exercises', 'yours'].includes(from)).map(({ name }) => name);
-    const names = [...new Set(asksFor)].sort((a, b) => a.localeCompare(b, 'en', { numeric: true })), sections = new Set(names.map((name) => parseInt(name, 10)));
-    const files = await filesOf(packed ?? {}, sections), apart = await filesOf(oursApart(), sections);
+    const imported = WebAssembly.Module.imports(module), theirs = await filesOf(packed ?? {}, sectionsOf(askedBy(module)));
+    const asksAgain = [...theirs.values()].flatMap((file) => (file.module ? askedBy(file.module) : [])); // the reader's own, of earlier sections
+    const names = [...new Set([...askedBy(module), ...asksAgain])].sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
+    const files = await filesOf(packed ?? {}, sectionsOf(names)), apart = await filesOf(oursApart(), sectionsOf(names));
+    for (const name of asksAgain) broken.delete(name); // ours with a bug is linked with the demo alone
     const catches = imported.some(({ kind }) => kind === 'tag');
     let running = null, clock = 0, exports, answer, printed = ''; // running: which of the reader's functions
+    let trouble; // what ends this world, even where a reader's function catches it
     const text = (from) => {
       const bytes = new Uint8Array(exports.memory.buffer);
       return new TextDecoder().decode(bytes.slice(from, bytes.indexOf(0, from)));
     };
-    const stop = (said) => { throw new Stopped(said); };
+    const stop = (said) => { throw (trouble ??= new Stopped(said)); };
     const lost = 'A position is infinite, or not a number (NaN): which function returned it, or which Vec2 did you never set?';
     const endless = (who) => `${who} gave no answer: look for a loop that never ends.`;
     function thrown(type, what) {
@@ -118,17 +125,24 @@
       return (broken.has(name) ? exports[`wrong ${name}`] : ours ?? stop(() => `${name} can't be played: ${fallen.get(name)}.`))(...values);
     }
 
-    // The reader's function answers, and how many bytes, or ours from a module of its own; -1 for one that's linked with the demo.
-    function caller(name) {
+    // For calls from this memory: the reader's function answers, and how many bytes, or ours from a module of its own; -1 for one that's
+    // linked with what calls.
+    function caller(name, memory) {
       const [number] = name.split(' '), [section, place] = number.split('.').map(Number), theirs = files.get(section), ours = apart.get(section);
       return (at, size) => {
+        if (trouble) throw trouble;
         called.set(name, clock);
-        const values = new Uint8Array(exports.memory.buffer, at, size);
+        const values = new Uint8Array(memory(), at, size);
         const answered = packed && !broken.has(name) && !fallen.has(name) ? ask(theirs, name, place - 1, values) : -1;
         return answered < 0 && ours ? ask(ours, name, place - 1, values) : answered;
       };
     }
+    const asked = (memory) => ({
+      yours: new Proxy({}, { get: (_, name) => caller(name, memory) }),
+      play: { thrown, take: (to) => new Uint8Array(memory()).set(answer, to) },
+    });
     function ask(file, name, index, values) {
+      const before = running;
       running = name;
       const { kind, value, words: [what, more] } = readReply(reply(file, callFrame(++file.calls, index, values)));
       if (kind === 'missing') fallen.set(name, 'not in your file');
@@ -136,7 +150,7 @@
       else if (kind === 'refused') stop((who) => `${who} refused its input: ${what}.`);
       else if (kind === 'threw') stop((who) => `${who} threw ${what === 'int' ? `the number ${more}` : more ? `${what}: ${more}` : what}.`);
       else if (kind === 'no memory') stop((who) => `${who} asks for more memory than there is.`);
-      running = null;
+      running = before;
       return kind === 'result' ? (answer = value).length : -1;
     }
     function needs(name, inner) {
@@ -145,20 +159,23 @@
     }
     // From an instance that stays as long as the world does.
     function reply(file, frame) {
-      if (!file.instance) {
-        file.instance = new AnswerInstance(file.module, quiet(() => file.instance.memory, (words) => (file.printed = lastOf(file.printed + words))));
-        file.instance.greet(longestFrame);
+      const memory = () => file.instance.memory;
+      try {
+        if (!file.instance) {
+          file.instance = new AnswerInstance(file.module, quiet(memory, (words) => (file.printed = lastOf(file.printed + words))), packed && asked(memory));
+          file.instance.greet(longestFrame);
+        }
+        const answered = file.instance.answer(frame, longestFrame);
+        if (!trouble) return answered;
+      } catch (error) {
+        trouble ??= error;
       }
-      return file.instance.answer(frame, longestFrame);
+      throw trouble;
     }
-    const imports = {
-      play: { thrown, take: (to) => new Uint8Array(exports.memory.buffer).set(answer, to) },
-      exercises: {}, yours: {}, env: {},
-      wasi_snapshot_preview1: quiet(() => exports.memory.buffer, (words) => (printed = lastOf(printed + words))),
-    };
+    const memory = () => exports.memory.buffer;
+    const imports = { ...asked(memory), exercises: {}, env: {}, wasi_snapshot_preview1: quiet(memory, (words) => (printed = lastOf(printed + words))) };
     for (const { module: from, name, kind } of imported) {
       if (from === 'exercises') imports.exercises[name] = (...values) => call(name, values);
-      if (from === 'yours') imports.yours[name] = caller(name);
       if (kind === 'tag') imports.env[name] = new WebAssembly.Tag({ parameters: ['i32'] });
       else if (from === 'env') imports.env[name] = () => stop((who) => `${who} uses ${name}, which doesn't exist in a page.`);
     }
@@ -184,7 +201,7 @@
       names,
       lookWhoseTheyAre,
       ofMany: isSketch ? names.length > 0 : new Set(names.map((name) => parseInt(name, 10))).size > 1,
-      canBreak: (name) => `wrong ${name}` in exports,
+      canBreak: (name) => `wrong ${name}` in exports && !asksAgain.includes(name),
       calledWithin: (name, seconds) => clock - called.get(name) < seconds,
       initialize() {
         refuel();

@@ -9,7 +9,7 @@ import { openDemo, seven } from './demo.mjs';
 
 // Its files in tests/play: the reader has solved its own exercise, and of the earlier ones in earlier/ one, which is called
 // in each frame, is right, and one never ends; a file doesn't compile, and the others are gone.
-const game = '13_table_hockey', right = '1.2 uniform_motion', endless = '9.3 joints', broken = '2.5 impulse', gone = '8.1 decompose';
+const game = '13_table_hockey', right = '1.2 uniform_motion', endless = '5.6 table_friction', broken = '2.5 impulse', gone = '8.1 decompose';
 const file = 'as_solved', own = 13, brokenFile = '02_momentum.cpp';
 const here = fs.existsSync(path.join(site, 'demos', `${game}.js`));
 const copy = here && copyOf(site), numberOf = (name) => name.split(' ')[0];

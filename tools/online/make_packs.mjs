@@ -31,8 +31,10 @@ function files() {
 function section(name, earlier) {
   const header = (one) => source(`chapters/${one}/${one.slice(3)}.hpp`);
   const texts = [`tests/${name}/mistakes.tsv`, `tests/${name}/stub.cpp`, `chapters/${name}/renamed.txt`].filter((file) => fs.existsSync(path.join(root, file)));
+  const asking = fs.readdirSync(path.join(built, 'objects')).filter((file) => file.startsWith(`${name}_asks`)); // the reader's of earlier sections
+  const called = asking.length > 0 ? asking : earlier.map((one) => `${one}_ours.o`);
   return pack([...[name, ...earlier].map(header), ...texts.map(source), ['/tests.wasm', made(`${name}.wasm`)], ['/catalogue.json', made(`../catalogue/${name}.json`)],
-    ...['server', 'missing'].map((part) => object(`${name}_${part}.o`)), ...earlier.map((one) => object(`${one}_ours.o`))]);
+    ...[`${name}_server.o`, `${name}_missing.o`, ...called].map(object)]);
 }
 
 const names = sections.map((each) => each.split('=')[0]);

@@ -26,12 +26,13 @@ void serve(Result (*function)(Arguments...), double limit, Reader &in, Writer &o
 }
 template <auto F> void serve_function(double limit, Reader &in, Writer &out) { serve(F, limit, in, out); }
 
-/// A line of the section's header, which includes those of earlier sections first: their functions are ours.
-struct Served {
-    Served(std::string_view section, Exercise exercise) {
-        static std::string_view last;
-        if (section != std::exchange(last, section)) exercises = 0;
-        served[exercises++] = exercise;
+/// Whether a section is the one whose header is COURSE_SECTION: that includes those of earlier sections, whose functions are ours.
+constexpr bool is_served(std::string_view section) {
+    return std::string_view{COURSE_SECTION}.substr(0, sizeof COURSE_SECTION - sizeof ".hpp") == section;
+}
+template <bool Own, auto F> struct Served {
+    explicit Served(double limit) {
+        if constexpr (Own) served[exercises++] = {&serve_function<F>, limit};
     }
 };
 
@@ -39,5 +40,5 @@ struct Served {
 
 #undef COURSE_EXERCISE
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
-    static const ::Served function##_served{#section, {&::serve_function<&section::function>, largest_number(number)}};
+    static const ::Served<::is_served(#section), &section::function> function##_served{largest_number(number)};
 #include COURSE_SECTION

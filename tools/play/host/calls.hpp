@@ -2,7 +2,8 @@
 // Read before a section's header, says what its COURSE_EXERCISE means to a file that calls exercises in a page. There each
 // exercise may be the reader's, which is a module of its own, and answers by frames, or else ours or a wrong one of ours, which
 // are linked with the demo: the page knows which. A friend can have the exercise's name without its parameters' names.
-// COURSE_OURS_APART: ours are modules of their own, too.
+// COURSE_OURS_APART: ours are modules of their own, too. COURSE_OURS_BESIDE: see asks.cpp. COURSE_EMITTED: for other files, which
+// only declare these functions.
 #include "judge/protocol/border.hpp"
 
 #include <cstdlib>
@@ -33,23 +34,34 @@ std::optional<Result> of_reader(int yours(const char *, std::size_t), const Argu
 
 #ifdef COURSE_OURS_APART
 #define COURSE_OURS(function) std::abort() // the page has had them answer
+#else
+#define COURSE_OURS(function) return function##_ours(values...)
+#endif
+#ifdef COURSE_OURS_BESIDE
+#define COURSE_OURS_FROM(name) __asm__("ours " name)
+#define COURSE_UNASKED(function)                                                                                       \
+    if (!host::asks_reader) COURSE_OURS(function) // as where a test calls it
+#else
+#define COURSE_OURS_FROM(name) __attribute__((import_module("exercises"), import_name(name)))
+#define COURSE_UNASKED(function)
+#endif
+#ifdef COURSE_EMITTED
 #define COURSE_EMIT(function)                                                                                          \
-    decltype(&function) function##_emitted() { return &function; } // for other files, which only declare it
+    decltype(&function) function##_emitted() { return &function; }
 #else
 #define COURSE_EMIT(function)
-#define COURSE_OURS(function) return function##_in_page(values...)
 #endif
 
 #undef COURSE_EXERCISE // it meant nothing in the headers of earlier sections
 #define COURSE_EXERCISE(number, tier, section, function, arguments, unit)                                              \
     }                                                                                                                  \
-    decltype(function) function##_in_page                                                                              \
-        __attribute__((import_module("exercises"), import_name(number " " #function)));                                \
+    decltype(function) function##_ours COURSE_OURS_FROM(number " " #function);                                         \
     int function##_of_reader(const char *, std::size_t)                                                                \
         __attribute__((import_module("yours"), import_name(number " " #function)));                                    \
     template <class> struct function##_call;                                                                           \
     template <class Result, class... Arguments> struct function##_call<Result(Arguments...)> {                         \
         friend Result function(Arguments... values) {                                                                  \
+            COURSE_UNASKED(function);                                                                                  \
             course::require_within(largest_number(number), values...);                                                 \
             if (auto theirs = host::of_reader<Result>(function##_of_reader, values...)) return *std::move(theirs);     \
             COURSE_OURS(function);                                                                                     \
