@@ -17,6 +17,16 @@ const median = (all) => [...all].sort((a, b) => a - b)[Math.floor(all.length / 2
 const seconds = (ms) => `${(ms / 1000).toFixed(2)} s`, megabytes = (bytes) => `${(bytes / 1e6).toFixed(1)} MB`;
 const bytesOf = (names) => names.reduce((sum, name) => sum + fs.statSync(path.join(folder, name)).size, 0);
 
+// A sketch of the gallery, compiled and linked [ms].
+async function timeOfSketch(page, text) {
+  const { took, module } = await page.evaluate(async (text) => {
+    const start = performance.now(), { module } = await self.checker.sketch({ text });
+    return { took: performance.now() - start, module: Boolean(module) };
+  }, text);
+  assert.ok(module, `a sketch can't be compiled:\n${text}`);
+  return took;
+}
+
 // Without a service worker, which would keep the whole site meanwhile.
 async function openPage(t) {
   const context = await (await browser()).newContext({ serviceWorkers: 'block' });
@@ -89,6 +99,14 @@ test('what a check in the page costs', async (t) => {
   row(`… the slowest, the ${slowest.kind} of ${slowest.name}`, seconds(slowest.took), '≤ 1.5 s');
   row('memory of the tab after its first check', megabytes(before));
   row('… and after all of these', megabytes(await memory()), '≤ 500 MB');
+
+  const gallery = path.join(root, 'docs/gallery'), sketches = fs.readdirSync(gallery).map((name) => fs.readFileSync(path.join(gallery, name), 'utf8'));
+  const fresh = (await openPage(t)).page;
+  row('first sketch of a page', seconds(await timeOfSketch(fresh, sketches[0])));
+  const again = [];
+  for (let i = 0; i < furthers; ++i) for (const text of sketches) again.push(await timeOfSketch(fresh, text));
+  row(`further sketches, median of ${again.length}`, seconds(median(again)), '≤ 1 s');
+  row('… the slowest', seconds(Math.max(...again)));
 
   console.log(`${os.cpus().length} cores, load ${load.toFixed(1)} at the start and ${os.loadavg()[0].toFixed(1)} at the end\n\n| | measured | goal |\n|:--|:--|:--|\n${rows.join('\n')}\n`);
 });
