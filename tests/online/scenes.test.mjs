@@ -24,8 +24,8 @@ async function openChapter(t, name = `chapter_${section}.html`) {
   return { page, troubles };
 }
 // Writes into the exercise's box, or does something else there; checks, and waits for the verdict.
-async function check(page, text) {
-  const box = inBox(page, number);
+async function check(page, text, exercise = number) {
+  const box = inBox(page, exercise);
   await box.box.scrollIntoViewIfNeeded();
   await box.code.waitFor();
   if (text === startAgain) await box.button('Start again').click();
@@ -87,4 +87,19 @@ describe('the scenes of a page', { concurrency: 1 }, () => {
     assert.match(await check(page, startAgain), /not started/);
     await demo.button('Yours').waitFor({ state: 'hidden' });
   });
+});
+
+test('the scene of many sections runs on the reader’s in what the reader’s own calls, too', async (t) => {
+  const { page, troubles } = await openChapter(t, 'chapter_05_inclined_planes.html');
+  const slower = 'require_frame(deceleration, dt);\n    return velocity.norm() > deceleration * dt ? Vec2{velocity - deceleration * dt * velocity.normalized()} : Vec2{0, 0};';
+  const friction = `Vec2 table_friction(const Vec2 &velocity, double deceleration, double dt) {\n    ${slower}\n}`;
+  const verdict = await check(page, friction, '5.6');
+  const step = 'now.disc.velocity = inclined_planes::table_friction(now.disc.velocity, 1, dt);\n    return now;';
+  await page.goto(`${host}/chapter_13_table_hockey.html`);
+  const demo = await demoOn(page, '13_table_hockey', '[data-exercise="13.1"]'), lamp = demo.figure.locator('.lamps li', { hasText: '5.6 table_friction' });
+  await check(page, `World step(World now, const Inputs &inputs, double dt) {\n    ${step}\n}`, '13.1');
+  await demo.canvas.scrollIntoViewIfNeeded();
+  await lamp.and(page.locator('.lit[data-whose=yours]')).waitFor();
+  assert.match(verdict, /✓ 5\.6/);
+  assert.deepEqual(troubles, []);
 });
