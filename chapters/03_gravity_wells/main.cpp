@@ -173,6 +173,17 @@ void trace_fall(std::ostream &out) {
     }
 }
 
+//> A fall to the side, traced
+void trace_sideways(std::ostream &out) {
+    out << "# t[s]\tto the side[m]\tfall[m]\tthe circle's bend[m]\tradius[m]\n";
+    const double r = 8, v = 10, a = gravity({{0, r}, 1}, hole, G).norm();
+    for (int step = 0; step <= 25; ++step) { // half a second
+        const double t = step / 50.0, side = v * t;
+        out << t << '\t' << side << '\t' << a * t * t / 2 << '\t' << r - std::sqrt(r * r - side * side) << '\t' << r
+            << '\n';
+    }
+}
+
 //> Five pushes, traced
 void trace_push(std::ostream &out) {
     out << "# 5 x[m]\t5 y[m]\t7 x[m]\t7 y[m]\t10 x[m]\t10 y[m]\t12 x[m]\t12 y[m]\t14.2 x[m]\t14.2 y[m]\n";
@@ -245,6 +256,7 @@ int main(int argc, char **argv) {
                         {"comet", print_comet},
                         {"03_gravity_wells_fall.tsv", trace_fall},
                         {"03_gravity_wells_push.tsv", trace_push},
+                        {"03_gravity_wells_sideways.tsv", trace_sideways},
                         {"03_gravity_wells_orbits.tsv", trace_orbits},
                         {"03_gravity_wells_energy.tsv", trace_energy},
                         {"03_gravity_wells_errors.tsv", trace_errors},
