@@ -225,6 +225,38 @@ void trace_energy(std::ostream &out) {
     }
 }
 
+//> A patch of ships, traced
+/// The area inside a ring of ships, each a position [m] and a velocity [m/s] on one line, by the shoelace formula [m²/s].
+double area_inside(const std::vector<Vec2> &ring) {
+    double twice = 0;
+    for (Vec2 before = ring.back(); const Vec2 &ship : ring) {
+        twice += before.x() * ship.y() - before.y() * ship.x();
+        before = ship;
+    }
+    return twice / 2;
+}
+
+/// Ships bob through a well that's softened by 8 m; they're pulled and moved at once, or in turn.
+void trace_patch(std::ostream &out) {
+    out << "# explicit x[m]\texplicit v[m/s]\texplicit area[m²/s]\t"
+           "semi-implicit x[m]\tsemi-implicit v[m/s]\tsemi-implicit area[m²/s]\tsteps[1]\n";
+    constexpr double dt = 0.3; // [s]
+    const auto pulled = [](const Vec2 &ship) -> Vec2 { return {0, dt * softened_gravity({ship.x(), 0}, mu, 8).x()}; };
+    const auto moved = [](const Vec2 &ship) -> Vec2 { return {dt * ship.y(), 0}; };
+    std::vector<Vec2> at_once, in_turn; // by explicit and by semi-implicit Euler
+    for (int k = 0; k <= 120; ++k) at_once.emplace_back(2.5 + std::cos(k * pi / 60), std::sin(k * pi / 60));
+    in_turn = at_once;
+    for (int step = 0; step <= 10; ++step) {
+        for (std::size_t k = 0; step % 5 == 0 && k < at_once.size(); ++k)
+            out << at_once[k].x() << '\t' << at_once[k].y() << '\t' << area_inside(at_once) << '\t' << in_turn[k].x()
+                << '\t' << in_turn[k].y() << '\t' << area_inside(in_turn) << '\t' << step << '\n';
+        if (step % 5 == 0) out << "\n\n";
+        for (Vec2 &ship : at_once) ship += pulled(ship) + moved(ship);
+        for (Vec2 &ship : in_turn) ship += pulled(ship);
+        for (Vec2 &ship : in_turn) ship += moved(ship);
+    }
+}
+
 //> Errors, traced
 void trace_errors(std::ostream &out) {
     out << "# dt of a turn[1]\texplicit[m]\tsemi-implicit[m]\tleapfrog[m]\tRunge-Kutta[m]\n";
@@ -259,6 +291,7 @@ int main(int argc, char **argv) {
                         {"03_gravity_wells_sideways.tsv", trace_sideways},
                         {"03_gravity_wells_orbits.tsv", trace_orbits},
                         {"03_gravity_wells_energy.tsv", trace_energy},
+                        {"03_gravity_wells_patch.tsv", trace_patch},
                         {"03_gravity_wells_errors.tsv", trace_errors},
                         {"03_gravity_wells_pull.tsv", trace_pull},
                         {"03_gravity_wells_anomaly.tsv", trace_anomaly}});
