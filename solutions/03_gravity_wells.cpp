@@ -1,5 +1,7 @@
 #include "gravity_wells.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace gravity_wells {
@@ -130,6 +132,48 @@ Vec2 kepler_position(double semi_major, double eccentricity, double mu, double t
     const double angle = eccentric_anomaly(std::remainder(turns, 2 * std::numbers::pi), eccentricity);
     return {semi_major * (std::cos(angle) - eccentricity),
             semi_major * std::sqrt(1 - eccentricity * eccentricity) * std::sin(angle)};
+}
+
+//> Solution: a good flight
+static void require_lander(const Lander &now, const Controls &controls, double g, double dt) {
+    require_fall(now.state.position.y(), g);
+    course::require(now.fuel >= 0, "fuel [s] must not be negative", now.fuel);
+    course::require(std::abs(controls.jets) <= 1, "jets must be -1, 0 or 1", controls.jets);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+}
+
+//> Solution 3.9: when it touches
+/// How long something at this height, with this velocity and acceleration upwards, takes to the ground [s].
+static double time_to_touch(double height, double velocity, double acceleration) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const bool rises = velocity > 0 || (velocity == 0 && acceleration > 0);
+    if (height == 0 && !rises) return 0;
+    if (acceleration >= 0 && velocity >= 0) return never;
+    if (height == 0) return -2 * velocity / acceleration;
+    const double square = velocity * velocity - 2 * acceleration * height; // of how fast it'd touch [m²/s²]
+    return square < 0 ? never : 2 * height / (std::sqrt(square) - velocity);
+}
+
+//> Solution 3.9: fly a lander
+Lander fly_lander(Lander now, const Controls &controls, double pad, double g, double dt) {
+    require_lander(now, controls, g, dt);
+    bool over = now.landed || now.crashed;
+    while (!over) { // until what happens next: the touch, the fuel's end or the frame's
+        const bool burns = controls.engine && now.fuel > 0;
+        const Vec2 acceleration{controls.jets * jet, burns ? thrust - g : -g};
+        const auto &[position, velocity] = now.state;
+        const double touch = time_to_touch(position.y(), velocity.y(), acceleration.y());
+        const double t = std::min({touch, burns ? now.fuel : dt, dt});
+        now.state = motion::accelerated_motion(now.state, acceleration, t);
+        now.state.position.y() = t == touch ? 0 : std::max(0.0, now.state.position.y()); // less is rounding
+        if (burns) now.fuel -= t;
+        dt -= t;
+        over = t == touch || dt == 0;
+        if (t < touch) continue;
+        now.landed = now.state.velocity.norm() <= soft && std::abs(now.state.position.x() - pad) <= half_pad;
+        now.crashed = !now.landed;
+    }
+    return now;
 }
 //>
 } // namespace gravity_wells

@@ -35,6 +35,12 @@ inline void next_frame(Fall &lander, double burn, double dt) {
     lander = fall_and_land(lander, moon_g, dt);
 }
 
+//> The frame loop: a flight
+/// One frame of the game, with what the player holds down; `pad` is the middle of where it's to land [m].
+inline void next_frame(Lander &lander, const Controls &controls, double pad, double dt) {
+    lander = fly_lander(lander, controls, pad, moon_g, dt);
+}
+
 //> The frame loop: an orbit
 /// One frame of the game without an engine: by the integrator of 3.5.
 inline void next_frame(State &ship, double dt) { ship = orbit_step(ship, mu, dt); }

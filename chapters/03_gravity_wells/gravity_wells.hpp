@@ -95,6 +95,39 @@ Integrators step_all(const Integrators &before, double mu, double dt);
 /// @throws std::invalid_argument if `semi_major` or `mu` is not positive, or `eccentricity` is negative or not below 1.
 Vec2 kepler_position(double semi_major, double eccentricity, double mu, double t);
 
+//> A lander
+constexpr double thrust = 4.5, jet = 1; ///< how much faster the engine and a jet make it each second [m/s²]
+constexpr double half_pad = 3;          ///< half the width of the pad that it's to land on [m]
+constexpr double soft = 2;              ///< the hardest touch that it survives [m/s]
+
+struct Lander {
+    State state;          ///< of its feet: above the ground y isn't negative [m], [m/s]
+    double fuel{};        ///< for so long its engine can burn [s], not negative
+    bool landed = false;  ///< for good
+    bool crashed = false; ///< for good
+    COURSE_FIELDS(", s, , ", state, fuel, landed, crashed)
+};
+
+//> Controls
+/// What the player holds down.
+struct Controls {
+    bool engine = false; ///< pushes up while there's fuel
+    int jets = 0;        ///< -1: push to the left, 1: to the right; they need no fuel
+    COURSE_FIELDS(", 1", engine, jets)
+};
+
+//> Fly a lander
+/// The lander `dt` seconds later. The Moon pulls, and so do its engine and its jets, all of them steadily. The engine stops
+/// at the moment the fuel runs out, and the flight ends at the moment it touches the ground, at y = 0 and with the velocity
+/// of that moment: from then on nothing changes. It has landed if its touch isn't harder than `soft` and no farther than `half_pad` from the middle of the pad,
+/// and crashed if not. On the ground it touches at once, unless it moves up or is about to.
+/// @param pad  x of the middle of the pad [m]
+/// @param g    how much faster it falls each second [m/s²], more than 0
+/// @param dt   [s], not negative
+/// @throws std::invalid_argument if it's below the ground, `fuel` or `dt` is negative, `jets` isn't -1, 0 or 1, or `g`
+///         isn't positive.
+Lander fly_lander(Lander now, const Controls &controls, double pad, double g, double dt);
+
 //>
 namespace subject {
 COURSE_EXERCISE("3.1", core, gravity_wells, gravity, "body, other, G [N m²/kg²]", "N")
@@ -106,5 +139,6 @@ COURSE_EXERCISE("3.6", stretch, gravity_wells, softened_gravity, "position [m], 
 COURSE_EXERCISE("3.7", challenge, gravity_wells, step_all, "before, mu [m³/s²], dt [s]", "")
 COURSE_EXERCISE("3.8", challenge, gravity_wells, kepler_position, "semi_major [m], eccentricity [1], mu [m³/s²], t [s]",
                 "m")
+COURSE_EXERCISE("3.9", challenge, gravity_wells, fly_lander, "now, controls, pad [m], g [m/s²], dt [s]", "")
 } // namespace subject
 } // namespace gravity_wells

@@ -75,4 +75,17 @@ Vec2 kepler_position(double semi_major, double eccentricity, double mu, double t
     throw course::NotYet{"on a circle the angle grows evenly; which angle does so on an ellipse?"};
 }
 
+static void require_lander(const Lander &now, const Controls &controls, double g, double dt) {
+    require_fall(now.state.position.y(), g);
+    course::require(now.fuel >= 0, "fuel [s] must not be negative", now.fuel);
+    course::require(std::abs(controls.jets) <= 1, "jets must be -1, 0 or 1", controls.jets);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+}
+
+// 3.9 challenge
+Lander fly_lander(Lander now, const Controls &controls, double pad, double g, double dt) {
+    require_lander(now, controls, g, dt);
+    throw course::NotYet{"what happens first: does it touch, is the fuel used up, or is the frame over?"};
+}
+
 } // namespace gravity_wells

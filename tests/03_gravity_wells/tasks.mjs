@@ -91,3 +91,9 @@ const after = (picture, name) => Number(words(picture).find((text) => text.start
     near(one / other, 1, 0.05);
   }
 }
+{ // the machine lands again and again, and never too fast or beside the pad; with all keys up, the lander crashes
+  const ends = pictures('lander (3.9)', {}, seconds(90)).flatMap(words).filter((text) => /landed|too fast|beside/.test(text));
+  assert.ok(ends.every((text) => text.startsWith('landed at')), ends.find((text) => !text.startsWith('landed at')));
+  const still = pictures('lander (3.9)', {}, ['', [-1, 24, 12], ...seconds(6)]).flatMap(words);
+  assert.ok(still.includes('too fast: 7.2 m/s'), [...new Set(still)].join());
+}

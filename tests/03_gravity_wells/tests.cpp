@@ -9,7 +9,7 @@
 
 using gravity_wells::Fall, gravity_wells::Integrators;
 using motion::PointMass, motion::State;
-using namespace gravity_wells::subject; // gravity, time_to_fall, ... kepler_position: the student's
+using namespace gravity_wells::subject; // gravity, time_to_fall, ... fly_lander: the student's
 
 // An answer is right to twelve digits of the largest term in its sum; time_to_fall of something thrown downwards, to as
 // many decimal places as if it were thrown upwards. kepler_position is right to nine digits of `semi_major`, for
@@ -980,4 +980,260 @@ TEST_CASE("a size, mu or eccentricity that no ellipse has is refused", "[3.8]") 
     CHECK_REFUSED(kepler_position(8, 0.5, 0, 1));
     CHECK_REFUSED(kepler_position(8, 0.5, -800, 1));
     kepler_position(8, 0.5, 800, 1); // good input is still answered
+}
+
+// ------------------------------------------------------------------------------------------------------ 3.9 fly_lander
+
+namespace {
+
+using gravity_wells::Controls, gravity_wells::Lander;
+
+constexpr double moon = 1.6; // [m/s²]
+constexpr Controls nothing, burning{true, 0};
+
+/// Its flight with the same controls, in frames of `dt`.
+Lander flown(Lander now, const Controls &controls, double pad, double g, double time, int frames) {
+    for (int i = 0; i < frames; ++i) now = fly_lander(now, controls, pad, g, time / frames);
+    return now;
+}
+
+/// High above the ground and without much fuel, at any speed.
+Lander random_lander(Dice &dice) {
+    return {{{dice.real(-20, 20), dice.real(1, 40)}, dice.point(-4, 4)}, dice.real(0, 3), false, false};
+}
+
+Controls random_controls(Dice &dice) { return {dice.whole(0, 1) == 1, dice.whole(-1, 1)}; }
+
+/// How close to landing and crashing a touch may come for a test: rounding may decide beyond that.
+bool is_a_close_call(const Lander &down, double pad) {
+    const double speed = down.state.velocity.norm(), off = std::abs(down.state.position.x() - pad);
+    return std::abs(speed - gravity_wells::soft) < 1e-6 || std::abs(off - gravity_wells::half_pad) < 1e-6;
+}
+
+} // namespace
+
+//> Worked example: nobody steers
+TEST_CASE("falls from 20 m in 5 s when nobody steers, and crashes at 8 m/s", "[3.9]") {
+    const Lander now{{{0, 20}, {0, 0}}, 9};
+    CHECK_THAT(fly_lander(now, nothing, 0, moon, 2), IsNear(Lander{{{0, 16.8}, {0, -3.2}}, 9}, rounding));
+    CHECK_THAT(fly_lander(now, nothing, 0, moon, 6), IsNear(Lander{{{0, 0}, {0, -8}}, 9, false, true}, rounding));
+}
+
+//> The engine
+TEST_CASE("rises with its engine on, by 4.5 - 1.6 = 2.9 m/s each second, and burns 1 s of fuel", "[3.9]") {
+    CHECK_THAT(fly_lander({{{0, 10}, {0, 0}}, 9}, burning, 0, moon, 2),
+               IsNear(Lander{{{0, 15.8}, {0, 5.8}}, 7}, rounding));
+    CHECK_THAT(fly_lander({{{0, 10}, {0, 0}}, 9}, burning, 0, 4.5, 2), IsNear(Lander{{{0, 10}, {0, 0}}, 7}, rounding));
+    CHECK_THAT(fly_lander({{{0, 10}, {0, 0}}, 9}, burning, 0, 9.8, 1),
+               IsNear(Lander{{{0, 7.35}, {0, -5.3}}, 8}, rounding)); // too weak for the Earth
+}
+
+//> The jets
+TEST_CASE("its jets push it aside by 1 m/s each second, left and right, without fuel", "[3.9]") {
+    CHECK_THAT(fly_lander({{{1, 30}, {0, 0}}, 2}, {false, 1}, 0, moon, 2),
+               IsNear(Lander{{{3, 26.8}, {2, -3.2}}, 2}, rounding));
+    CHECK_THAT(fly_lander({{{1, 30}, {0.5, 0}}, 0}, {false, -1}, 0, moon, 2),
+               IsNear(Lander{{{0, 26.8}, {-1.5, -3.2}}, 0}, rounding));
+}
+
+//> Out of fuel
+TEST_CASE("with fuel for 1 s, its engine stops in the middle of a frame of 2 s, and it falls", "[3.9]") {
+    const Lander now{{{0, 10}, {0, 0}}, 1};
+    CHECK_THAT(fly_lander(now, burning, 0, moon, 2), IsNear(Lander{{{0, 13.55}, {0, 1.3}}, 0}, rounding));
+    CHECK_THAT(fly_lander(now, burning, 0, moon, 1), IsNear(Lander{{{0, 11.45}, {0, 2.9}}, 0}, rounding));
+    CHECK_THAT(fly_lander({{{0, 10}, {0, 0}}, 0}, burning, 0, moon, 1),
+               IsNear(Lander{{{0, 9.2}, {0, -1.6}}, 0}, rounding));
+    CHECK_THAT(fly_lander(now, {true, 1}, 0, moon, 2), IsNear(Lander{{{2, 13.55}, {2, 1.3}}, 0}, rounding));
+}
+
+//> A soft landing
+TEST_CASE("lands on its pad from 1 m, at 1.79 m/s, and crashes from 1.3 m, at 2.04 m/s", "[3.9]") {
+    CHECK_THAT(fly_lander({{{5, 1}, {0, 0}}, 0}, nothing, 5, moon, 3),
+               IsNear(Lander{{{5, 0}, {0, -std::sqrt(3.2)}}, 0, true, false}, rounding));
+    CHECK_THAT(fly_lander({{{5, 1.3}, {0, 0}}, 0}, nothing, 5, moon, 3),
+               IsNear(Lander{{{5, 0}, {0, -std::sqrt(4.16)}}, 0, false, true}, rounding));
+}
+
+TEST_CASE("what it drifts sideways counts, too: 1.5 m/s down and 1.5 m/s aside are 2.12 m/s, a crash", "[3.9]") {
+    CHECK_THAT(fly_lander({{{0, 0.1}, {1.5, -1.4}}, 0}, nothing, 0, 1.45, 1),
+               IsNear(Lander{{{0.1034482758620689, 0}, {1.5, -1.5}}, 0, false, true}, 1e-9));
+    CHECK_THAT(fly_lander({{{0, 0.1}, {-1.2, -1.4}}, 0}, nothing, 0, 1.45, 1),
+               IsNear(Lander{{{-0.0827586206896552, 0}, {-1.2, -1.5}}, 0, true, false}, 1e-9));
+}
+
+//> Beside the pad
+TEST_CASE("lands as far as 3 m from the middle of the pad, and crashes beside it, on either side", "[3.9]") {
+    for (const double side : {-1.0, 1.0}) {
+        for (const double off : {0.0, 2.9, 2.999})
+            CHECK_THAT(fly_lander({{{10 + side * off, 0.5}, {0, 0}}, 0}, nothing, 10, moon, 2),
+                       IsNear(Lander{{{10 + side * off, 0}, {0, -std::sqrt(1.6)}}, 0, true, false}, rounding));
+        for (const double off : {3.001, 3.1, 20.0})
+            CHECK_THAT(fly_lander({{{10 + side * off, 0.5}, {0, 0}}, 0}, nothing, 10, moon, 2),
+                       IsNear(Lander{{{10 + side * off, 0}, {0, -std::sqrt(1.6)}}, 0, false, true}, rounding));
+    }
+}
+
+//> It's over
+TEST_CASE("changes nothing any more once it has landed or crashed, whatever the controls", "[3.9]") {
+    const Lander landed{{{1, 0}, {0.3, -1}}, 5, true, false}, crashed{{{9, 0}, {0, -7}}, 5, false, true};
+    const Lander set_down{{{-20, 0}, {0, 0}}, 5, true, false}, wreck{{{1, 0}, {0, 0}}, 5, false, true}; // long ago
+    for (const Lander &down : {landed, crashed, set_down, wreck})
+        for (const Controls &controls : {nothing, burning, Controls{true, 1}, Controls{false, -1}})
+            for (const double dt : {0.0, 0.5, 100.0}) CHECK_THAT(fly_lander(down, controls, 0, moon, dt), IsNear(down));
+}
+
+//> Touching with the engine on
+TEST_CASE("from 1 m at 5 m/s down, its engine is too late: it touches after 0.213 s, at 4.38 m/s", "[3.9]") {
+    const double speed = std::sqrt(19.2), time = (5 - speed) / 2.9;
+    CHECK_THAT(fly_lander({{{0, 1}, {0, -5}}, 3}, burning, 0, moon, 1),
+               IsNear(Lander{{{0, 0}, {0, -speed}}, 3 - time, false, true}, rounding));
+    CHECK_THAT(fly_lander({{{0, 3}, {0, -1}}, 4}, burning, 0, 4.5, 5),
+               IsNear(Lander{{{0, 0}, {0, -1}}, 1, true, false}, rounding)); // at a steady 1 m/s
+}
+
+TEST_CASE("from 1 m at 2 m/s down, its engine is in time: it rises again 0.31 m above the ground", "[3.9]") {
+    CHECK_THAT(fly_lander({{{0, 1}, {0, -2}}, 3}, burning, 0, moon, 1),
+               IsNear(Lander{{{0, 0.45}, {0, 0.9}}, 2}, rounding));
+    CHECK_THAT(fly_lander({{{0, 1}, {0, -2}}, 3}, burning, 0, moon, 2),
+               IsNear(Lander{{{0, 2.8}, {0, 3.8}}, 1}, rounding));
+}
+
+//> On the ground
+TEST_CASE("on the ground it touches at once, unless it moves up, or its engine is about to lift it", "[3.9]") {
+    const Lander standing{{{0, 0}, {0, 0}}, 3};
+    CHECK_THAT(fly_lander(standing, nothing, 0, moon, 1), IsNear(Lander{{{0, 0}, {0, 0}}, 3, true, false}));
+    CHECK_THAT(fly_lander(standing, burning, 0, 9.8, 1), IsNear(Lander{{{0, 0}, {0, 0}}, 3, true, false}));
+    CHECK_THAT(fly_lander(standing, burning, 0, moon, 1), IsNear(Lander{{{0, 1.45}, {0, 2.9}}, 2}, rounding));
+    CHECK_THAT(fly_lander({{{0, 0}, {0, 4}}, 0}, nothing, 0, moon, 1),
+               IsNear(Lander{{{0, 3.2}, {0, 2.4}}, 0}, rounding));
+    CHECK_THAT(fly_lander({{{0, 0}, {0, 4}}, 0}, nothing, 0, moon, 9),
+               IsNear(Lander{{{0, 0}, {0, -4}}, 0, false, true}, rounding));
+    CHECK_THAT(fly_lander({{{0, 0}, {0, -3}}, 3}, burning, 0, moon, 1),
+               IsNear(Lander{{{0, 0}, {0, -3}}, 3, false, true}));
+}
+
+TEST_CASE("a hop that its last drop of fuel makes ends in the same frame, on the ground", "[3.9]") {
+    // 0.5 s up at 2.9 m/s² are 0.3625 m and 1.45 m/s; it falls from there at 1.6 m/s²
+    const double speed = std::sqrt(1.45 * 1.45 + 3.2 * 0.3625);
+    CHECK_THAT(fly_lander({{{0, 0}, {0, 0}}, 0.5}, burning, 0, moon, 9),
+               IsNear(Lander{{{0, 0}, {0, -speed}}, 0, true, false}, rounding));
+}
+
+//> A flight on any screen
+TEST_CASE("ends at the same place, speed and fuel at 1, 10, 60 and 144 frames a second", "[3.9]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        const Lander start = random_lander(dice);
+        const double pad = dice.real(-20, 20);
+        for (const int rate : {10, 60, 144}) {
+            Dice same = dice;
+            Lander slow = start, fast = start;
+            for (int second = 0; second < 8; ++second) {
+                const Controls controls = random_controls(same);
+                slow = fly_lander(slow, controls, pad, moon, 1);
+                fast = flown(fast, controls, pad, moon, 1, rate);
+            }
+            if (is_a_close_call(slow, pad)) continue;
+            CHECK_THAT(fast,
+                       IsNear(slow, 1e-9).of("lander after 8 s, at " + std::to_string(rate) + " frames a second"));
+        }
+        random_lander(dice);
+    }
+}
+
+//> Cut in two
+TEST_CASE("a frame cut in two comes to the same as the whole frame, wherever it's cut", "[3.9]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(10000); ++i) {
+        const Lander start = random_lander(dice);
+        const Controls controls = random_controls(dice);
+        const double pad = start.state.position.x(), dt = dice.real(0, 6), part = dice.real(0, dt);
+
+        const Lander whole = fly_lander(start, controls, pad, moon, dt);
+
+        if (is_a_close_call(whole, pad)) continue;
+        CHECK_THAT(fly_lander(fly_lander(start, controls, pad, moon, part), controls, pad, moon, dt - part),
+                   IsNear(whole, 1e-9).of("lander after both parts"));
+    }
+}
+
+//> Impulse
+TEST_CASE("in the air, its velocity changes by what engine, jets and gravity give in the time they act", "[3.9]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(10000); ++i) {
+        const Lander start = random_lander(dice);
+        const Controls controls = random_controls(dice);
+        const double dt = dice.real(0, 6), g = dice.real(0.5, 9);
+
+        const Lander after = fly_lander(start, controls, 0, g, dt);
+
+        const double burnt = start.fuel - after.fuel; // [s]
+        CHECK_THAT(after.fuel, IsAtLeast(0).of("fuel [s]"));
+        CHECK_THAT(after.state.position.y(), IsAtLeast(0).of("height [m]"));
+        if (!controls.engine) CHECK_THAT(burnt, IsNear(0.0).of("burnt with the engine off [s]"));
+        if (after.landed || after.crashed) continue;
+        if (controls.engine) CHECK_THAT(burnt, IsNear(std::min(dt, start.fuel), 1e-12).of("burnt [s]"));
+        const Vec2 gain = after.state.velocity - start.state.velocity;
+        CHECK_THAT(gain, IsNear(Vec2{controls.jets * dt, 4.5 * burnt - g * dt}, 1e-11).of("change of velocity [m/s]"));
+    }
+}
+
+//> Energy of a flight
+TEST_CASE("with its engine and its jets off, v²/2 + g h stays as it is, down to the touch", "[3.9]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(10000); ++i) {
+        const Lander start = random_lander(dice);
+        const double g = dice.real(0.5, 9);
+        const auto energy = [&](const Lander &it) {
+            return it.state.velocity.squaredNorm() / 2 + g * it.state.position.y();
+        };
+
+        const Lander after = fly_lander(start, nothing, 0, g, dice.real(0, 9));
+
+        CHECK_THAT(energy(after), IsNear(energy(start), 1e-10).of("energy of each kilogram [J]"));
+        if (after.landed || after.crashed)
+            CHECK_THAT(after.state.position.y(), IsNear(0.0).of("height on the ground [m]"));
+    }
+}
+
+//> In a mirror
+TEST_CASE("with left and right swapped it's the same flight, in a mirror", "[3.9]") {
+    const auto mirror = [](Lander it) {
+        it.state.position.x() *= -1;
+        it.state.velocity.x() *= -1;
+        return it;
+    };
+    Dice dice;
+    for (int i = 0; i < course::cases(5000); ++i) {
+        const Lander start = random_lander(dice);
+        const Controls controls = random_controls(dice);
+        const double pad = dice.real(-20, 20), dt = dice.real(0, 9);
+
+        const Lander seen = fly_lander(mirror(start), {controls.engine, -controls.jets}, -pad, moon, dt);
+
+        CHECK_THAT(mirror(seen), IsNear(fly_lander(start, controls, pad, moon, dt), 1e-9).of("lander, in a mirror"));
+    }
+}
+
+//>
+TEST_CASE("fly_lander allows places, speeds and fuel up to 1e5, and frames of 0 s and of a day", "[3.9]") {
+    CHECK_THAT(fly_lander({{{1e5, 1e5}, {-1e3, 0}}, 1e5}, burning, 0, 4.5, 86400),
+               IsNear(Lander{{{1e5 - 86400e3, 1e5}, {-1e3, 0}}, 13600}, rounding));
+    CHECK_THAT(fly_lander({{{0, 5}, {1, -2}}, 2}, {true, 1}, 0, moon, 0),
+               IsNear(Lander{{{0, 5}, {1, -2}}, 2}, rounding));
+    CHECK_THAT(fly_lander({{{0, 5}, {0, 0}}, 2}, nothing, 0, 10, 1e5),
+               IsNear(Lander{{{0, 0}, {0, -10}}, 2, false, true}, rounding));
+}
+
+TEST_CASE("rejects a lander below the ground, negative fuel or time, jets of 2, and a g of 0 or less", "[3.9]") {
+    const Lander now{{{0, 5}, {0, 0}}, 2};
+    CHECK_REFUSED(fly_lander({{{0, -1e-3}, {0, 0}}, 2}, nothing, 0, moon, 1));
+    CHECK_REFUSED(fly_lander({{{0, 5}, {0, 0}}, -1e-3}, nothing, 0, moon, 1));
+    CHECK_REFUSED(fly_lander(now, nothing, 0, moon, -1e-3));
+    CHECK_REFUSED(fly_lander(now, {false, 2}, 0, moon, 1));
+    CHECK_REFUSED(fly_lander(now, {false, -2}, 0, moon, 1));
+    CHECK_REFUSED(fly_lander(now, nothing, 0, 0, 1));
+    CHECK_REFUSED(fly_lander(now, nothing, 0, -1.6, 1));
+    CHECK_REFUSED(fly_lander({{{0, 0}, {0, -1}}, 2, false, true}, nothing, 0, moon, -1)); // on the ground, too
+    fly_lander(now, nothing, 0, moon, 1); // good input is still answered
 }

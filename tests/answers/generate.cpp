@@ -2,8 +2,10 @@
 //
 //     answers-in-one ROOT NN_slug UNIT LIST CLAIMS KIND...
 //     answers-in-one ROOT NN_slug BUGS
+//     answers-in-one ROOT NN_slug
 //
-// The second form writes those of tests/bugs.txt alone, for demos. The first one:
+// The second form writes those of tests/bugs.txt alone, for demos. The third prints each wrong one of mutants.diff as a file
+// that a student could have written, below a line `>>> 8.1 decompose_swapped`. The first one:
 //
 // It writes UNIT, the C++ file; LIST, for the section's tests: a line `NAME EXERCISE EXPECTED` for each answer; and
 // CLAIMS, a line `NAME EXERCISE what you did` for each wrong one whose claim begins with "you", since `check` says that to
@@ -181,6 +183,26 @@ std::string bugs_for_pages(const fs::path &root, const std::string &section) {
     return code.str();
 }
 
+std::string as_files(const fs::path &root, const std::string &section) {
+    const std::string slug = section.substr(3);
+    const Solution solution{root / "solutions" / (section + ".cpp")};
+    const std::vector<Exercise> exercises = exercises_of(root / "chapters" / section / (slug + ".hpp"));
+    std::string text;
+    const auto add = [&](const Lines &lines) {
+        for (const Line &line : lines) text += line.text + '\n';
+    };
+    for (const Answer &answer : read_differences(root / "tests" / section / "mutants.diff")) {
+        text += ">>> " + answer.exercise + ' ' + answer.name + '\n';
+        add(solution.includes);
+        text += "namespace " + slug + " {\n";
+        add(solution.with(answer));
+        for (const auto &[number, function] : exercises)
+            if (number != answer.exercise) add(solution.only_of(number));
+        text += "}\n";
+    }
+    return text;
+}
+
 void write(const fs::path &file, const std::string &text) {
     if (!(std::ofstream{file} << text << std::flush)) throw std::runtime_error{file.string() + " cannot be written"};
 }
@@ -188,13 +210,18 @@ void write(const fs::path &file, const std::string &text) {
 } // namespace
 
 int main(int argc, char **argv) try {
+    if (argc == 3) {
+        std::cout << as_files(argv[1], argv[2]);
+        return 0;
+    }
     if (argc == 4) {
         write(argv[3], bugs_for_pages(argv[1], argv[2]));
         return 0;
     }
     if (argc < 7) {
         std::cerr << "usage: answers-in-one ROOT NN_slug UNIT LIST CLAIMS KIND...\n"
-                     "       answers-in-one ROOT NN_slug BUGS\n";
+                     "       answers-in-one ROOT NN_slug BUGS\n"
+                     "       answers-in-one ROOT NN_slug\n";
         return 2;
     }
     Unit unit{argv[1], argv[2]};

@@ -1,6 +1,6 @@
 // The online edition as it is built (`./course site --online`), in Chromium: stubs, solutions and slips come to the same as in
 // the terminal, and what hangs or crashes leaves the page usable.
-//     SECTIONS="08_nt_collisions"   only these; SLIPS=10 of each section; SEED=7 draws others
+//     SECTIONS="08_nt_collisions"   only these; SLIPS=10 and MUTANTS=10 of each section; SEED=7 draws others
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -12,7 +12,7 @@ import { dice, slip } from '../../tools/online/slips.mjs';
 import { folder, manifestIn, scriptsIn } from './built.mjs';
 import { serve } from './server.mjs';
 
-const sections = process.env.SECTIONS?.split(' ') ?? Object.keys(manifestIn(folder).sections), slips = Number(process.env.SLIPS ?? 2);
+const sections = process.env.SECTIONS?.split(' ') ?? Object.keys(manifestIn(folder).sections), slips = Number(process.env.SLIPS ?? 2), mutants = Number(process.env.MUTANTS ?? 2);
 const seed = Number(process.env.SEED ?? 20785);
 const read = (of, section) => fs.readFileSync(path.join(root, of, `${section}.cpp`), 'utf8');
 const stub = (section) => fs.readFileSync(path.join(root, 'tests', section, 'stub.cpp'), 'utf8');
@@ -31,19 +31,33 @@ before(async () => {
 after(() => page?.close());
 const check = (section, text, exercise = '') => page.evaluate((task) => self.checker.check(task), { section, exercise, text });
 
+const plainly = (printed) => printed.replace(/\x1b\[[\d;]*m/g, '');
 // How each exercise stands by what was printed: { '8.1': '✓' }, or why there is none of it.
 function standing(printed) {
-  const plain = printed.replace(/\x1b\[[\d;]*m/g, ''), marks = [...plain.matchAll(/^(✓|✗|·) (\d+\.\d+) /gm)].map(([, mark, number]) => [number, mark]);
+  const plain = plainly(printed), marks = [...plain.matchAll(/^(✓|✗|·) (\d+\.\d+) /gm)].map(([, mark, number]) => [number, mark]);
   return marks.length > 0 ? Object.fromEntries(marks) : plain.match(/^✗ .*/m)?.[0] ?? plain;
 }
 const own = fs.mkdtempSync(path.join(os.tmpdir(), 'online-'));
 after(() => fs.rmSync(own, { recursive: true }));
-function inTerminal(section, text) {
+function inTerminal(section, text, exercise = section.slice(0, 2)) {
   const file = path.join(own, `${section}.cpp`);
   fs.writeFileSync(file, text);
-  const { stdout } = spawnSync(path.join(build, 'course-tool'), ['check', section.slice(0, 2), '--file', file], { encoding: 'utf8', env: { ...process.env, NO_COLOR: '1', COURSE_ROOT: root, COURSE_BUILD: build } });
-  return standing(stdout.replaceAll(file, `exercises/${section}.cpp`));
+  const { stdout } = spawnSync(path.join(build, 'course-tool'), ['check', exercise, '--file', file], { encoding: 'utf8', env: { ...process.env, NO_COLOR: '1', COURSE_ROOT: root, COURSE_BUILD: build } });
+  return stdout.replaceAll(file, `exercises/${section}.cpp`);
 }
+
+// All that was printed, but for a command to type, another compiler's warnings, and which of its lines a check is said to be on.
+const said = (printed) => plainly(printed).replace(/^(warning .*(\n {2}.*)*|Next: .*)\n/gm, '').replace(' (-v shows all)', '').replace(/(tests\.cpp):\d+/g, '$1').trim();
+// So many wrong answers of a section, drawn: { exercise, name, text }.
+function drawMutants(section, roll, count) {
+  const { stdout } = spawnSync(path.join(build, 'answers-in-one'), [root, section], { encoding: 'utf8', maxBuffer: 2 ** 28 }), all = stdout.split(/^>>> /m).slice(1);
+  return Array.from({ length: count }, () => {
+    const [, exercise, name, text] = /^(\S+) (\S+)\n([^]*)/.exec(all.splice(roll(all.length), 1)[0]);
+    return { exercise, name, text };
+  });
+}
+// Those of which it's known that the page says something else, each with the reason.
+const differs = new Map(fs.readFileSync(path.join(import.meta.dirname, 'differs.tsv'), 'utf8').trim().split('\n').map((line) => line.split('\t')));
 
 describe(`answers in the page (seed ${seed})`, () => {
   for (const section of sections)
@@ -55,9 +69,15 @@ describe(`answers in the page (seed ${seed})`, () => {
       assert.equal(done.picture, null);
       const roll = dice(seed + Number(section.slice(0, 2)));
       for (let i = 0; i < slips; ++i) {
-        const text = slip(read('solutions', section), roll), here = standing((await check(section, text)).text), there = inTerminal(section, text);
+        const text = slip(read('solutions', section), roll), here = standing((await check(section, text)).text), there = standing(inTerminal(section, text));
         t.diagnostic(`${JSON.stringify(here)}`);
         assert.deepEqual(here, there, text);
+      }
+      for (const { exercise, name, text } of drawMutants(section, roll, mutants)) {
+        const here = (await check(section, text, exercise)).text, there = inTerminal(section, text, exercise);
+        t.diagnostic(`${exercise} ${name}`);
+        if (!differs.get(name)?.startsWith('passes in the page')) assert.deepEqual(standing(here), standing(there), `${name}\n${text}`);
+        if (!differs.has(name)) assert.equal(said(here), said(there), `${name}\n${text}`);
       }
       assert.deepEqual(troubles, []);
     });

@@ -99,4 +99,5 @@ test('all hints of an exercise are one fold', () => {
   assert.deepEqual(habits(good + folds(30, '7.1, a hint: why')), []);
   assert.deepEqual(habits(good + folds(25, 'Answer')), []);
   assert.deepEqual(habits(good + folds(26, 'Answer')), ['1 the voice: 26 folds, where 25 are the most.']);
+  assert.deepEqual(habits(good + `*Play it:* drag it.\n\n${folds(1, 'Answer')}`.repeat(30)), []);
 });

@@ -236,6 +236,7 @@ Page page_of(const Workspace &workspace, const Section &section) {
     page.code.push_back(workspace.tests(section));
     for (const fs::path &peer : files_in(workspace.tests_folder(section), "", "peer.")) // how far apart they are
         page.code.push_back(peer);
+    for (const fs::path &sketch : files_in(workspace.root / "docs/gallery", ".cpp")) page.code.push_back(sketch);
     return page;
 }
 

@@ -60,21 +60,9 @@ struct Landing : Scene {
         canvas.dots(frames, 0.17, Colour::amber);
         if (since_burn < 0.3) {
             canvas.beam({at + Vec2{0, 0.8}, at + Vec2{0, -1.4 + 4 * since_burn}}, Colour::amber, 12);
-            if (at.y() < 4)
-                for (const double side : {-1.0, 1.0})
-                    canvas.puffs({{{at.x() + side * (1 + 6 * since_burn), 0.4}, 1 + 3 * since_burn, 1}}, Colour::line);
+            draw_dust(canvas, at, since_burn);
         }
-        for (const double side : {-1.0, 1.0}) {
-            canvas.bar({at + Vec2{0.6 * side, 1.4}, at + Vec2{1.5 * side, 0.1}}, Colour::line, 5);
-            canvas.bar({at + Vec2{1.1 * side, 0.06}, at + Vec2{1.9 * side, 0.06}}, Colour::line, 5);
-        }
-        canvas.body({at + Vec2{-0.5, 0.6}, at + Vec2{0.5, 0.6}, at + Vec2{0.3, 1.2}, at + Vec2{-0.3, 1.2}},
-                    Colour::dim);
-        canvas.body({at + Vec2{-1.2, 1.1}, at + Vec2{1.2, 1.1}, at + Vec2{1.2, 2}, at + Vec2{-1.2, 2}}, Colour::amber);
-        canvas.body({at + Vec2{-0.9, 2}, at + Vec2{0.9, 2}, at + Vec2{0.9, 2.9}, at + Vec2{0.4, 3.4},
-                     at + Vec2{-0.4, 3.4}, at + Vec2{-0.9, 2.9}},
-                    Colour::ink);
-        canvas.ball(at + Vec2{0, 2.7}, 0.35, Colour::blue);
+        draw_lander(canvas, at);
         const double speed = std::abs(lander.velocity);
         if (!landed()) {
             if (speed > 1)

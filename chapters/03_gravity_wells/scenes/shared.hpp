@@ -97,6 +97,27 @@ struct Space : Scene {
     }
 };
 
+/// By its feet [m].
+inline void draw_lander(Canvas &canvas, const Vec2 &at) {
+    for (const double side : {-1.0, 1.0}) {
+        canvas.bar({at + Vec2{0.6 * side, 1.4}, at + Vec2{1.5 * side, 0.1}}, Colour::line, 5);
+        canvas.bar({at + Vec2{1.1 * side, 0.06}, at + Vec2{1.9 * side, 0.06}}, Colour::line, 5);
+    }
+    canvas.body({at + Vec2{-0.5, 0.6}, at + Vec2{0.5, 0.6}, at + Vec2{0.3, 1.2}, at + Vec2{-0.3, 1.2}}, Colour::dim);
+    canvas.body({at + Vec2{-1.2, 1.1}, at + Vec2{1.2, 1.1}, at + Vec2{1.2, 2}, at + Vec2{-1.2, 2}}, Colour::amber);
+    canvas.body({at + Vec2{-0.9, 2}, at + Vec2{0.9, 2}, at + Vec2{0.9, 2.9}, at + Vec2{0.4, 3.4}, at + Vec2{-0.4, 3.4},
+                 at + Vec2{-0.9, 2.9}},
+                Colour::ink);
+    canvas.ball(at + Vec2{0, 2.7}, 0.35, Colour::blue);
+}
+
+/// What an engine blows away near the ground, for so long [s].
+inline void draw_dust(Canvas &canvas, const Vec2 &at, double time) {
+    if (at.y() < 4)
+        for (const double side : {-1.0, 1.0})
+            canvas.puffs({{{at.x() + side * (1 + 6 * time), 0.4}, 1 + 3 * time, 1}}, Colour::line);
+}
+
 /// On the Moon's ground, below something so high [m]: the nearer, the smaller and the darker.
 inline void draw_shadow(Canvas &canvas, double x, double height) {
     std::vector<Vec2> shadow;
