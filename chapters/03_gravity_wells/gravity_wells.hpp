@@ -101,8 +101,8 @@ constexpr double half_pad = 3;          ///< half the width of the pad that it's
 constexpr double soft = 2;              ///< the hardest touch that it survives [m/s]
 
 struct Lander {
-    State state;          ///< of its feet: above the ground y isn't negative [m], [m/s]
-    double fuel{};        ///< for so long its engine can burn [s], not negative
+    State state;          ///< where its feet are, y above the ground, never below it [m], and their velocity [m/s]
+    double fuel{};        ///< how long the engine can still burn [s], not negative
     bool landed = false;  ///< for good
     bool crashed = false; ///< for good
     COURSE_FIELDS(", s, , ", state, fuel, landed, crashed)
@@ -117,10 +117,11 @@ struct Controls {
 };
 
 //> Fly a lander
-/// The lander `dt` seconds later. The Moon pulls, and so do its engine and its jets, all of them steadily. The engine stops
-/// at the moment the fuel runs out, and the flight ends at the moment it touches the ground, at y = 0 and with the velocity
-/// of that moment: from then on nothing changes. It has landed if its touch isn't harder than `soft` and no farther than `half_pad` from the middle of the pad,
-/// and crashed if not. On the ground it touches at once, unless it moves up or is about to.
+/// The lander `dt` seconds later. The Moon, the engine and the jets accelerate it, each steadily. The engine stops at the
+/// moment the fuel runs out, and the flight ends at the moment the lander touches the ground, at y = 0 and with the
+/// velocity of that moment: from then on nothing changes. It has landed if its speed is at most `soft` and it's within
+/// `half_pad` of the pad's middle; if not, it has crashed. If it starts on the ground, it touches at once, unless it rises
+/// or the engine is about to lift it.
 /// @param pad  x of the middle of the pad [m]
 /// @param g    how much faster it falls each second [m/s²], more than 0
 /// @param dt   [s], not negative
