@@ -1023,9 +1023,20 @@ TEST_CASE("falls from 20 m in 5 s when nobody steers, and crashes at 8 m/s", "[3
 TEST_CASE("rises with its engine on, by 4.5 - 1.6 = 2.9 m/s each second, and burns 1 s of fuel", "[3.9]") {
     CHECK_THAT(fly_lander({{{0, 10}, {0, 0}}, 9}, burning, 0, moon, 2),
                IsNear(Lander{{{0, 15.8}, {0, 5.8}}, 7}, rounding));
+}
+
+//> Just enough
+TEST_CASE("where g is 4.5 m/s², its engine just holds it: it hovers, or sinks at a steady 1 m/s", "[3.9]") {
     CHECK_THAT(fly_lander({{{0, 10}, {0, 0}}, 9}, burning, 0, 4.5, 2), IsNear(Lander{{{0, 10}, {0, 0}}, 7}, rounding));
+    CHECK_THAT(fly_lander({{{0, 3}, {0, -1}}, 4}, burning, 0, 4.5, 5),
+               IsNear(Lander{{{0, 0}, {0, -1}}, 1, true, false}, rounding));
+    CHECK_THAT(fly_lander({{{0, 0}, {0, 0}}, 4}, burning, 0, 4.5, 5),
+               IsNear(Lander{{{0, 0}, {0, 0}}, 4, true, false})); // it stands, and isn't lifted
+}
+
+TEST_CASE("on the Earth, its engine is too weak: it falls by 5.3 m/s more each second", "[3.9]") {
     CHECK_THAT(fly_lander({{{0, 10}, {0, 0}}, 9}, burning, 0, 9.8, 1),
-               IsNear(Lander{{{0, 7.35}, {0, -5.3}}, 8}, rounding)); // too weak for the Earth
+               IsNear(Lander{{{0, 7.35}, {0, -5.3}}, 8}, rounding));
 }
 
 //> The jets
@@ -1087,8 +1098,6 @@ TEST_CASE("from 1 m at 5 m/s down, its engine is too late: it touches after 0.21
     const double speed = std::sqrt(19.2), time = (5 - speed) / 2.9;
     CHECK_THAT(fly_lander({{{0, 1}, {0, -5}}, 3}, burning, 0, moon, 1),
                IsNear(Lander{{{0, 0}, {0, -speed}}, 3 - time, false, true}, rounding));
-    CHECK_THAT(fly_lander({{{0, 3}, {0, -1}}, 4}, burning, 0, 4.5, 5),
-               IsNear(Lander{{{0, 0}, {0, -1}}, 1, true, false}, rounding)); // at a steady 1 m/s
 }
 
 TEST_CASE("from 1 m at 2 m/s down, its engine is in time: it rises again 0.31 m above the ground", "[3.9]") {
@@ -1154,6 +1163,20 @@ TEST_CASE("a frame cut in two comes to the same as the whole frame, wherever it'
         if (is_a_close_call(whole, pad)) continue;
         CHECK_THAT(fly_lander(fly_lander(start, controls, pad, moon, part), controls, pad, moon, dt - part),
                    IsNear(whole, 1e-9).of("lander after both parts"));
+    }
+}
+
+//> Just as long as the fall
+TEST_CASE("ends no frame below the ground, not by rounding either, when a frame is as long as the fall", "[3.9]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(10000); ++i) {
+        const double height = dice.real(0.1, 20), speed = dice.real(0, 4), g = dice.real(1, 9);
+        const double t = (std::sqrt(speed * speed + 2 * g * height) - speed) / g; // until it touches [s]
+        for (const double dt : {std::nextafter(t, 0), t, std::nextafter(t, 9)}) {
+            const Lander after = fly_lander({{{0, height}, {0, -speed}}, 0}, nothing, 0, g, dt);
+            CHECK_THAT(after.state.position.y(), IsAtLeast(0).of("height [m]"));
+            CHECK_THAT(fly_lander(after, nothing, 0, g, 1).state.position.y(), IsNear(0.0).of("height in the end [m]"));
+        }
     }
 }
 

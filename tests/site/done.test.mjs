@@ -34,6 +34,15 @@ describe('what is done', { concurrency: 1 }, () => {
     assert.deepEqual(troubles, []);
   });
 
+  test('shows how others wrote it, and nothing of what is not done', async (t) => {
+    done('7.3');
+    const { page, troubles } = await openCopy(t, seven), others = (number) => page.locator(`.others[data-exercise="${number}"]`);
+    assert.equal(await others('7.1').isVisible(), false);
+    await others('7.3').locator('summary', { hasText: 'wrote it so' }).click();
+    assert.match(await others('7.3').locator('pre').first().textContent(), /common_points\(/);
+    assert.deepEqual(troubles, []);
+  });
+
   test('opens at its button, by keys as well, and for a link into it', async (t) => {
     done('7.2');
     const { page } = await openCopy(t, seven);

@@ -570,9 +570,14 @@ TEST_CASE("hints come one by one, the last names the solution, and --again start
 }
 
 TEST_CASE("a solution is its own chunks and the helpers that it uses, ready to compile") {
-    const SmallCourse course;
+    SmallCourse course;
     CHECK(course({"solution", "7.1"}).out == "int first() { return 1; }\n"); // which needs no helper
     CHECK(course({"solution", "second"}).out == "int two() { return 2; }\n\nint second() { return two(); }\n");
+    CHECK_THAT(course({"solution", "second", "--others"}).err, ContainsSubstring("no other answers to 7.2"));
+    course.write("tests/07_wall_meeting/variants.diff", "7.2 by_a_sum: one and one\n-int second() { return two(); }\n"
+                                                        "+int second() { return 1 + 1; }\n");
+    CHECK(course({"solution", "second", "--others"}).out
+          == "// by a sum: one and one\nint second() { return 1 + 1; }\n");
 }
 
 TEST_CASE("a hint without an exercise is for the first that is not passed") {

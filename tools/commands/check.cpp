@@ -8,6 +8,7 @@
 #include "check/catalogue.hpp"
 #include "check/judge.hpp"
 #include "check/junit.hpp"
+#include "check/others.hpp"
 #include "check/picture.hpp"
 #include "check/progress.hpp"
 #include "check/progress_store.hpp"
@@ -192,9 +193,17 @@ class Check {
         const bool is_all = !only || results.front().first_failure() != nullptr;
         if (!is_all && !options.file.empty()) // of another file nothing is known but this exercise
             std::cout << "The whole section: ./course check " << section.short_number() << '\n';
-        else
+        else {
+            if (!is_all && only) tell_of_others(section, only->number);
             std::cout << explain_next((is_all ? judged : progress(workspace, section)).next(), section.short_number(),
                                       workspace.is_shared());
+        }
+    }
+
+    /// Once an answer is right, how else it can be written.
+    void tell_of_others(const Section &section, const std::string &number) const {
+        const std::size_t count = other_answers(workspace, section, number).size();
+        if (count > 0) std::cout << words_for_others(count) << ": ./course solution " << number << " --others\n";
     }
 
     /// The results of this check, as if they were remembered.

@@ -2,6 +2,7 @@
 
 #include "book/chapter.hpp"
 #include "check/catalogue.hpp"
+#include "check/others.hpp"
 #include "commands/commands.hpp"
 
 #include <iostream>
@@ -21,15 +22,32 @@ void show_solution(const Workspace &workspace, const std::string &words) {
     }
 }
 
+void show_others(const Workspace &workspace, const std::string &words) {
+    const FoundExercise exercise = find_exercise(workspace, words);
+    const std::string &number = exercise.exercise.number;
+    const std::vector<OtherAnswer> others = other_answers(workspace, exercise.section, number);
+    if (others.empty()) throw UserError{"this course has no other answers to " + number + "."};
+    const char *between = "";
+    for (const auto &[claim, code] : others) {
+        std::cout << between << "// " << claim << '\n' << code;
+        between = "\n";
+    }
+}
+
 } // namespace
 
 void add_solution(CLI::App &app, const Workspace &workspace) {
     const auto exercise = std::make_shared<std::string>();
     CLI::App *command = app.add_subcommand("solution", "Show our solution of an exercise");
     command->add_option("exercise", *exercise, "its number or its function")->required();
+    const auto others = std::make_shared<bool>();
+    command->add_flag("--others", *others, "up to three right answers that are written differently");
     command->footer(
         "Yours may look different and be just as right: ./course check judges.\n\nExample: ./course solution 7.2");
-    command->callback([&workspace, exercise] { show_solution(workspace, *exercise); });
+    command->callback([&workspace, exercise, others] {
+        if (*others) show_others(workspace, *exercise);
+        else show_solution(workspace, *exercise);
+    });
 }
 
 } // namespace course

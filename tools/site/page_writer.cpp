@@ -8,6 +8,7 @@
 #include "book/links.hpp"
 #include "book/markdown.hpp"
 #include "book/weaver.hpp"
+#include "check/others.hpp"
 #include "site/addresses.hpp"
 #include "site/demos.hpp"
 #include "site/spot_the_bug.hpp"
@@ -15,6 +16,7 @@
 #include <cstdlib>
 #include <map>
 #include <regex>
+#include <set>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -335,8 +337,9 @@ class PageWriter {
             from = text.begin() + match->position(1) + match->length(1);
         }
         out.append(from, text.end());
-        static const std::regex solution{R"(<details>(\s*<summary>Our solution of ))"},
+        static const std::regex solution{R"(<details>(\s*<summary>Our solution of (\d+\.\d+)))"},
             hint{R"(<details>(\s*<summary>)(\d+\.\d+), a hint: )"};
+        if (std::smatch match; std::regex_search(text, match, solution)) out = others(match[2]) + out;
         out = std::regex_replace(out, solution, "<details class=\"solution\">$1");
         for (std::smatch match; std::regex_search(out, match, hint);)
             out = match.prefix().str() + "<details class=\"hint\">" + match[1].str() + "Hint "
@@ -349,6 +352,24 @@ class PageWriter {
         static const std::regex words{R"(<!-- words: ([^<>]*) -->)"};
         out = std::regex_replace(out, words, "<p class=\"words\" hidden>$1</p>");
         cmark_node_set_literal(node, out.c_str());
+    }
+
+    /// Before our solution, what docs/done.js shows once the reader's own is right.
+    std::string others(const std::string &number) {
+        const std::optional<Section> section = section_of(number);
+        if (!section || !shown_others.insert(number).second) return "";
+        const std::vector<OtherAnswer> all = other_answers(workspace, *section, number);
+        if (all.empty()) return "";
+        std::string fold = "<details class=\"others\" data-exercise=\"" + number + "\" hidden><summary>"
+                           + words_for_others(all.size()) + "</summary>";
+        for (const auto &[claim, code] : all)
+            fold += "<p>" + markdown(with_capital(claim), 0) + ":</p>" + block_of("cpp", code);
+        return fold + "</details>";
+    }
+    std::optional<Section> section_of(const std::string &number) const {
+        for (const Section &section : workspace.sections())
+            if (workspace.chapter(section) == file && number.starts_with(section.short_number() + '.')) return section;
+        return {};
     }
 
     /// A demo's place; nothing if demos/ has none.
@@ -403,6 +424,7 @@ class PageWriter {
     std::optional<std::vector<Demo>> all_demos; ///< read at the first mark
     std::size_t demos_so_far = 0;
     std::map<std::string, int> boxes_so_far, hints_so_far; ///< by exercise
+    std::set<std::string> shown_others;                    ///< of these exercises
     std::string last_box;                                  // the exercise of the last one
 };
 
