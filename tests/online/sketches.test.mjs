@@ -40,7 +40,7 @@ const titled = (page, words) => page.locator('.play figcaption', { hasText: word
 // One after the other: they share what is kept.
 describe('a sketch in the page', { concurrency: 1 }, () => {
   test('begins with a scene that runs, follows what is typed, and says what can’t be compiled, and where', async (t) => {
-    const { page, troubles, code, text, write, run, said, place } = await openPage(t, 'sketches.html');
+    const { page, troubles, code, text, write, run, said, place, button } = await openPage(t, 'sketches.html');
     await code.waitFor();
     const first = await text();
     assert.match(first, /struct Mine : Scene \{/);
@@ -58,6 +58,13 @@ describe('a sketch in the page', { concurrency: 1 }, () => {
     await place.getByRole('button', { name: new RegExp(`sketch\\.cpp:${line + 1}`) }).click();
     assert.equal(await page.evaluate(() => document.activeElement.className.includes('cm-content')), true);
     assert.equal(await demo.figure.locator('figcaption').textContent(), 'Another title', 'what ran goes on');
+    const files = [], heard = (file) => files.push(file.suggestedFilename());
+    page.on('download', heard);
+    await button('Share as a page').click();
+    await page.waitForTimeout(2500);
+    assert.deepEqual(files, [], 'nothing is shared that isn’t what is written');
+    assert.match(await said.textContent(), /does not compile/);
+    page.off('download', heard);
     await write(first.replace('if (hand.inside)', 'for (;;)'));
     await demo.figure.locator('.trouble', { hasText: 'Your sketch gave no answer: look for a loop that never ends.' }).waitFor({ timeout: 120_000 });
     await write(first.replace('if (hand.inside)', 'throw std::logic_error{"no"}; if (hand.inside)'));
@@ -93,11 +100,11 @@ describe('a sketch in the page', { concurrency: 1 }, () => {
   });
 
   test('is shared as one page, which plays from a disk', async (t) => {
-    const { page, button, write, run } = await openPage(t, 'sketches.html#sketch_1');
+    const { page, button, write, place } = await openPage(t, 'sketches.html#sketch_1');
     await write(fs.readFileSync(path.join(root, 'docs/gallery/marbles.cpp'), 'utf8'));
-    await run();
-    const [file] = await Promise.all([page.waitForEvent('download'), button('Share').click()]);
+    const [file] = await Promise.all([page.waitForEvent('download', { timeout: 180_000 }), button('Share as a page').click()]);
     assert.equal(file.suggestedFilename(), 'sketch_1.html');
+    await place.getByText('Saved as sketch_1.html').waitFor();
     const saved = path.join(fs.mkdtempSync(path.join(build, 'shared-')), 'sketch_1.html');
     t.after(() => fs.rmSync(path.dirname(saved), { recursive: true }));
     await file.saveAs(saved);

@@ -14,27 +14,27 @@ import { whyNot } from './able.mjs';
 
 const pause = 700; // from the last key to the next picture [ms]
 const base = new URL('.', document.currentScript.src), place = document.getElementById('sketch');
-const titleOf = (text) => text.match(/^SKETCH\(\w+, "(.*)"\)/m)?.[1] ?? 'without a title';
+const titleOf = (text) => text.match(/^SKETCH\([\w:]+, "(.*)"\)/m)?.[1] ?? 'without a title';
 
 class Sketching {
   constructor(store, scenes) {
-    Object.assign(this, { store, scenes, module: null, timer: null, runs: false, again: false });
+    Object.assign(this, { store, scenes, module: null, timer: null, ran: false, running: null, again: false });
     this.build();
   }
 
   build() {
     this.list = make('select', { ariaLabel: 'Which sketch', onchange: () => (location.hash = this.list.value) });
     const frame = make('div', { className: 'frame' });
-    this.figure = make('figure', { hidden: true });
-    this.runButton = makeButton('Run', () => this.run(), { className: 'check' });
-    this.shareButton = makeButton('Share', () => this.share(), { disabled: true, title: 'One page with your scene in it, to send to a friend' });
     this.step = make('p', { className: 'step', hidden: true });
     this.bar = make('progress', { hidden: true, ariaLabel: 'Loading the compiler' });
     this.said = make('div', { className: 'verdict' });
     this.said.setAttribute('role', 'status');
+    this.figure = make('figure');
     place.replaceChildren(
-      make('div', { className: 'answer' }, make('div', { className: 'row' }, this.list, makeButton('New sketch', () => this.begin(this.scenes.new)), this.shareButton, makeButton('Download', () => download(`${this.name}.cpp`, this.answer.text, 'text/x-c++src')))),
-      make('div', { className: 'beside' }, make('div', { className: 'answer whole' }, frame, make('div', { className: 'row' }, this.runButton), this.step, this.bar, this.said), this.figure));
+      make('div', { className: 'answer' }, make('div', { className: 'row' }, this.list, makeButton('Run', () => this.run(), { className: 'check' }), makeButton('New sketch', () => this.begin(this.fresh)),
+        makeButton('Share as a page', () => this.share(), { title: 'One file with your scene in it, to send to a friend' }), makeButton('Download the code', () => this.download()))),
+      make('div', { className: 'beside' }, make('div', { className: 'answer whole' }, frame), make('div', { className: 'answer shown' }, this.step, this.bar, this.said, this.figure)));
+    this.showNothing();
     this.code = new Code(frame, { label: 'Your sketch', typed: (text) => this.typed(text), check: () => this.run() });
   }
 
@@ -43,7 +43,11 @@ class Sketching {
     const hash = self.linkedId(), [, section, scene] = hash.match(/^from=([^/]+)\/(.*)/) ?? [], names = (await this.kept()).map(([name]) => name);
     if (this.scenes[section]?.[scene]) return this.begin(this.scenes[section][scene]);
     const name = names.find((each) => each === hash) ?? names.at(-1);
-    return name ? this.show(name) : this.begin(this.scenes.new);
+    return name ? this.show(name) : this.begin(this.fresh);
+  }
+  // The terminal's first one, without the line about its command.
+  get fresh() {
+    return this.scenes.new.replace(/^\/\/ .*\n/, '');
   }
   // Those that are kept, [name, text].
   async kept() {
@@ -64,9 +68,10 @@ class Sketching {
     this.answer.addEventListener('text', ({ detail }) => detail !== this && this.code.set(this.answer.text, 0));
     this.code.begin(this.answer.text, 0);
     this.said.replaceChildren();
+    this.showNothing();
     history.replaceState(null, '', `#${name}`);
     await this.listAll();
-    if (this.module) await this.run();
+    if (this.ran) await this.run();
   }
   async listAll() {
     this.list.replaceChildren(...(await this.kept()).map(([name, text]) => make('option', { value: name, textContent: `${name}: ${titleOf(text)}` })));
@@ -76,39 +81,47 @@ class Sketching {
   typed(text) {
     this.answer.type(text, this);
     clearTimeout(this.timer);
-    if (this.module) this.timer = setTimeout(() => this.run(), pause);
+    if (this.ran) this.timer = setTimeout(() => this.run(), pause);
   }
 
   // What's typed while it is compiled is compiled next.
-  async run() {
-    if (this.runs) return void (this.again = true);
-    this.runs = true;
+  run() {
+    this.again = true;
+    return (this.running ??= this.runAll().finally(() => (this.running = null)));
+  }
+  async runAll() {
+    this.ran = true; // the compiler has been asked for
     try {
-      do {
+      while (this.again) {
         this.again = false;
         await this.answer.save();
         await this.take(await checks.run('sketch', { text: this.answer.text, progress: (now) => showProgress(this, now) }));
-      } while (this.again);
+      }
     } catch (error) {
+      this.module = null;
       this.said.textContent = `This couldn’t be compiled: ${error.message}. Are you online? Your code is kept; try again.`;
     }
-    this.runs = false;
     this.step.hidden = this.bar.hidden = true;
   }
   async take({ module, text, place: at }) {
     this.said.replaceChildren(...(text ? asElements(text, 'sketch', (line) => this.code.go(line, at?.column ?? 1)) : []));
+    this.module = module; // none where it isn't what's written
     if (!module) return;
-    this.module = module;
     await this.load(module);
     Object.assign(self.playable, { sketch: module, 'sketch/mine': await keptModules() });
     await this.listAll();
-    this.shareButton.disabled = false;
     // A new one each time, since its controls may be others.
     const figure = make('figure', { className: 'play' }, make('figcaption'));
     Object.assign(figure.dataset, { demo: 'sketch', mine: '' });
+    this.put(figure);
+    await self.playFigure(figure);
+  }
+  put(figure) {
     this.figure.replaceWith(figure);
     this.figure = figure;
-    await self.playFigure(figure);
+  }
+  showNothing() {
+    this.put(make('figure', { className: 'nothing', textContent: 'Press Run, and your scene is here.' }));
   }
 
   // Our functions of the sections that it calls.
@@ -121,9 +134,20 @@ class Sketching {
     })));
   }
 
+  // What is written, and nothing that was.
   async share() {
-    const title = titleOf(this.answer.text);
-    download(`${this.name}.html`, await sharedPage(this.scenes.page, title, this.module, this.sections), 'text/html');
+    await this.run();
+    if (!this.module) return;
+    download(`${this.name}.html`, await sharedPage(this.scenes.page, titleOf(this.answer.text), this.module, this.sections), 'text/html');
+    this.tell(`Saved as ${this.name}.html. It plays in any browser, without a network: send it to a friend.`);
+  }
+  download() {
+    download(`${this.name}.cpp`, this.answer.text, 'text/x-c++src');
+    this.tell(`Saved as ${this.name}.cpp, your code.`);
+  }
+  tell(words) {
+    this.step.textContent = words;
+    this.step.hidden = false;
   }
 }
 
