@@ -69,7 +69,7 @@
 
   // A chapter's table of exercises, and whatever else asks for it
   function markOthers(done) {
-    for (const fold of all('.others')) fold.hidden = !done.has(fold.dataset.exercise); // how others wrote what's right now
+    for (const fold of all('.others')) fold.hidden = !done.has(fold.dataset.exercise); // what else would be right
     for (const mark of all('td > .done')) mark.remove();
     for (const { number, function: name } of sections().flatMap(({ exercises }) => exercises).filter(isDone))
       for (const cell of all('main td:first-child')) // elsewhere 7.1 is a number like others

@@ -34,11 +34,11 @@ describe('what is done', { concurrency: 1 }, () => {
     assert.deepEqual(troubles, []);
   });
 
-  test('shows how others wrote it, and nothing of what is not done', async (t) => {
+  test('shows what else would be right, and nothing of what is not done', async (t) => {
     done('7.3');
     const { page, troubles } = await openCopy(t, seven), others = (number) => page.locator(`.others[data-exercise="${number}"]`);
     assert.equal(await others('7.1').isVisible(), false);
-    await others('7.3').locator('summary', { hasText: 'wrote it so' }).click();
+    await others('7.3').locator('summary', { hasText: 'to write it' }).click();
     assert.match(await others('7.3').locator('pre').first().textContent(), /common_points\(/);
     assert.deepEqual(troubles, []);
   });

@@ -45,7 +45,7 @@ std::vector<OtherAnswer> other_answers(const Workspace &workspace, const Section
 }
 
 std::string words_for_others(std::size_t count) {
-    constexpr std::array words{"One other reader wrote it so", "Two others wrote it so", "Three others wrote it so"};
+    constexpr std::array words{"Another way to write it", "Two other ways to write it", "Three other ways to write it"};
     return words.at(count - 1);
 }
 

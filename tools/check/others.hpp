@@ -16,7 +16,7 @@ struct OtherAnswer {
 /// The first three of tests/NN_slug/variants.diff; none in an edition without them.
 std::vector<OtherAnswer> other_answers(const Workspace &workspace, const Section &section, std::string_view number);
 
-/// "Three others wrote it so"
+/// "Three other ways to write it"
 std::string words_for_others(std::size_t count);
 
 } // namespace course
