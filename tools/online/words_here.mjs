@@ -21,6 +21,10 @@ export const here = [
   [new RegExp(`<em>Change, save, look</em>(.*)\n${code('./course check \\d+ --watch')} .*\nStuck\\? ${code('./course hint [\\d.]+')} (gives you .*)\n${code('./course reset \\d+')} (starts you over, and keeps a copy of your) file\\.`),
     '<em>Change, check, look</em>$1\nStuck? <em>Hint 1</em>, below the editor, $2\n<em>Start again</em> $3 code.'],
 
+  // A sketch to begin with
+  [new RegExp(`${code('./course sketch mine --from (\\w+) --watch')} puts it into a file of yours, and shows it again whenever you save\\.`, 'g'),
+    '<a href="sketches.html#from=gallery/$1">open it</a> as a sketch of yours, and it runs again whenever you pause.'],
+
   // What a check prints: less than in a terminal, see Reader::page in tools/check/
   [/(<pre class="console"><code>)\$ \.\/course check [\d.]+\n([^]*?<\/code>)/g, (_, before, printed) =>
     before + printed.replace(' (-v shows all)', '').replace(/^Next: .*\n/m, '')],
