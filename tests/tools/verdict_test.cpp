@@ -276,9 +276,9 @@ TEST_CASE("a refusal of a number that the call was not given is known from one o
 TEST_CASE("all input that should have been refused is listed in one verdict, whatever fails after it") {
     OwnSession own{"answers"};
     own.begin("1.1", "a claim");
-    const auto refuses = [] { throw std::invalid_argument{"no"}; };
+    const auto throws_it = [] { throw std::invalid_argument{"no"}; };
     const auto takes = [] {};
-    CHECK_FALSE(accepts(refuses, "radius is negative"));
+    CHECK_FALSE(accepts(throws_it, "radius is negative"));
     CHECK(accepts(takes, "dt is negative"));
     own.fail(Outcome::wrong, "bad input was accepted", "a.cpp", 3);
     CHECK(accepts(takes, "start.x", "infinity"));
