@@ -44,9 +44,9 @@ TEST_CASE("an exact product is the rounded one and what was rounded off", "[exac
 }
 
 TEST_CASE("exact numbers are in the order of their doubles", "[exact]") {
-    const double smallest = 0x1p-1074, largest = 0x1.fffffffffffffp1023;
-    const std::vector<double> rising{-largest, -0x1p1000, -65536, -65535, -1,    -0x1p-1000, -smallest, 0,
-                                     smallest, 0x1p-1000, 1,      65535,  65536, 0x1p1000,   largest};
+    const double smallest = 0x1p-1074, greatest = 0x1.fffffffffffffp1023;
+    const std::vector<double> rising{-greatest, -0x1p1000, -65536, -65535, -1,    -0x1p-1000, -smallest, 0,
+                                     smallest,  0x1p-1000, 1,      65535,  65536, 0x1p1000,   greatest};
     for (const double a : rising) {
         CHECK(Exact{a}.sign() == (a > 0) - (a < 0));
         CHECK(abs(Exact{a}) == Exact{std::abs(a)});
@@ -58,13 +58,13 @@ TEST_CASE("exact numbers are in the order of their doubles", "[exact]") {
     CHECK(Exact{-0.0} == Exact{0});
 }
 
-TEST_CASE("exact numbers have no largest one, and no smallest", "[exact]") {
-    const Exact smallest{0x1p-1074}, largest{0x1.fffffffffffffp1023};
-    CHECK(smallest * largest == Exact{0x1.fffffffffffffp-51});
+TEST_CASE("exact numbers have no greatest one, and no smallest", "[exact]") {
+    const Exact smallest{0x1p-1074}, greatest{0x1.fffffffffffffp1023};
+    CHECK(smallest * greatest == Exact{0x1.fffffffffffffp-51});
     CHECK(smallest * smallest > Exact{0});
     CHECK(smallest * smallest < smallest);
-    CHECK(largest * largest > largest);
-    CHECK(largest + smallest > largest);
-    CHECK(largest + smallest - largest == smallest);
-    CHECK(largest * smallest * smallest - smallest * (smallest * largest) == Exact{0});
+    CHECK(greatest * greatest > greatest);
+    CHECK(greatest + smallest > greatest);
+    CHECK(greatest + smallest - greatest == smallest);
+    CHECK(greatest * smallest * smallest - smallest * (smallest * greatest) == Exact{0});
 }
