@@ -217,7 +217,14 @@ function(our_answers result one to)
   set(${result} ${${result}} ${to}_ours.o PARENT_SCOPE)
 endfunction()
 
-# our_bugs(RESULT one to): the same for those wrong answers of a section that a demo can play.
+# our_answers_beside(RESULT one to): the same for the module of a student's file.
+function(our_answers_beside result one to)
+  set(COURSE_WASM_CLAIMS ${COURSE_WASM_JUDGE}/libcxx)
+  our_answers(${result} ${one} ${to} ${COURSE_WASM_ANSWER} -DCOURSE_OURS_BESIDE)
+  set(${result} ${${result}} PARENT_SCOPE)
+endfunction()
+
+# our_bugs(RESULT one to): the same as our_answers for those wrong answers of a section that a demo can play.
 function(our_bugs result one to)
   set(wrong ${PROJECT_SOURCE_DIR}/tests/${one}/mutants.diff)
   if(NOT EXISTS ${wrong})
@@ -259,11 +266,9 @@ macro(section_answer_parts)
     earlier_headers(known_before ${section})
     set(called ${play}/${section}_asks.o)
     answer_object(${called} ${host}/asks.cpp ${known_before} -DCOURSE_OURS_BESIDE -DCOURSE_EMITTED)
-    set(COURSE_WASM_CLAIMS ${COURSE_WASM_JUDGE}/libcxx)
     foreach(one ${earlier})
-      our_answers(called ${one} ${play}/${section}_beside_${one} ${COURSE_WASM_ANSWER} -DCOURSE_OURS_BESIDE)
+      our_answers_beside(called ${one} ${play}/${section}_beside_${one})
     endforeach()
-    set(COURSE_WASM_CLAIMS ${PROJECT_SOURCE_DIR}/tools/play/libcxx)
   else()
     foreach(one ${earlier})
       list(APPEND called ${COURSE_${one}_ANSWERS})

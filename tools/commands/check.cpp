@@ -194,7 +194,7 @@ class Check {
         if (!is_all && !options.file.empty()) // of another file nothing is known but this exercise
             std::cout << "The whole section: ./course check " << section.short_number() << '\n';
         else {
-            if (!is_all && only) tell_of_others(section, only->number);
+            if (!is_all) tell_of_others(section, only->number);
             std::cout << explain_next((is_all ? judged : progress(workspace, section)).next(), section.short_number(),
                                       workspace.is_shared());
         }

@@ -205,7 +205,8 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
 /// For pages: what a sketch may begin with, as text: { "07_segment_intersection": { "bounces (7.4)": … }, "gallery": { … }, "new": … };
 /// and "page", the one to send to a friend, where a place says what is compiled. The site must be there.
 void print_scenes(const Workspace &workspace) {
-    nlohmann::json all{{"new", first_sketch("mine")},
+    const std::string first = first_sketch("mine");
+    nlohmann::json all{{"new", first.substr(first.find('\n') + 1)}, // its first line is about a terminal
                        {"page", sketch_page(workspace, "sketch", "<!-- compiled -->\n")}};
     for (const Section &section : workspace.sections())
         for (const auto &[name, file] : scenes_of(workspace, section))

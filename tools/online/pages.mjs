@@ -46,6 +46,6 @@ function additions(html, file, folder) {
 export function onlinePage(html, folder, file = '') {
   const charset = '<meta charset="utf-8">', end = '</head>', heading = '</h1>', root = '<html lang="en"';
   if (!html.includes(charset) || !html.includes(end)) throw new Error(`a page has no ${charset} or no ${end}: ${html.slice(0, 100)}`);
-  const changed = file === 'sketches.html' ? html.replace(heading, `${heading}\n<div id="sketch"></div>\n<p>In a terminal, it begins so:</p>`) : html;
+  const changed = file === 'sketches.html' ? html.replace(heading, `${heading}\n<div id="sketch"></div>`) : html;
   return asHere(asBoxes(changed)).replace(root, `${root} data-online`).replace(charset, `${charset}\n<meta http-equiv="Content-Security-Policy" content="${policy}">`).replace(end, additions(html, file, folder) + end);
 }

@@ -31,7 +31,7 @@ class Sketching {
     this.said.setAttribute('role', 'status');
     this.figure = make('figure');
     place.replaceChildren(
-      make('div', { className: 'answer' }, make('div', { className: 'row' }, this.list, makeButton('Run', () => this.run(), { className: 'check' }), makeButton('New sketch', () => this.begin(this.fresh)),
+      make('div', { className: 'answer' }, make('div', { className: 'row' }, this.list, makeButton('Run', () => this.run(), { className: 'check' }), makeButton('New sketch', () => this.begin(this.scenes.new)),
         makeButton('Share as a page', () => this.share(), { title: 'One file with your scene in it, to send to a friend' }), makeButton('Download the code', () => this.download()))),
       make('div', { className: 'beside' }, make('div', { className: 'answer whole' }, frame), make('div', { className: 'answer shown' }, this.step, this.bar, this.said, this.figure)));
     this.showNothing();
@@ -43,11 +43,7 @@ class Sketching {
     const hash = self.linkedId(), [, section, scene] = hash.match(/^from=([^/]+)\/(.*)/) ?? [], names = (await this.kept()).map(([name]) => name);
     if (this.scenes[section]?.[scene]) return this.begin(this.scenes[section][scene]);
     const name = names.find((each) => each === hash) ?? names.at(-1);
-    return name ? this.show(name) : this.begin(this.fresh);
-  }
-  // The terminal's first one, without the line about its command.
-  get fresh() {
-    return this.scenes.new.replace(/^\/\/ .*\n/, '');
+    return name ? this.show(name) : this.begin(this.scenes.new);
   }
   // Those that are kept, [name, text].
   async kept() {

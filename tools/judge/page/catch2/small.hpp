@@ -74,7 +74,7 @@ template <class Value, class Matcher> void check_that(const Value &value, const 
 
 #define REQUIRE_THAT(value, ...)                                                                                       \
     do {                                                                                                               \
-        Catch::begin_check(__FILE__, __LINE__);                                                                \
+        Catch::begin_check(__FILE__, __builtin_LINE());                                                                \
         try {                                                                                                          \
             Catch::check_that(value, __VA_ARGS__);                                                                     \
         } catch (const Catch::CaseFailed &) {                                                                          \
@@ -83,8 +83,8 @@ template <class Value, class Matcher> void check_that(const Value &value, const 
             Catch::end_check_that_threw();                                                                             \
         }                                                                                                              \
     } while (false)
-#define SUCCEED() (Catch::begin_check(__FILE__, __LINE__), Catch::end_check(true))
-#define FAIL_CHECK(words) (Catch::begin_check(__FILE__, __LINE__), Catch::end_check(false))
+#define SUCCEED() (Catch::begin_check(__FILE__, __builtin_LINE()), Catch::end_check(true))
+#define FAIL_CHECK(words) (Catch::begin_check(__FILE__, __builtin_LINE()), Catch::end_check(false))
 
 #define GENERATE(...)                                                                                                  \
     ([&] {                                                                                                             \
