@@ -1146,7 +1146,7 @@ TEST_CASE("ends at the same place, speed and fuel at 1, 10, 60 and 144 frames a 
             CHECK_THAT(fast,
                        IsNear(slow, 1e-9).of("lander after 8 s, at " + std::to_string(rate) + " frames a second"));
         }
-        random_lander(dice);
+        random_lander(dice); // all three have used the same controls
     }
 }
 

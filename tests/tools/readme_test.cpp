@@ -180,6 +180,19 @@ TEST_CASE("what the page on trust says of a section's peers in one number is no 
     CHECK(said == 4); // of 3, 4, 9 and 10; the others say more than one number
 }
 
+TEST_CASE("the numbers that the page on trust gives of section 7 are those that its comparison found") {
+    static const std::regex row{R"(\n\| 7 \|[^\n]*)"}, number{R"([\d.]+e-\d+)"};
+    const std::string page = course::read_file(root / "docs/trust.md");
+    const std::string kept = course::read_file(root / "tests/07_segment_intersection/peer.txt");
+    std::smatch found;
+    REQUIRE(std::regex_search(page, found, row));
+    const std::string said = found.str();
+    int numbers = 0;
+    for (std::sregex_iterator each{said.begin(), said.end(), number}, end; each != end; ++each, ++numbers)
+        CHECK_THAT(kept, ContainsSubstring('\n' + each->str() + ' '));
+    CHECK(numbers == 3);
+}
+
 TEST_CASE("a beginner wins most matches against the easy machine of table hockey, and some against the hard one") {
     const std::string chapter = course::read_file(root / "chapters/13_table_hockey/README.md"); // woven: the program's
     const auto won = [&](const std::string &level) {
