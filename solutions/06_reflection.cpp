@@ -41,12 +41,16 @@ Vec2 unit_normal(const Vec2 &start, const Vec2 &end) {
     return Vec2{-wall.y(), wall.x()} / wall.norm();
 }
 
+//> Solution: a good surface
+static void require_surface(const Surface &surface) {
+    course::require(surface.restitution >= 0, "restitution must not be negative", surface.restitution);
+    course::require(surface.mu_k >= 0, "mu_k must not be negative", surface.mu_k);
+}
+
 //> Solution 6.4: bounce off a surface
 Vec2 bounce(const Vec2 &velocity, const Vec2 &normal, const Surface &surface) {
     require_normal(normal);
-    course::require(surface.restitution >= 0 && surface.restitution <= 1, "restitution must be from 0 to 1",
-                    surface.restitution);
-    course::require(surface.mu_k >= 0, "mu_k must not be negative", surface.mu_k);
+    require_surface(surface);
     const Vec2 n = normal / normal.norm();
     const double approach = -velocity.dot(n); // normal speed, towards the wall [m/s]
     if (approach <= 0) return velocity;
@@ -93,6 +97,49 @@ Vec2 bank_shot(const Ball &ball, const Vec2 &target, const Box &table, int acros
     const Vec2 way = image - ball.position;
     course::require(way.norm() > 0, "the ball must not be at the image already: its distance [m]", way.norm());
     return way / way.norm();
+}
+
+//> Solution 6.7: play pinball
+static void require_pinball(const Pinball &now, double dt) {
+    course::require(now.ball.radius >= 0, "radius [m] of the ball must not be negative", now.ball.radius);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    for (const Bumper &bumper : now.bumpers) {
+        course::require(bumper.radius >= 0, "radius [m] of a bumper must not be negative", bumper.radius);
+        require_surface(bumper.surface);
+    }
+}
+
+/// The point of its middle line that's nearest to a place.
+static Vec2 nearest(const Bumper &bumper, const Vec2 &place) {
+    const Vec2 along = bumper.end - bumper.start;
+    if (along.norm() == 0) return bumper.start;
+    const double share = along.dot(place - bumper.start) / along.squaredNorm(); // 0 at its start, 1 at its end
+    return bumper.start + std::clamp(share, 0.0, 1.0) * along;
+}
+
+/// Sets the ball back and bounces it, and says whether it touched.
+static bool meet(Ball &ball, const Bumper &bumper) {
+    const Vec2 middle = nearest(bumper, ball.position), apart = ball.position - middle;
+    if (apart.norm() >= ball.radius + bumper.radius) return false;
+    const Vec2 normal = apart / apart.norm(), edge = middle + bumper.radius * normal, arm = edge - bumper.start;
+    const Vec2 moves = bumper.turning * Vec2{-arm.y(), arm.x()}; // of the edge [m/s]
+    ball.velocity = moves + bounce(ball.velocity - moves, normal, bumper.surface);
+    ball.position = edge + ball.radius * normal;
+    return true;
+}
+
+Pinball play_pinball(Pinball now, const Vec2 &pull, double dt) {
+    require_pinball(now, dt);
+    if (now.over) return now;
+    now.ball.velocity += dt * pull;
+    now.ball.position += dt * now.ball.velocity;
+    for (Bumper &bumper : now.bumpers) {
+        const bool touches = meet(now.ball, bumper);
+        if (touches && !bumper.touched) now.score += bumper.points;
+        bumper.touched = touches;
+    }
+    now.over = now.ball.position.y() < 0;
+    return now;
 }
 //>
 } // namespace reflection

@@ -74,5 +74,22 @@ inline Vec2 rolled(const Ball &ball, const Box &table, const Vec2 &direction, do
     const Vec2 low = table.low + edge, high = table.high - edge;
     return {folded(unfolded.x(), low.x(), high.x()), folded(unfolded.y(), low.y(), high.y())};
 }
+
+//> The frame loop: pinball
+/// Turns a flipper towards an angle, at 9 rad/s.
+inline void flip(Bumper &flipper, double wanted, double dt) {
+    const Vec2 arm = flipper.end - flipper.start;
+    const double angle = std::atan2(arm.y(), arm.x());
+    flipper.turning = std::clamp(std::remainder(wanted - angle, 360 * degree) / dt, -9.0, 9.0);
+    flipper.end = flipper.start + arm.norm() * at_angle(angle + flipper.turning * dt);
+}
+/// One frame of the game, in four steps, so that no ball gets through a wall. Its first two bumpers are the flippers.
+inline void next_frame(Pinball &game, bool left, bool right, double dt) {
+    for (int i = 0; i < 4; ++i) {
+        flip(game.bumpers[0], (left ? 30 : -30) * degree, dt / 4);
+        flip(game.bumpers[1], (right ? 150 : 210) * degree, dt / 4);
+        game = play_pinball(game, {0, -6}, dt / 4);
+    }
+}
 //>
 } // namespace reflection

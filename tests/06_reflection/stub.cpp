@@ -37,12 +37,15 @@ Vec2 unit_normal(const Vec2 &start, const Vec2 &end) {
     throw course::NotYet{"how far does the wall go to the right, and how far up?"};
 }
 
+static void require_surface(const Surface &surface) {
+    course::require(surface.restitution >= 0, "restitution must not be negative", surface.restitution);
+    course::require(surface.mu_k >= 0, "mu_k must not be negative", surface.mu_k);
+}
+
 // 6.4 stretch
 Vec2 bounce(const Vec2 &velocity, const Vec2 &normal, const Surface &surface) {
     require_normal(normal);
-    course::require(surface.restitution >= 0 && surface.restitution <= 1, "restitution must be from 0 to 1",
-                    surface.restitution);
-    course::require(surface.mu_k >= 0, "mu_k must not be negative", surface.mu_k);
+    require_surface(surface);
     throw course::NotYet{"what are the normal part and the tangential part of the velocity?"};
 }
 
@@ -67,6 +70,21 @@ Vec2 bank_shot(const Ball &ball, const Vec2 &target, const Box &table, int acros
     // This line refuses a ball that is at the image. Put it below your `way` from one to the other, without its slashes:
     // course::require(way.norm() > 0, "the ball must not be at the image already: its distance [m]", way.norm());
     throw course::NotYet{"where does the ball see the target, so many mirrors away?"};
+}
+
+static void require_pinball(const Pinball &now, double dt) {
+    course::require(now.ball.radius >= 0, "radius [m] of the ball must not be negative", now.ball.radius);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+    for (const Bumper &bumper : now.bumpers) {
+        course::require(bumper.radius >= 0, "radius [m] of a bumper must not be negative", bumper.radius);
+        require_surface(bumper.surface);
+    }
+}
+
+// 6.7 challenge
+Pinball play_pinball(Pinball now, const Vec2 &pull, double dt) {
+    require_pinball(now, dt);
+    throw course::NotYet{"where does the ball get to, and which point of a bumper is nearest to it then?"};
 }
 
 } // namespace reflection

@@ -99,3 +99,11 @@ for (const swapped of [false, true]) { // the ball bounces; with the ends swappe
   const alone = new Set(pictures('bank shot (6.6)', {}, seconds(40)).flatMap(words));
   assert.deepEqual([...alone], ['blocked']);
 }
+{ // left alone, pinball scores; nobody at the flippers, and all three balls are lost in the end
+  const score = (picture) => Number(words(picture).find((text) => /^\d+$/.test(text)));
+  const alone = pictures('pinball (6.7)', {}, seconds(40)).map(score);
+  assert.ok(Math.max(...alone) >= 1000, Math.max(...alone));
+  assert.ok(alone.every((points, i) => i === 0 || points === 0 || (points >= alone[i - 1] && points - alone[i - 1] <= 220)));
+  const shoot = [[-1, 3, 3], ...seconds(20)], played = pictures('pinball (6.7)', {}, Array(4).fill(shoot).flat());
+  assert.ok(words(played.at(-1)).includes('the best so far') && score(played.at(-1)) > 0, words(played.at(-1)).join());
+}

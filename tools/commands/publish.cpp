@@ -46,7 +46,7 @@ constexpr std::uintmax_t heaviest_demo = 90000, heaviest_of_many = 160000;
 
 /// A chapter's demo, or a sketch of the gallery: demos/NAME.js, and its pictures.
 struct Shown {
-    std::string name;                ///< "07_segment_intersection", "sketch_pinball"
+    std::string name;                ///< "07_segment_intersection", "sketch_nails"
     std::string page, program;       ///< targets of the build
     std::vector<std::string> starts; ///< of its pictures
     std::uintmax_t heaviest = heaviest_demo;

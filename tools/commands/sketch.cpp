@@ -29,7 +29,7 @@ says what else there is. It may call every function of the course: yours where y
 
 Example: ./course sketch moon --watch
          ./course sketch splash --from "11/with walls"
-         ./course sketch mine --from pinball
+         ./course sketch mine --from nails
          ./course sketch moon --share moon.html)";
 
 struct SketchOptions {

@@ -20,9 +20,9 @@ struct Demo {
 
 /// A sketch of docs/gallery, which is shown beside the demos.
 struct GallerySketch {
-    std::string name;           ///< of its file: "pinball"
+    std::string name;           ///< of its file: "nails"
     std::filesystem::path file; ///< its code
-    std::string demo;           ///< what it's called among the demos: "sketch_pinball"
+    std::string demo;           ///< what it's called among the demos: "sketch_nails"
     std::string script() const { return "demos/" + demo + ".js"; }
     std::string picture() const { return "demos/" + demo + ".svg"; }
 };
