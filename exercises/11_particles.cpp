@@ -87,4 +87,10 @@ std::vector<Particle> compact_pool(const std::vector<Particle> &pool, const std:
     throw course::NotYet{"which particle can fill a gap, so that no other has to move?"};
 }
 
+// 11.10 challenge
+Show run_show(Show now, const Rules &rules, double dt) {
+    require_show(now, rules, dt);
+    throw course::NotYet{"which rocket bursts first, and what has happened to the sparks by then?"};
+}
+
 } // namespace particles

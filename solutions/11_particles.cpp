@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace particles {
@@ -181,6 +182,61 @@ std::vector<Particle> compact_pool(const std::vector<Particle> &pool, const std:
     }
     for (std::size_t i = 0; i < newborn.size() && after.size() < most; ++i) after.push_back(newborn[i]);
     return after;
+}
+
+//> Solution 11.10: until the next burst
+/// How long a rocket has until it bursts [s].
+static double until_burst(const Rocket &rocket, double gravity) {
+    return rocket.wait + std::max(0.0, rocket.velocity.y() / gravity);
+}
+
+/// Free fall for so long.
+static void fall(Vec2 &position, Vec2 &velocity, double gravity, double time) {
+    position += time * velocity - Vec2{0, gravity * time * time / 2};
+    velocity.y() -= gravity * time;
+}
+
+/// All that happens while no rocket bursts: they fly, and sparks go out.
+static void pass(Show &show, const Rules &rules, double time) {
+    for (auto &[wait, position, velocity, random_numbers] : show.rockets) {
+        fall(position, velocity, rules.gravity, std::max(0.0, time - wait));
+        wait = std::max(0.0, wait - time);
+    }
+    for (auto &[position, velocity, age, life] : show.sparks) {
+        fall(position, velocity, rules.gravity, time);
+        age = position.y() < 0 ? std::max(age, life) : age + time; // out, once it's below the street
+    }
+    show.sparks = compact_pool(show.sparks, {}, rules.places);
+}
+
+//> Solution 11.10: a whole show
+static void burst(Show &show, const Rocket &rocket, const Rules &rules) {
+    std::vector<Particle> newborn;
+    for (const Vec2 &velocity : disc_burst(rocket.random_numbers, rules.speed))
+        newborn.push_back({rocket.position, rocket.velocity + velocity, 0, rules.life});
+    const int before = int(show.sparks.size());
+    show.sparks = compact_pool(show.sparks, newborn, rules.places);
+    const int glow = int(show.sparks.size());
+    show.shown += glow - before;
+    show.lost += int(newborn.size()) - (glow - before);
+    show.most = std::max(show.most, glow);
+}
+
+Show run_show(Show now, const Rules &rules, double dt) {
+    require_show(now, rules, dt);
+    const auto earlier = [&](const Rocket &a, const Rocket &b) {
+        return until_burst(a, rules.gravity) < until_burst(b, rules.gravity);
+    };
+    while (true) {
+        const auto first = std::min_element(now.rockets.begin(), now.rockets.end(), earlier);
+        const bool none = first == now.rockets.end();
+        const double time = none ? std::numeric_limits<double>::infinity() : until_burst(*first, rules.gravity);
+        pass(now, rules, std::min(time, dt));
+        if (time > dt) return now;
+        burst(now, *first, rules);
+        now.rockets.erase(first);
+        dt -= time;
+    }
 }
 //>
 } // namespace particles

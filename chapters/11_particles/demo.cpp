@@ -8,8 +8,10 @@
 #include "scenes/ring.hpp"
 #include "scenes/three.hpp"
 #include "scenes/walls.hpp"
+#include "scenes/whole.hpp"
 
 //> The demo
 namespace play {
-const Scenes scenes = demo::scenes<Opening, Colours, Three, Ring, Disc, Rate, Walls, Gaps>("Fireworks over a town.");
+const Scenes scenes =
+    demo::scenes<Opening, Colours, Three, Ring, Disc, Rate, Walls, Gaps, Whole>("Fireworks over a town.");
 } // namespace play

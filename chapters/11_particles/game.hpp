@@ -104,5 +104,20 @@ inline void next_frame(std::vector<Particle> &pool, const std::vector<Particle> 
     }
     pool = compact_pool(pool, newborn, capacity);
 }
+
+//> A rocket for the show
+/// It waits, takes off from the street to the left of this place, and bursts there, into so many sparks.
+inline Rocket rocket_to(const Vec2 &place, double wait, int sparks, const Rules &rules, Random &random) {
+    const double rise = std::sqrt(2 * place.y() / rules.gravity); // [s]
+    const Vec2 velocity{1.5, rules.gravity * rise};
+    return {wait, {place.x() - rise * velocity.x(), 0}, velocity, random.many(2 * sparks)};
+}
+
+//> The frame loop: a whole show
+/// One frame of the game: what the player has fired takes its place in the queue, and the show goes on.
+inline void next_frame(Show &show, const std::vector<Rocket> &fired, const Rules &rules, double dt) {
+    show.rockets.insert(show.rockets.end(), fired.begin(), fired.end());
+    show = run_show(show, rules, dt);
+}
 //>
 } // namespace particles

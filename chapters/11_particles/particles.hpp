@@ -170,6 +170,69 @@ Particle move_and_collide(const Particle &particle, const std::vector<Wall> &wal
 std::vector<Particle> compact_pool(const std::vector<Particle> &pool, const std::vector<Particle> &newborn,
                                    int capacity);
 
+//> A rocket
+/// It waits, takes off, and bursts as soon as it no longer rises.
+struct Rocket {
+    double wait{};                      ///< until it takes off [s], not negative; 0: it's in the air
+    Vec2 position;                      ///< where it is, or takes off [m]; the street is at y = 0, and it's never below
+    Vec2 velocity;                      ///< its own, or the one it takes off with [m/s]
+    std::vector<double> random_numbers; ///< a pair for each of its sparks, as `disc_burst` takes them
+    COURSE_FIELDS("s, m, m/s, 1", wait, position, velocity, random_numbers)
+};
+
+//> A show
+struct Show {
+    std::vector<Rocket> rockets;  ///< those that haven't burst yet
+    std::vector<Particle> sparks; ///< those that glow, in any order
+    int shown{};                  ///< how many sparks have found a place so far
+    int lost{};                   ///< how many haven't
+    int most{};                   ///< the most that have glowed at one time so far
+    COURSE_FIELDS(", , 1, 1, 1", rockets, sparks, shown, lost, most)
+};
+
+/// What stays the same from frame to frame.
+struct Rules {
+    double gravity{}; ///< downwards [m/s²], more than 0
+    int places{};     ///< so many sparks can glow at one time, not negative
+    double speed{};   ///< the most that a burst adds to a spark's velocity [m/s], not negative
+    double life{};    ///< of each spark [s], more than 0
+    COURSE_FIELDS("m/s², 1, m/s, s", gravity, places, speed, life)
+};
+
+//>
+/// @throws std::invalid_argument if one of these makes no sense.
+inline void require_show(const Show &show, const Rules &rules, double dt) {
+    for (const auto &[wait, position, velocity, random_numbers] : show.rockets) {
+        course::require(wait >= 0, "wait [s] must not be negative", wait);
+        course::require(position.y() >= 0, "a rocket must not be below the street", position.y());
+        require_random_numbers(random_numbers);
+        course::require(random_numbers.size() % 2 == 0, "random numbers must come in pairs",
+                        double(random_numbers.size()));
+    }
+    for (const Particle &spark : show.sparks) {
+        require_particle(spark);
+        course::require(spark.position.y() >= 0, "a spark must not be below the street", spark.position.y());
+    }
+    course::require(rules.gravity > 0, "gravity [m/s²] must be positive", rules.gravity);
+    course::require(int(show.sparks.size()) <= rules.places, "places must not be fewer than the sparks", rules.places);
+    course::require(int(show.sparks.size()) <= show.most, "most must not be less than the sparks", show.most);
+    course::require(rules.speed >= 0, "speed [m/s] must not be negative", rules.speed);
+    course::require(rules.life > 0, "life [s] must be positive", rules.life);
+    course::require(dt >= 0, "dt [s] must not be negative", dt);
+}
+
+//> Run a show
+/// The show `dt` later, and the same at any frame rate: within `dt`, things happen when they're due, one after the
+/// other, and what's due at its very end has happened. Rockets in the air and sparks fall freely, on exact parabolas. A
+/// rocket bursts at the moment when it no longer rises, at take-off if it doesn't rise at all. Then it's gone, and in its
+/// place are sparks of age 0, each with the rocket's velocity plus one of its `disc_burst`, in that order, as long as
+/// there are places; the others are lost. A spark goes out, and frees its place, at the moment when its age reaches its
+/// life, or when it falls below the street. Of what's due at the same moment, sparks go out first, and rockets burst in
+/// the order of the list, which the others keep.
+/// @param dt  [s], not negative
+/// @throws std::invalid_argument if the show or the rules make no sense, or `dt` is negative.
+Show run_show(Show now, const Rules &rules, double dt);
+
 //>
 namespace subject {
 COURSE_EXERCISE("11.1", core, particles, free_slot, "pool", "1")
@@ -181,6 +244,7 @@ COURSE_EXERCISE("11.6", stretch, particles, emit, "emitter, random_numbers [1]",
 COURSE_EXERCISE("11.7", stretch, particles, emission_count, "rate [1/s], remainder [1], dt [s]", "")
 COURSE_EXERCISE("11.8", challenge, particles, move_and_collide, "particle, walls, restitution [1], dt [s]", "")
 COURSE_EXERCISE("11.9", challenge, particles, compact_pool, "pool, newborn, capacity", "")
+COURSE_EXERCISE("11.10", challenge, particles, run_show, "now, rules, dt [s]", "")
 } // namespace subject
 //>
 } // namespace particles

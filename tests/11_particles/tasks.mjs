@@ -66,3 +66,10 @@ const press = (x, y) => [-1, x, y];
   assert.ok(rows.every(([slots, packed]) => slots.length === packed.length));
   assert.ok(rows.some(([slots]) => gaps(slots)) && !rows.some(([, packed]) => gaps(packed)));
 }
+{ // the machine loses none of its 624 sparks; two rockets a second come to 900 points, eight lose most of theirs
+  const ends = (keys) => words(pictures('a whole show (11.10)', {}, keys).at(-1)).find((text) => /shown/.test(text));
+  assert.match(ends(seconds(24)), /^624 shown, 0 lost, [5-9]\d at one time$/);
+  const fire = (every) => ends(Array.from({ length: 24 * 60 }, (_, i) => (i % every === 0 ? press(4 + ((i * 7) % 16), 5 + ((i * 3) % 5)) : '')));
+  const [shown, lost] = fire(30).match(/\d+/g).map(Number), [, often] = fire(8).match(/\d+/g).map(Number);
+  assert.ok(shown - 2 * lost >= 900 && often > 1000, `${shown}, ${lost}, ${often}`);
+}

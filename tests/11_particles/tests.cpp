@@ -1415,3 +1415,424 @@ TEST_CASE("an invalid particle anywhere, and a capacity below the pool's size, a
     large.back().life = 0;
     CHECK_REFUSED(compact_pool(large, {}, 131), "the last of 131 particles has a life of 0");
 }
+
+// ------------------------------------------------------------------------------------------------------ 11.10 run_show
+
+namespace {
+
+using particles::Rocket, particles::Rules, particles::Show;
+
+// A burst of four at 2 m/s: to the right, up, to the left and down.
+const std::vector<double> cross{0.25, 0, 0.25, 0.25, 0.25, 0.5, 0.25, 0.75};
+constexpr Rules rules{.gravity = 10, .places = 100, .speed = 4, .life = 2};
+
+/// Pairs of random numbers for so many sparks, evenly around.
+std::vector<double> pairs(int sparks) {
+    std::vector<double> numbers;
+    for (int i = 0; i < sparks; ++i) {
+        numbers.push_back(0.25);
+        numbers.push_back(double(i) / sparks);
+    }
+    return numbers;
+}
+
+/// A rocket that waits on the street, rises straight up at 10 m/s, and bursts a second later, 5 m up.
+Rocket rising(double wait, int sparks, double x = 0) { return {wait, {x, 0}, {0, 10}, pairs(sparks)}; }
+
+Show show_of(const std::vector<Rocket> &rockets) { return {rockets, {}, 0, 0, 0}; }
+
+double how_far(const Particle &a, const Particle &b) {
+    return (a.position - b.position).norm() + (a.velocity - b.velocity).norm() + std::abs(a.age - b.age)
+           + std::abs(a.life - b.life);
+}
+
+/// The same show with its sparks in the order of another one's, because any order is right.
+Show in_order_of(const Show &other, Show show) {
+    if (show.sparks.size() != other.sparks.size()) return show;
+    for (std::size_t i = 0; i < show.sparks.size(); ++i)
+        for (std::size_t k = i + 1; k < show.sparks.size(); ++k)
+            if (how_far(show.sparks[k], other.sparks[i]) < how_far(show.sparks[i], other.sparks[i]))
+                std::swap(show.sparks[i], show.sparks[k]);
+    return show;
+}
+
+/// The show after so many frames that last `time` in all.
+Show after_frames(Show now, const Rules &by, double time, int frames) {
+    for (int i = 0; i < frames; ++i) now = run_show(now, by, time / frames);
+    return now;
+}
+
+/// Up to eight rockets of up to six sparks each, which burst within some five seconds.
+Show random_show(Dice &dice) {
+    Show show;
+    for (int rockets = dice.whole(1, 8); rockets > 0; --rockets) {
+        Rocket next;
+        next.wait = dice.real(0, 4);
+        next.position.x() = dice.real(-20, 20);
+        next.position.y() = dice.real(0, 2);
+        next.velocity.x() = dice.real(-3, 3);
+        next.velocity.y() = dice.real(4, 16);
+        for (int numbers = 2 * dice.whole(0, 6); numbers > 0; --numbers) next.random_numbers.push_back(dice.real(0, 1));
+        show.rockets.push_back(next);
+    }
+    return show;
+}
+
+/// Few places, so that some sparks are lost, and lives so long that some fall into the street.
+Rules random_rules(Dice &dice) {
+    Rules by;
+    by.gravity = dice.real(5, 15);
+    by.places = dice.whole(0, 20);
+    by.speed = dice.real(0, 6);
+    by.life = dice.real(0.2, 3);
+    return by;
+}
+
+int sparks_in(const std::vector<Rocket> &rockets) {
+    std::size_t numbers = 0;
+    for (const Rocket &each : rockets) numbers += each.random_numbers.size();
+    return int(numbers / 2);
+}
+
+} // namespace
+
+//> It waits, and rises
+TEST_CASE("waits 1 s, then rises at 10 m/s: half a second after take-off it's 3.75 m up, at 5 m/s", "[11.10]") {
+    const Show start = show_of({{1, {3, 0}, {2, 10}, cross}});
+    CHECK_THAT(run_show(start, rules, 0.5), IsNear(show_of({{0.5, {3, 0}, {2, 10}, cross}}), rounding));
+    CHECK_THAT(run_show(start, rules, 1), IsNear(show_of({{0, {3, 0}, {2, 10}, cross}}), rounding));
+    CHECK_THAT(run_show(start, rules, 1.5), IsNear(show_of({{0, {4, 3.75}, {2, 5}, cross}}), rounding));
+}
+
+//> It bursts
+TEST_CASE("bursts at the top, 5 m up, and its four sparks share its 2 m/s to the right", "[11.10]") {
+    const Show start = show_of({{1, {3, 0}, {2, 10}, cross}});
+    const Show want{
+        {}, {{{5, 5}, {4, 0}, 0, 2}, {{5, 5}, {2, 2}, 0, 2}, {{5, 5}, {0, 0}, 0, 2}, {{5, 5}, {2, -2}, 0, 2}}, 4, 0, 4};
+    CHECK_THAT(in_order_of(want, run_show(start, rules, 2)), IsNear(want, rounding).of("show"));
+    CHECK_THAT(run_show(start, rules, 1.875), IsNear(show_of({{0, {4.75, 4.921875}, {2, 1.25}, cross}}), rounding));
+}
+
+TEST_CASE("within one frame of 2.5 s it waits, rises and bursts, and its sparks fly for half a second", "[11.10]") {
+    const Show start = show_of({{1, {3, 0}, {2, 10}, cross}});
+    const Show want{{},
+                    {{{7, 3.75}, {4, -5}, 0.5, 2},
+                     {{6, 4.75}, {2, -3}, 0.5, 2},
+                     {{5, 3.75}, {0, -5}, 0.5, 2},
+                     {{6, 2.75}, {2, -7}, 0.5, 2}},
+                    4,
+                    0,
+                    4};
+    CHECK_THAT(in_order_of(want, run_show(start, rules, 2.5)), IsNear(want, rounding).of("show"));
+}
+
+TEST_CASE("bursts as it takes off if it doesn't rise, and what's due in a frame of 0 s happens, too", "[11.10]") {
+    for (const double up : {0.0, -3.0}) {
+        const Show start = show_of({{0, {1, 7}, {0, up}, pairs(1)}, {0.5, {2, 7}, {0, up}, pairs(1)}});
+        const Show now{{start.rockets[1]}, {{{1, 7}, {2, up}, 0, 2}}, 1, 0, 1};
+        CHECK_THAT(run_show(start, rules, 0), IsNear(now, rounding));
+        CHECK_THAT(run_show(start, rules, 0.5).rockets, HasSize(0).of("rockets after 0.5 s"));
+    }
+    const Show street = show_of({{0, {1, 0}, {0, 0}, pairs(1)}}); // its spark isn't below the street
+    CHECK_THAT(run_show(street, rules, 0), IsNear(Show{{}, {{{1, 0}, {2, 0}, 0, 2}}, 1, 0, 1}, rounding));
+}
+
+//> They go out
+TEST_CASE("its sparks glow for 2 s, and are gone at that moment, not a frame later", "[11.10]") {
+    const Rules weak{.gravity = 1, .places = 100, .speed = 4, .life = 2};
+    const Show start = show_of({{0, {0, 90}, {0, 1}, cross}}); // it bursts after 1 s
+    CHECK_THAT(run_show(start, weak, 2.875).sparks, HasSize(4).of("sparks 1.875 s after the burst"));
+    CHECK_THAT(run_show(start, weak, 3), IsNear(Show{{}, {}, 4, 0, 4}));
+    CHECK_THAT(run_show(start, weak, 9), IsNear(Show{{}, {}, 4, 0, 4}));
+    // Each by its own life, not by the rules'.
+    const Show two{{}, {{{0, 5}, {0, 0}, 3, 3}, {{0, 5}, {0, 0}, 2.5, 3}, {{0, 5}, {0, 0}, 0, 0.25}}, 0, 0, 3};
+    CHECK_THAT(run_show(two, rules, 0.25), IsNear(Show{{}, {{{0, 4.6875}, {0, -2.5}, 2.75, 3}}, 0, 0, 3}, rounding));
+}
+
+TEST_CASE("a spark that falls below the street is out, however young, and one that's above it isn't", "[11.10]") {
+    // Dropped from 5 m, it's 1.8 m up after 0.8 s, and below the street after 1.1 s.
+    const Show start{{}, {{{3, 5}, {1, 0}, 0, 9}, {{3, 5}, {0, 8}, 0, 9}}, 2, 0, 2};
+    const Show both{{}, {{{3.8, 1.8}, {1, -8}, 0.8, 9}, {{3, 8.2}, {0, 0}, 0.8, 9}}, 2, 0, 2};
+    const Show one{{}, {{{3, 7.75}, {0, -3}, 1.1, 9}}, 2, 0, 2};
+    CHECK_THAT(in_order_of(both, run_show(start, rules, 0.8)), IsNear(both, rounding).of("show"));
+    CHECK_THAT(run_show(start, rules, 1.1), IsNear(one, rounding));
+    CHECK_THAT(run_show(start, rules, 3), IsNear(Show{{}, {}, 2, 0, 2}));
+}
+
+//> Too few places
+TEST_CASE("with 6 places, the first 6 of its 9 sparks glow, in the order of its numbers, and 3 are lost", "[11.10]") {
+    const Rules six{.gravity = 10, .places = 6, .speed = 4, .life = 2};
+    const Show start = show_of({{0, {0, 5}, {1, 0}, pairs(9)}});
+    Show want{{}, {}, 6, 3, 6};
+    for (const double turn : {0.0, 40.0, 80.0, 120.0, 160.0, 200.0})
+        want.sparks.push_back({{0, 5}, {1 + 2 * std::cos(turn * pi / 180), 2 * std::sin(turn * pi / 180)}, 0, 2});
+    CHECK_THAT(in_order_of(want, run_show(start, six, 0)), IsNear(want, rounding).of("show"));
+    const Rules no_place{.gravity = 10, .places = 0, .speed = 4, .life = 2};
+    CHECK_THAT(run_show(start, no_place, 0), IsNear(Show{{}, {}, 0, 9, 0}));
+}
+
+//> Places become free
+TEST_CASE("sparks that go out in the middle of a frame make room, and those that glow a bit longer don't", "[11.10]") {
+    const Rules four{.gravity = 10, .places = 4, .speed = 1, .life = 0.75};
+    const auto both = [&](double later) { return show_of({rising(0, 4), rising(later, 4)}); };
+    CHECK_THAT(run_show(both(0.875), four, 3), IsNear(Show{{}, {}, 8, 0, 4})); // they're out before
+    CHECK_THAT(run_show(both(0.5), four, 3), IsNear(Show{{}, {}, 4, 4, 4}));   // they glow
+    CHECK_THAT(run_show(both(0.75), four, 3), IsNear(Show{{}, {}, 8, 0, 4}));  // they go out at that moment
+    const Show start{{rising(0, 4)}, {{{0, 1}, {0, 0}, 0, 9}}, 1, 0, 1};       // it's in the street after 0.45 s
+    CHECK_THAT(run_show(start, four, 3), IsNear(Show{{}, {}, 5, 0, 4}));
+}
+
+//> Two in a frame
+TEST_CASE("of two that burst within a frame, the earlier one gets the places, wherever it's in the list", "[11.10]") {
+    const Rules four{.gravity = 10, .places = 4, .speed = 1, .life = 8};
+    const Rocket early{0, {-9, 0}, {0, 10}, cross}, late{0.25, {9, 0}, {0, 10}, cross};
+    for (const bool swapped : {false, true}) {
+        const Show after = run_show(show_of(swapped ? std::vector{late, early} : std::vector{early, late}), four, 1.5);
+        CHECK_THAT(after.sparks, HasSize(4).of("sparks"));
+        for (const Particle &each : after.sparks) CHECK_THAT(each.position.x(), IsBelow(0).of("x of a spark [m]"));
+        CHECK_THAT(after.lost, IsNear(4).of("sparks lost"));
+    }
+}
+
+TEST_CASE("of two that burst at the same moment, the first one in the list gets the places", "[11.10]") {
+    const Rules four{.gravity = 10, .places = 4, .speed = 1, .life = 8};
+    const Rocket left{0.5, {-9, 0}, {0, 5}, cross}, right{0, {9, 0}, {0, 10}, cross}; // both after 1 s
+    for (const bool swapped : {false, true}) {
+        const Show after = run_show(show_of(swapped ? std::vector{right, left} : std::vector{left, right}), four, 1.25);
+        CHECK_THAT(after.sparks, HasSize(4).of("sparks"));
+        for (const Particle &each : after.sparks)
+            CHECK_THAT(swapped ? each.position.x() : -each.position.x(), IsAbove(0).of("on that rocket's side [m]"));
+    }
+}
+
+//> The most at one time
+TEST_CASE("knows the most that glowed at one time, even if all of it happened within one frame", "[11.10]") {
+    const Rules brief{.gravity = 10, .places = 100, .speed = 1, .life = 0.5};
+    const Show start = show_of({rising(0, 7), rising(0.25, 5), rising(1, 9), rising(2, 1)}); // 7, then 12, then 9
+    CHECK_THAT(run_show(start, brief, 10), IsNear(Show{{}, {}, 22, 0, 12}));
+    const Show before{{rising(0, 3)}, {}, 30, 2, 20};
+    CHECK_THAT(run_show(before, brief, 10), IsNear(Show{{}, {}, 33, 2, 20})); // 20 it was, and stays
+}
+
+TEST_CASE("those that haven't burst stay in their order, with their numbers", "[11.10]") {
+    const std::vector<Rocket> five{rising(3, 1, 1), rising(0, 2, 2), rising(5, 3, 3), rising(0.25, 4, 4),
+                                   rising(4, 5, 5)};
+    const Show after = run_show(show_of(five), rules, 1.5);
+    CHECK_THAT(after.rockets,
+               IsNear(std::vector{rising(1.5, 1, 1), rising(3.5, 3, 3), rising(2.5, 5, 5)}, rounding).of("rockets"));
+}
+
+//> The end
+TEST_CASE("ends with dark sky: in the end nothing is left, and no spark is missing in the count", "[11.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        const Rules by = random_rules(dice);
+        const Show start = random_show(dice);
+
+        const Show over = run_show(start, by, 60);
+
+        CHECK_THAT(over.rockets, HasSize(0).of("rockets at the end"));
+        CHECK_THAT(over.sparks, HasSize(0).of("sparks at the end"));
+        CHECK_THAT(over.shown + over.lost, IsNear(sparks_in(start.rockets)).of("sparks shown and lost"));
+        CHECK_THAT(run_show(over, by, 60), IsNear(over).of("show a minute after its end"));
+    }
+}
+
+//> A show at any frame rate
+TEST_CASE("is the same show at 1, 10, 60 and 144 frames a second, whatever bursts within a frame", "[11.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        const Rules by = random_rules(dice);
+        const Show start = random_show(dice);
+        Show slow = start;
+        std::vector<Show> fast(3, start);
+        for (int second = 1; second <= 6; ++second) {
+            slow = run_show(slow, by, 1);
+            for (std::size_t k = 0; k < fast.size(); ++k) {
+                const int rate = std::array{10, 60, 144}[k];
+                fast[k] = after_frames(fast[k], by, 1, rate);
+                CHECK_THAT(in_order_of(slow, fast[k]), IsNear(slow, 1e-9)
+                                                           .of("show after " + std::to_string(second) + " s, at "
+                                                               + std::to_string(rate) + " frames a second"));
+            }
+        }
+    }
+}
+
+//> A frame cut in two
+TEST_CASE("a frame cut in two gives the same show as the whole frame, wherever it's cut", "[11.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(3000); ++i) {
+        const Rules by = random_rules(dice);
+        const Show start = random_show(dice);
+        const double dt = dice.real(0, 6), part = dice.real(0, dt);
+
+        const Show whole = run_show(start, by, dt);
+
+        const Show halves = run_show(run_show(start, by, part), by, dt - part);
+        CHECK_THAT(in_order_of(whole, halves), IsNear(whole, 1e-9).of("show after both parts"));
+    }
+}
+
+//> What is counted
+TEST_CASE("every spark is in a rocket, was shown, or is lost; and no more glow than there are places", "[11.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        const Rules by = random_rules(dice);
+        Show now = random_show(dice);
+        const int all = sparks_in(now.rockets);
+        for (int frame = 0; frame < 12; ++frame) {
+            const int most = now.most;
+            now = run_show(now, by, dice.real(0, 1));
+
+            CHECK_THAT(now.shown + now.lost + sparks_in(now.rockets), IsNear(all).of("all sparks"));
+            CHECK_THAT(int(now.sparks.size()), IsAtMost(now.most).of("sparks that glow"));
+            CHECK_THAT(now.most, IsAtMost(std::min(by.places, now.shown)).of("the most at one time"));
+            CHECK_THAT(now.most, IsAtLeast(most).of("the most at one time"));
+            for (const Particle &each : now.sparks) {
+                CHECK_THAT(each.age, IsBelow(each.life).of("age of a spark [s]"));
+                CHECK_THAT(each.position.y(), IsAtLeast(0).of("height of a spark [m]"));
+            }
+        }
+    }
+}
+
+//> Momentum
+TEST_CASE("if each spark has an opposite one, their middle flies on as the rocket would have", "[11.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        Rocket one{0, {dice.real(-20, 20), 0}, {0, 0}, {}};
+        one.position.y() = dice.real(300, 400);
+        one.velocity.x() = dice.real(-5, 5);
+        one.velocity.y() = dice.real(0, 20);
+        for (int opposite = dice.whole(1, 20); opposite > 0; --opposite) {
+            const double speed = dice.real(0, 1), turn = dice.real(0, 0.5);
+            for (const double number : {speed, turn, speed, turn + 0.5}) one.random_numbers.push_back(number);
+        }
+        const double time = dice.real(2.1, 6), g = 10;
+
+        const Show after = run_show(show_of({one}), {g, 100, 5, 9}, time);
+
+        Vec2 place{0, 0}, velocity{0, 0};
+        for (const Particle &each : after.sparks) {
+            place += each.position / double(after.sparks.size());
+            velocity += each.velocity / double(after.sparks.size());
+        }
+        const Vec2 flown = one.position + time * one.velocity - Vec2{0, g * time * time / 2};
+        CHECK_THAT(velocity, IsNear(Vec2{one.velocity - Vec2{0, g * time}}, 1e-11).of("mean velocity [m/s]"));
+        CHECK_THAT(place, IsNear(flown, 1e-11).of("middle of the sparks [m]"));
+    }
+}
+
+//> Energy of a spark
+TEST_CASE("each spark in the air keeps its v²/2 + g y, because gravity alone acts on it", "[11.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        Show start;
+        for (int k = 0; k < 5; ++k) { // their lives are their names
+            const Vec2 place{dice.real(-20, 20), 0}, velocity = dice.point(-8, 8);
+            start.sparks.push_back({place + Vec2{0, dice.real(0, 20)}, velocity, 0, 5.0 + k});
+        }
+        start.shown = start.most = 5;
+        const double g = dice.real(1, 12);
+
+        const Show after = run_show(start, {g, 5, 0, 1}, dice.real(0, 6));
+
+        for (const Particle &each : after.sparks)
+            for (const Particle &before : start.sparks)
+                if (before.life == each.life)
+                    CHECK_THAT(each.velocity.squaredNorm() / 2 + g * each.position.y(),
+                               IsNear(before.velocity.squaredNorm() / 2 + g * before.position.y(), 1e-11)
+                                   .of("energy of each kilogram [J]"));
+    }
+}
+
+//> Later
+TEST_CASE("if all rockets wait a second longer, it's the same show, a second later", "[11.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        const Rules by = random_rules(dice);
+        const Show start = random_show(dice);
+        const double dt = dice.real(0, 6);
+        Show later = start;
+        for (Rocket &each : later.rockets) each.wait += 1;
+
+        const Show want = run_show(start, by, dt);
+
+        CHECK_THAT(in_order_of(want, run_show(later, by, dt + 1)), IsNear(want, 1e-9).of("show a second later"));
+    }
+}
+
+//> Two shows at one time
+TEST_CASE("with a place for each spark, two shows at one time are the sum of both", "[11.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        Rules by = random_rules(dice);
+        by.places = 200;
+        const Show one = random_show(dice), other = random_show(dice);
+        const double dt = dice.real(0, 6);
+        Show both = one;
+        both.rockets.insert(both.rockets.end(), other.rockets.begin(), other.rockets.end());
+
+        Show want = run_show(one, by, dt);
+        const Show second = run_show(other, by, dt);
+        const Show got = run_show(both, by, dt);
+
+        CHECK_THAT(got.most, IsAtMost(want.most + second.most).of("the most at one time"));
+        want.rockets.insert(want.rockets.end(), second.rockets.begin(), second.rockets.end());
+        want.sparks.insert(want.sparks.end(), second.sparks.begin(), second.sparks.end());
+        want.shown += second.shown;
+        want.most = got.most;
+        CHECK_THAT(in_order_of(want, got), IsNear(want, 1e-9).of("both shows"));
+    }
+}
+
+//>
+TEST_CASE("200 rockets of 20 sparks, all within a frame, come to 4000 sparks, shown or lost", "[11.10]") {
+    std::vector<Rocket> many;
+    for (int i = 0; i < 200; ++i) many.push_back(rising(0.01 * i, 20, i));
+    const Show after = run_show(show_of(many), {10, 1000, 1, 100}, 1.995);
+    CHECK_THAT(after.rockets, HasSize(100).of("rockets after 1.995 s")); // half of them have burst
+    CHECK_THAT(after.shown, IsAtLeast(1000).of("sparks shown"));
+    CHECK_THAT(after.shown + after.lost, IsNear(2000).of("sparks shown and lost"));
+}
+
+TEST_CASE("run_show allows an empty show, a rocket without sparks, a day's wait, and places beyond memory", "[11.10]") {
+    const int most = std::numeric_limits<int>::max();
+    CHECK_THAT(run_show({}, {10, 0, 0, 1}, 86400), IsNear(Show{}));
+    CHECK_THAT(run_show(show_of({rising(0, 0)}), {10, most, 4, 2}, 1), IsNear(Show{}));
+    CHECK_THAT(run_show(show_of({rising(86400, 3)}), rules, 86400), IsNear(show_of({rising(0, 3)}), 1e-9));
+    CHECK_THAT(run_show(show_of({rising(0, 3)}), {10, most, 4, 2}, 86400), IsNear(Show{{}, {}, 3, 0, 3}));
+    CHECK_THAT(run_show(show_of({rising(0, 3)}), {10, 3, 0, 9}, 1.25).sparks, HasSize(3).of("sparks in one place"));
+}
+
+TEST_CASE("rejects what's below the street, numbers out of range or without a pair, and bad rules", "[11.10]") {
+    const Show good{{rising(1, 2)}, {{{0, 5}, {0, 0}, 0, 2}}, 1, 0, 1};
+    const auto with = [&](const auto &change) {
+        Show bad = good;
+        change(bad);
+        return bad;
+    };
+    CHECK_REFUSED(run_show(with([](Show &bad) { bad.rockets[0].wait = -1e-3; }), rules, 1), "wait is negative");
+    CHECK_REFUSED(run_show(with([](Show &bad) { bad.rockets[0].position.y() = -1e-3; }), rules, 1),
+                  "a rocket is below the street");
+    CHECK_REFUSED(run_show(with([](Show &bad) { bad.rockets[0].random_numbers.pop_back(); }), rules, 1),
+                  "a random number has no partner");
+    for (const double number : {-0.1, 1.0, 3.0})
+        CHECK_REFUSED(run_show(with([&](Show &bad) { bad.rockets[0].random_numbers[1] = number; }), rules, 0),
+                      "a random number is out of range"); // though it doesn't burst yet
+    CHECK_REFUSED(run_show(with([](Show &bad) { bad.sparks[0].position.y() = -1e-3; }), rules, 1),
+                  "a spark is below the street");
+    check_age_and_life_refused(good.sparks[0], [&](const Particle &particle) {
+        return run_show(with([&](Show &bad) { bad.sparks[0] = particle; }), rules, 1);
+    });
+    CHECK_REFUSED(run_show(with([](Show &bad) { bad.most = 0; }), rules, 1), "most is less than the sparks");
+    CHECK_REFUSED(run_show(good, {0, 100, 4, 2}, 1), "gravity is 0");
+    CHECK_REFUSED(run_show(good, {-10, 100, 4, 2}, 1), "gravity is negative");
+    CHECK_REFUSED(run_show(good, {10, 0, 4, 2}, 1), "fewer places than sparks");
+    CHECK_REFUSED(run_show({}, {10, -1, 4, 2}, 1), "places is negative");
+    CHECK_REFUSED(run_show(good, {10, 100, -4, 2}, 1), "speed is negative");
+    CHECK_REFUSED(run_show(good, {10, 100, 4, 0}, 1), "life is 0");
+    CHECK_REFUSED(run_show(good, rules, -1e-3), "dt is negative");
+    run_show(good, rules, 1); // good input is still answered
+}
