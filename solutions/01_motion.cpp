@@ -84,5 +84,12 @@ Motion fit_motion(const Sample &first, const Sample &second, const Sample &third
     const double v_0 = v_12 - a * (first.t + second.t) / 2;
     return {first.x - first.t * (v_0 + a * first.t / 2), v_0, a};
 }
+
+//> Solution 1.8: on the screen
+Vec2 to_screen(const Vec2 &place, const Screen &screen) {
+    course::require(screen.px_per_m > 0, "px_per_m must be positive", screen.px_per_m);
+    const Vec2 away = screen.px_per_m * (place - screen.centre); // from the middle of the screen, y up [px]
+    return screen.size / 2 + Vec2{away.x(), -away.y()};
+}
 //>
 } // namespace motion

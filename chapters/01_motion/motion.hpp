@@ -98,6 +98,21 @@ struct Motion {
 /// @throws std::invalid_argument if two of the times are equal.
 Motion fit_motion(const Sample &first, const Sample &second, const Sample &third);
 
+//> A screen
+/// A screen, and which part of the world is on it. Pixels are counted from its upper left corner: x to the right, y *down*.
+struct Screen {
+    Vec2 size;         ///< how wide it is, and how high [px]
+    Vec2 centre;       ///< the place in the world that's in the middle of the screen [m]
+    double px_per_m{}; ///< how many pixels long a metre is, more than 0
+    COURSE_FIELDS("px, m, px/m", size, centre, px_per_m)
+};
+
+//> On the screen
+/// Where a place is on the screen [px], or beyond its edges. In the world, y runs up.
+/// @param place  in the world [m]
+/// @throws std::invalid_argument if `px_per_m` is not positive.
+Vec2 to_screen(const Vec2 &place, const Screen &screen);
+
 //>
 namespace subject {
 COURSE_EXERCISE("1.1", core, motion, px_per_second, "px_per_frame [px/frame], frames_per_second [frame/s]", "px/s")
@@ -107,6 +122,7 @@ COURSE_EXERCISE("1.4", core, motion, centre_of_mass, "bodies", "m")
 COURSE_EXERCISE("1.5", stretch, motion, step_all, "before, acceleration [m/s²], dt [s]", "")
 COURSE_EXERCISE("1.6", challenge, motion, centroid, "corners [m]", "m")
 COURSE_EXERCISE("1.7", stretch, motion, fit_motion, "first, second, third", "")
+COURSE_EXERCISE("1.8", stretch, motion, to_screen, "place [m], screen", "px")
 } // namespace subject
 //>
 } // namespace motion

@@ -54,4 +54,10 @@ Motion fit_motion(const Sample &first, const Sample &second, const Sample &third
     throw course::NotYet{"what was its average velocity between two samples, and when did it move at exactly that?"};
 }
 
+// 1.8 stretch
+Vec2 to_screen(const Vec2 &place, const Screen &screen) {
+    course::require(screen.px_per_m > 0, "px_per_m must be positive", screen.px_per_m);
+    throw course::NotYet{"how many pixels is the place away from the middle of the screen?"};
+}
+
 } // namespace motion

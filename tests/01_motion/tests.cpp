@@ -7,8 +7,8 @@
 #include <cmath>
 #include <optional>
 
-using motion::Integrators, motion::Motion, motion::PointMass, motion::Sample, motion::State;
-using namespace motion::subject; // px_per_second, uniform_motion, ... fit_motion: the student's
+using motion::Integrators, motion::Motion, motion::PointMass, motion::Sample, motion::Screen, motion::State;
+using namespace motion::subject; // px_per_second, uniform_motion, ... to_screen: the student's
 
 // An answer is right to twelve digits of the largest term in its sum, unless it's said below; with numbers closer to 0
 // than 1e-100, other than 0 itself, to fewer.
@@ -867,4 +867,99 @@ TEST_CASE("two samples at the same time are refused, whichever two, even if they
     }
     CHECK_REFUSED(fit_motion({0, 6}, {-0.0, 7}, four));
     fit_motion(one, two, four); // good input is still answered
+}
+
+// ------------------------------------------------------------------------------------------------------- 1.8 to_screen
+
+namespace {
+
+/// 640 by 360 px, 32 by 18 m: from (-6, -4) to (26, 14).
+const Screen wide{{640, 360}, {10, 5}, 20};
+
+Screen random_screen(Dice &dice) {
+    const Vec2 size{dice.real(100, 2000), dice.real(100, 2000)}, centre = dice.point(-100, 100);
+    return {size, centre, dice.real(1, 100)};
+}
+
+} // namespace
+
+//> Worked example: a place on a screen
+TEST_CASE("4 m to the right of what's in the middle and 3 m above it is at (400, 120) px", "[1.8]") {
+    CHECK_THAT(to_screen({14, 8}, wide),
+               IsNear(Vec2{400, 120}, rounding).since("4 · 20 px to the right of 320 px, and 3 · 20 px above 180 px"));
+}
+
+//> The middle
+TEST_CASE("what the screen looks at is in its middle, wherever that is and however large a metre is", "[1.8]") {
+    CHECK_THAT(to_screen({10, 5}, wide), IsNear(Vec2{320, 180}, rounding));
+    CHECK_THAT(to_screen({-7, 250}, {{640, 360}, {-7, 250}, 3}), IsNear(Vec2{320, 180}, rounding));
+    CHECK_THAT(to_screen({0, 0}, {{200, 500}, {0, 0}, 50}), IsNear(Vec2{100, 250}, rounding));
+}
+
+//> The corners
+TEST_CASE("its upper left corner, (0, 0) px, shows (-6, 14) m, and its lower right one (26, -4) m", "[1.8]") {
+    CHECK_THAT(to_screen({-6, 14}, wide), IsNear(Vec2{0, 0}, rounding));
+    CHECK_THAT(to_screen({26, -4}, wide), IsNear(Vec2{640, 360}, rounding));
+    CHECK_THAT(to_screen({26, 14}, wide), IsNear(Vec2{640, 0}, rounding));
+    CHECK_THAT(to_screen({-6, -4}, wide), IsNear(Vec2{0, 360}, rounding));
+}
+
+//> Beyond the edges
+TEST_CASE("a place beyond the edges gets a pixel, too: negative ones on the left and above", "[1.8]") {
+    CHECK_THAT(to_screen({-16, 15}, wide), IsNear(Vec2{-200, -20}, rounding));
+    CHECK_THAT(to_screen({30, -9}, wide), IsNear(Vec2{720, 460}, rounding));
+}
+
+//> Zoom
+TEST_CASE("with twice the pixels to a metre, everything is twice as far from the middle of the screen", "[1.8]") {
+    CHECK_THAT(to_screen({14, 8}, {{640, 360}, {10, 5}, 40}), IsNear(Vec2{480, 60}, rounding));
+    CHECK_THAT(to_screen({14, 8}, {{640, 360}, {10, 5}, 0.5}), IsNear(Vec2{322, 178.5}, rounding)); // a map
+}
+
+//> The camera moves
+TEST_CASE("when the camera moves 1 m to the right and 2 m up, a place moves 20 px to the left and 40 px down",
+          "[1.8]") {
+    CHECK_THAT(to_screen({14, 8}, {{640, 360}, {11, 7}, 20}), IsNear(Vec2{380, 160}, rounding));
+}
+
+//> A ship that climbs
+TEST_CASE("from place to place, x on the screen grows with x, and y falls as y rises, by px_per_m", "[1.8]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(5000); ++i) {
+        const Screen screen = random_screen(dice);
+        const Vec2 from = dice.point(-100, 100), to = dice.point(-100, 100);
+
+        const Vec2 there = to_screen(to, screen), here = to_screen(from, screen);
+
+        const Vec2 way = to - from, wanted{screen.px_per_m * way.x(), -screen.px_per_m * way.y()};
+        CHECK_THAT(there - here, IsNear(wanted, 1e-9).of("way on the screen [px]"));
+    }
+}
+
+//> And back
+TEST_CASE("counted back from its pixel, a place is where it was", "[1.8]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(5000); ++i) {
+        const Screen screen = random_screen(dice);
+        const Vec2 place = dice.point(-100, 100), corner = screen.size / screen.px_per_m / 2; // from the middle [m]
+
+        const Vec2 pixel = to_screen(place, screen);
+
+        const Vec2 back{screen.centre.x() - corner.x() + pixel.x() / screen.px_per_m,
+                        screen.centre.y() + corner.y() - pixel.y() / screen.px_per_m};
+        CHECK_THAT(back, IsNear(place, 1e-9).of("place in the world [m]"));
+    }
+}
+
+//>
+TEST_CASE("to_screen allows places up to 1e5, and few and many pixels to a metre", "[1.8]") {
+    CHECK_THAT(to_screen({1e5, -1e5}, {{640, 360}, {0, 0}, 1e-3}), IsNear(Vec2{420, 280}, rounding));
+    CHECK_THAT(to_screen({1e5, 1e5}, {{640, 360}, {99999, 99999}, 1e5}), IsNear(Vec2{100320, -99820}, 1e-4));
+}
+
+TEST_CASE("a px_per_m of 0 or less is refused", "[1.8]") {
+    CHECK_REFUSED(to_screen({14, 8}, {{640, 360}, {10, 5}, 0}));
+    CHECK_REFUSED(to_screen({14, 8}, {{640, 360}, {10, 5}, -20}));
+    CHECK_REFUSED(to_screen({10, 5}, {{640, 360}, {10, 5}, 0}), "no pixels to a metre, for what's in the middle");
+    to_screen({14, 8}, wide); // good input is still answered
 }
