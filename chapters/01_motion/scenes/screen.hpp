@@ -7,7 +7,7 @@ namespace play {
 struct OnScreen : Scene {
     static constexpr std::string_view name = "on the screen (1.8)";
     static constexpr double px = 0.034; ///< how large a pixel of the screen is drawn [m]
-    Slider px_per_m = slider("pixels a metre", "px", 15, 60, 5, 30);
+    Slider px_per_m = slider("pixels a metre", "px", 10, 60, 5, 20);
     Handle camera = handle({9, 7}, {2, 2}, {17, 15}, Colour::pink);
     const Vec2 size{320, 180}, corner{20.2, 16.6}; ///< of the screen [px], and where it's drawn [m]
     double time = 0;
@@ -17,7 +17,7 @@ struct OnScreen : Scene {
     Screen screen() const { return {size, camera, px_per_m}; }
     void step(double dt) override {
         time += dt;
-        if (untouched) camera.move({9 + 5 * std::sin(0.7 * time), 7 + 2.5 * std::sin(1.1 * time)});
+        if (untouched) camera.move({9 + 3 * std::sin(0.7 * time), 6.5 + 1.5 * std::sin(1.1 * time)});
     }
 
     /// Where a pixel of the screen is drawn [m].
@@ -50,7 +50,7 @@ struct OnScreen : Scene {
         const Vec2 pixel = to_screen(helicopter(), shown);
         canvas.plate({(low.x() + high.x()) / 2, low.y() - 1.4},
                      "(" + number(pixel.x(), 0) + ", " + number(pixel.y(), 0) + ") px", Colour::blue, 22);
-        canvas.plate({4, 16.8}, "(" + number(helicopter().x(), 1) + ", " + number(helicopter().y(), 1) + ") m",
+        canvas.plate({5, 16.8}, "(" + number(helicopter().x(), 1) + ", " + number(helicopter().y(), 1) + ") m",
                      Colour::blue, 22);
     }
     /// What's in the world: a house, lamps, and a helicopter.
