@@ -37,11 +37,5 @@ inline std::optional<Vec2> camera_target(const std::vector<Missile> &pieces) {
     for (const Missile &piece : pieces) bodies.push_back({piece.state.position, piece.mass});
     return centre_of_mass(bodies);
 }
-
-//> The frame loop: a camera
-/// One frame of the camera: what it follows is in the middle of the screen.
-inline void next_frame(Screen &screen, const std::vector<Missile> &pieces) {
-    if (const std::optional<Vec2> target = camera_target(pieces)) screen.centre = *target;
-}
 //>
 } // namespace motion

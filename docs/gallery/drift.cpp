@@ -5,29 +5,21 @@ using namespace demo;
 //> The sketch: a ship that drifts
 struct Drift : Scene {
     motion::State ship{{5, 3}, {2, 1}};
-    std::vector<Vec2> way;
     double time = 0;
 
     View view() const override { return {{0, 0}, {16, 9}, Stage::night}; }
-    Vec2 engine() const { // [m/s²]
-        if (untouched) return {2 * std::cos(time), std::sin(1.7 * time)};
-        return hand.down ? Vec2{5 * (hand.at - ship.position).normalized()} : Vec2{0, 0};
+    void step(double dt) override {
+        const Vec2 engine = hand.down ? Vec2{hand.at - wrapped(ship.position)} : Vec2{0, 0}; // [m/s²]
+        ship = motion::accelerated_motion(ship, engine, dt);
+        time += dt;
     }
     static Vec2 wrapped(const Vec2 &at) {
         return {at.x() - 16 * std::floor(at.x() / 16), at.y() - 9 * std::floor(at.y() / 9)};
     }
-    void step(double dt) override {
-        time += dt;
-        ship = motion::accelerated_motion(ship, engine(), dt);
-        way.push_back(ship.position = wrapped(ship.position));
-        if (way.size() > 40) way.erase(way.begin());
-    }
     void draw(Canvas &canvas) const override {
         for (int i = 1; i < 8; ++i)
-            canvas.ball(wrapped(motion::uniform_motion({2.3 * i, 4.1 * i}, {0.4 * i - 2, 0.3}, time)), 0.2 + 0.06 * i,
-                        Colour::dim);
-        canvas.trail(way, Colour::amber, 8);
-        canvas.ball(ship.position, 0.25, Colour::orange);
+            canvas.ball(wrapped(motion::uniform_motion(i * Vec2{2.3, 4}, {i - 4.0, 0}, time)), 0.1 * i, Colour::dim);
+        canvas.ball(wrapped(ship.position), 0.25, Colour::orange);
     }
 };
 SKETCH(Drift, "A ship that drifts")

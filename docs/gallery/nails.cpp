@@ -26,9 +26,7 @@ struct Nails : Scene {
         std::erase_if(games, [](const auto &game) { return game.over; });
     }
     void draw(Canvas &canvas) const override {
-        for (int i = 0; i <= 16; ++i)
-            canvas.area({{i - 0.4, 0}, {i + 0.4, 0}, {i + 0.4, 0.08 * landed[i]}, {i - 0.4, 0.08 * landed[i]}},
-                        Colour::blue);
+        for (int i = 0; i <= 16; ++i) canvas.area(box({i - 0.4, 0}, {i + 0.4, 0.08 * landed[i]}), Colour::blue);
         for (const auto &nail : nails) canvas.ball(nail.start, nail.radius, Colour::line);
         for (const auto &game : games) canvas.ball(game.ball.position, game.ball.radius, Colour::amber);
     }

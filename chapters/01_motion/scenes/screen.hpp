@@ -30,18 +30,13 @@ struct OnScreen : Scene {
         const Vec2 half = size / shown.px_per_m / 2, centre = shown.centre;
         draw_things(
             canvas, [](const Vec2 &place) { return place; }, 1, [](const Vec2 &, double) { return true; });
-        canvas.dotted({centre - half,
-                       {centre.x() + half.x(), centre.y() - half.y()},
-                       centre + half,
-                       {centre.x() - half.x(), centre.y() + half.y()},
-                       centre - half},
-                      Colour::pink, 4);
+        std::vector<Vec2> frame = box(centre - half, centre + half);
+        frame.push_back(frame.front());
+        canvas.dotted(std::move(frame), Colour::pink, 4);
 
         const Vec2 low = drawn({0, size.y()}), high = drawn({size.x(), 0}), rim{0.35, 0.35};
-        canvas.body(
-            {low - rim, {high.x() + rim.x(), low.y() - rim.y()}, high + rim, {low.x() - rim.x(), high.y() + rim.y()}},
-            Colour::ink);
-        canvas.area({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, Colour::line);
+        canvas.body(box(low - rim, high + rim), Colour::ink);
+        canvas.area(box(low, high), Colour::line);
         draw_things(
             canvas, [&](const Vec2 &place) { return drawn(to_screen(place, shown)); }, shown.px_per_m * px,
             [&](const Vec2 &place, double radius) {
@@ -62,11 +57,11 @@ struct OnScreen : Scene {
             for (Vec2 &each : corners) each = place(each);
             canvas.body(std::move(corners), colour);
         };
-        body({{5, 2}, {9, 2}, {9, 5}, {5, 5}}, Colour::wood);
+        body(box({5, 2}, {9, 5}), Colour::wood);
         body({{4.6, 5}, {9.4, 5}, {7, 6.8}}, Colour::pink);
-        body({{6.4, 2}, {7.4, 2}, {7.4, 4}, {6.4, 4}}, Colour::ink);
+        body(box({6.4, 2}, {7.4, 4}), Colour::ink);
         for (const double x : {2.0, 12.0, 16.0}) {
-            body({{x - 0.1, 2}, {x + 0.1, 2}, {x + 0.1, 5}, {x - 0.1, 5}}, Colour::ink);
+            body(box({x - 0.1, 2}, {x + 0.1, 5}), Colour::ink);
             if (seen({x, 5.3}, 0.5)) canvas.lamp(place({x, 5.3}), 0.4 * scale, Colour::amber);
         }
         if (seen(helicopter(), 2)) draw_helicopter(canvas, place(helicopter()), 4 * scale, time);
