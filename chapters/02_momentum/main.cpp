@@ -94,7 +94,7 @@ int count_clicks(double heavy_mass) {
 
 void print_clicks(std::ostream &out) {
     out << row({{"mass on the right [kg]", 24}, {"clicks", 0}});
-    for (const double mass : {1.0, 100.0, 1e4}) out << row({{text(mass), 24}, {text(count_clicks(mass)), 0}});
+    for (const double mass : {1.0, 100.0, 1e4, 1e6}) out << row({{text(mass), 24}, {text(count_clicks(mass)), 0}});
 }
 
 //> A row of carts
