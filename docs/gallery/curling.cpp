@@ -7,6 +7,7 @@ using namespace demo;
 struct Curling : Scene {
     std::vector<motion::State> stones;
     unsigned thrown = 0;
+    double wait = 0; // since it stopped [s]
 
     Curling() { still_time = 30; }
     View view() const override { return {{0, 0}, {16, 9}, Stage::paper}; }
@@ -21,7 +22,8 @@ struct Curling : Scene {
         const bool swept = hand.down && (hand.at - stone.position).norm() < 2;
         stone.velocity = inclined_planes::table_friction(stone.velocity, swept ? 0.4 : 0.8, dt);
         stone.position += stone.velocity * dt;
-        if (stone.velocity.norm() == 0) slide();
+        wait = stone.velocity.norm() == 0 || stone.position.x() > 16 ? wait + dt : 0;
+        if (wait > 1) slide();
     }
     void draw(Canvas &canvas) const override {
         for (const double radius : {2.4, 1.6, 0.8})

@@ -1,4 +1,4 @@
-// Table hockey without its arms: hold the left mallet by pressing; both machines know a single line.
+// Table hockey without its arms: hold the left mallet by pressing; each machine is one line.
 #include "sketch.hpp"
 using namespace demo;
 
@@ -8,7 +8,10 @@ struct Duel : Scene {
 
     View view() const override { return {{-1.2, -0.675}, {1.2, 0.675}, Stage::felt}; }
     void step(double dt) override {
-        const Vec2 left{-0.8, 0.7 * now.disc.place.y()}, right{0.8 - 0.4 * std::abs(now.disc.place.y()), left.y()};
+        const Vec2 at = now.disc.place;
+        const bool slow = now.disc.velocity.norm() < 1;
+        const Vec2 left = slow && at.x() < 0 ? at : Vec2{-0.8, 0.7 * at.y()};
+        const Vec2 right = slow && at.x() > 0 ? at : Vec2{0.8, 0.7 * at.y()};
         now = table_hockey::step(now, {hand.down ? hand.at : left, right}, dt);
     }
     void draw(Canvas &canvas) const override {

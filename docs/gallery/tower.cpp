@@ -12,7 +12,7 @@ struct Tower : Scene {
 
     Tower() { still_time = 1.5; }
     View view() const override { return {{0, 0}, {16, 9}, Stage::night}; }
-    void begin() override { tower = {{0, 0, {0, 0}}, {2, 0.8, {1, 0}}, {3.3, 0.4, {8, 0}}, {4, 0.2, {64, 0}}}; }
+    void begin() override { tower = {{0, 0, {0, 0}}, {1.2, 0.8, {1, 0}}, {2.5, 0.4, {8, 0}}, {3.2, 0.2, {64, 0}}}; }
     void step(double dt) override {
         for (auto &it : tower) {
             if (it.body.inverse_mass > 0) it.body.velocity -= 4 * dt;
@@ -25,6 +25,7 @@ struct Tower : Scene {
         const double j = momentum::impulse(lower.body, upper.body, 0.9);
         lower.body.velocity -= j * lower.body.inverse_mass;
         upper.body.velocity += j * upper.body.inverse_mass;
+        upper.y = lower.y + lower.radius + upper.radius; // not into each other
     }
     void draw(Canvas &canvas) const override {
         canvas.area(box({0, 0}, {16, 0.1}), Colour::line);
