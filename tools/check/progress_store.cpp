@@ -18,6 +18,7 @@ using nlohmann::json;
 
 fs::path progress_file(const Workspace &workspace) { return workspace.memory() / "progress.json"; }
 fs::path hints_file(const Workspace &workspace) { return workspace.memory() / "hints.json"; }
+fs::path attempts_file(const Workspace &workspace) { return workspace.memory() / "attempts.json"; }
 fs::path hunts_file(const Workspace &workspace) { return workspace.memory() / "bugs.json"; }
 
 /// The object in the file; an empty one if there is none, or it is broken.
@@ -97,6 +98,34 @@ int take_rung(const Workspace &workspace, const std::string &number, int rungs) 
         hints[number] = static_cast<unsigned>(std::min(rung + 1, rungs));
     });
     return rung;
+}
+
+int open_rungs(const Workspace &workspace, const std::string &number) {
+    return rungs_in(load(hints_file(workspace)), number);
+}
+
+void remember_attempts(const Workspace &workspace, const std::vector<Attempt> &attempts) {
+    if (attempts.empty()) return;
+    const std::string when = now("{:%Y-%m-%dT%H:%M:%SZ}", true);
+    change(workspace, attempts_file(workspace), [&](json &all) {
+        for (const auto &[number, state, mistake, unset] : attempts) {
+            json &of_this = all[number];
+            if (!of_this.is_array()) of_this = json::array();
+            of_this.push_back({{"state", state}, {"mistake", mistake}, {"when", when}});
+        }
+    });
+}
+
+std::vector<Attempt> recall_attempts(const Workspace &workspace) {
+    std::vector<Attempt> result;
+    const json all = load(attempts_file(workspace));
+    for (const auto &[number, of_this] : all.items()) {
+        if (!of_this.is_array()) continue;
+        for (const json &attempt : of_this)
+            if (attempt.is_object())
+                result.push_back({number, word(attempt, "state"), word(attempt, "mistake"), word(attempt, "when")});
+    }
+    return result;
 }
 
 void remember_hunt(const Workspace &workspace, const Section &section, const Hunt &hunt) {

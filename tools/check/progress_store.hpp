@@ -1,6 +1,6 @@
 #pragma once
 // What the course remembers of the student, in <root>/.course/: how each exercise stood when it was last judged, how
-// many rungs of its hints are open, which bugs are solved, and copies of files that were replaced.
+// many rungs of its hints are open, each check of it, which bugs are solved, and copies of files that were replaced.
 // All of it may be missing or broken: then nothing is remembered, and nothing fails.
 
 #include "base/workspace.hpp"
@@ -40,6 +40,21 @@ void remember_rungs(const Workspace &workspace, const std::string &number, int r
 /// The next of `rungs` rungs, counted from 0, which is open from now on; `rungs` if all have been.
 /// Two commands at once get two different ones.
 int take_rung(const Workspace &workspace, const std::string &number, int rungs);
+
+/// How many rungs of an exercise's hints are open.
+int open_rungs(const Workspace &workspace, const std::string &number);
+
+/// One check of one exercise, for `course feedback`.
+struct Attempt {
+    std::string number;    ///< "7.2"
+    std::string state;     ///< as in ExerciseState
+    std::string mistake{}; ///< what the reader did, as the verdict said; "" if it named nothing
+    std::string when{};    ///< UTC, as in Memory; set when it's remembered
+};
+void remember_attempts(const Workspace &workspace, const std::vector<Attempt> &attempts);
+
+/// All that are remembered, of each exercise in the order in which they were made.
+std::vector<Attempt> recall_attempts(const Workspace &workspace);
 
 /// How far a hunt for a section's bugs has come.
 struct Hunt {

@@ -1,6 +1,7 @@
 // `course check`: the verdict on what a student has written.
 
 #include "base/files.hpp"
+#include "base/hash.hpp"
 #include "base/terminal.hpp"
 #include "base/text.hpp"
 #include "base/watch.hpp"
@@ -8,6 +9,7 @@
 #include "check/catalogue.hpp"
 #include "check/judge.hpp"
 #include "check/junit.hpp"
+#include "check/mistakes.hpp"
 #include "check/others.hpp"
 #include "check/picture.hpp"
 #include "check/progress.hpp"
@@ -181,14 +183,21 @@ class Check {
         const bool tells_of_picture = options.file.empty() && !options.picture;
         std::cout << explain(checked, {options.verbose, tells_of_picture});
         if (judgement.unbuilt) {
-            if (options.file.empty()) save_progress(section, text, states_of_unbuilt(section, judgement.unbuilt->kind));
+            if (options.file.empty()) {
+                const std::vector<ExerciseState> states = states_of_unbuilt(section, judgement.unbuilt->kind);
+                if (states.size() == 1) remember_attempts(workspace, {{states[0].number, states[0].state}});
+                save_progress(section, text, states);
+            }
             return;
         }
         const std::vector<ExerciseResult> results = checked.results();
         const Progress judged = standings_of(results);
         std::vector<ExerciseState> states;
         for (const auto &[exercise, state] : judged.standings) states.push_back({exercise.number, state});
-        if (options.file.empty()) save_progress(section, text, states);
+        if (options.file.empty()) {
+            remember_attempts(workspace, attempts_in(section, checked, results));
+            save_progress(section, text, states);
+        }
         if (options.picture && !checked.never_started()) open_pictures(workspace, results);
         const bool is_all = !only || results.front().first_failure() != nullptr;
         if (!is_all && !options.file.empty()) // of another file nothing is known but this exercise
@@ -211,6 +220,26 @@ class Check {
         Progress judged;
         for (const ExerciseResult &result : results) judged.standings.push_back({result.exercise, result.standing()});
         return judged;
+    }
+
+    /// Of what this check has found, what `course feedback` tells of: exercises that have become green, and the first that's
+    /// red, which is the one that the reader is at; none of a text that was checked before.
+    std::vector<Attempt> attempts_in(const Section &section, const Checked &checked,
+                                     const std::vector<ExerciseResult> &results) const {
+        const auto before = recall(workspace, section);
+        std::vector<Attempt> attempts;
+        bool is_red = false;
+        for (const ExerciseResult &result : results) {
+            const auto memory = before.find(result.exercise.number);
+            const bool is_known = memory != before.end()
+                                  && (memory->second.state == "passed" || memory->second.file == fnv1a(checked.text));
+            const bool is_green = result.state() == Outcome::passed;
+            if (is_known || result.first_open() || (is_red && !is_green)) continue;
+            is_red = is_red || !is_green;
+            attempts.push_back({result.exercise.number, result.standing(),
+                                is_green ? "" : known_mistake(checked.mistakes, result.verdicts)});
+        }
+        return attempts;
     }
 
     /// For a student and an instructor to compare.

@@ -52,6 +52,7 @@ void open_page(const std::filesystem::path &address);
 void need_page_compiler(const Workspace &workspace, bool yes);
 
 void add_check(CLI::App &app, const Workspace &workspace);
+void add_feedback(CLI::App &app, const Workspace &workspace);
 void add_weave(CLI::App &app, const Workspace &workspace);
 void add_bug(CLI::App &app, const Workspace &workspace);
 void add_list(CLI::App &app, const Workspace &workspace);
