@@ -255,6 +255,14 @@ void trace_discs(std::ostream &out) {
     }
 }
 
+//> A disc in quarters
+/// The sparks of one burst, as fractions of the fastest.
+void trace_area(std::ostream &out) {
+    Random random{5};
+    out << "# x[1]\ty[1]\n";
+    for (const Vec2 &spark : disc_burst(random.many(800), 1)) out << spark.x() << '\t' << spark.y() << '\n';
+}
+
 //> Densities
 void trace_density(std::ostream &out) {
     const auto found = speeds();
@@ -367,6 +375,7 @@ int main(int argc, char **argv) {
                         {"11_particles_first.tsv", trace_first},
                         {"11_particles_firework.tsv", trace_firework},
                         {"11_particles_discs.tsv", trace_discs},
+                        {"11_particles_area.tsv", trace_area},
                         {"11_particles_density.tsv", trace_density},
                         {"11_particles_frames.tsv", trace_frames},
                         {"11_particles_bounce.tsv", trace_bounce},
