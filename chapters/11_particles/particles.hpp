@@ -152,8 +152,8 @@ inline void require_wall(const Wall &wall) {
 /// The particle `dt` later, and `dt` older. It flies straight on until it hits a wall; there the part of its velocity
 /// along the wall's normal is reversed and multiplied by `restitution`, and it flies on for the time that's left. It
 /// never skips a wall, however long `dt` is. Within `contact_tolerance` of a wall, on either side, a particle that moves
-/// towards the wall's right side bounces at once. Where it hits two walls at once, both act, in either order, until it
-/// approaches neither.
+/// from the wall's left to its right bounces at once. Where it hits two walls at once, both act, in either order, until
+/// it approaches neither.
 /// @param restitution  from 0 to 1 [1]
 /// @param dt           [s], not negative
 /// @throws std::invalid_argument if the particle or a wall makes no sense, or one of these is out of its range.
