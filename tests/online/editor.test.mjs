@@ -161,6 +161,32 @@ describe('an editor', () => {
     assert.ok(await box.box.locator('.cm-editor.cm-focused').isVisible());
   });
 
+  test('marks the line that doesn’t compile until that line is changed, or the next check compiles', async (t) => {
+    const { page, box, troubles } = await begin(t), mark = box.box.getByRole('group', { name: 'This line doesn’t compile' }), marked = () => mark.allTextContents();
+    await box.write(broken);
+    await box.check();
+    await mark.waitFor();
+    assert.deepEqual(await marked(), ['    return broken;']);
+    assert.deepEqual(await inaccessible(page, '.turn'), []);
+    await box.button('The whole file').click();
+    assert.deepEqual(await marked(), ['    return broken;'], 'in the whole file, too');
+    await box.button('Only 8.1').click();
+    await page.keyboard.insertText('// above\n');
+    assert.deepEqual(await marked(), ['    return broken;'], 'it moves with its line');
+    await box.check();
+    await page.keyboard.insertText('// mended\n');
+    await box.check();
+    await mark.waitFor({ state: 'detached' });
+    await box.write(broken);
+    await box.check();
+    await mark.waitFor();
+    await page.keyboard.press('Control+End');
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.type('!');
+    assert.deepEqual(await marked(), []);
+    assert.deepEqual(troubles, []);
+  });
+
   test('shows the whole file when a piece’s line is gone', async (t) => {
     const { box, page } = await begin(t);
     await box.button('The whole file').click();

@@ -13,7 +13,7 @@ export const folder = copyOf(site, (name) => !/\.html$/.test(name) || [one, eigh
 
 export const { stub } = stubs()[section];
 
-// Its verdict is by the text: `right`, `broken` or `forever` in it; else one test is red.
+// Its verdict is by the text: `right`, `broken`, without `mended`, or `forever` in it; else one test is red.
 const checker = `
 const red = (words) => '\\x1b[31m' + words + '\\x1b[0m', bold = (words) => '\\x1b[1m' + words + '\\x1b[0m';
 export class Checker {
@@ -24,7 +24,7 @@ export class Checker {
     progress({ step: 'load', loaded: 12_000_000, total: 30_000_000 });
     if (text.includes('forever')) await new Promise((done, failed) => (this.end = failed));
     progress({ step: 'compile' });
-    if (text.includes('broken')) {
+    if (text.includes('broken') && !text.includes('mended')) {
       const line = text.split('\\n').findIndex((one) => one.includes('broken')) + 1;
       return { text: red('✗ exercises/' + section + '.cpp does not compile') + '\\n    exercises/' + section + '.cpp:' + line + ': what is broken?\\n',
         states: { [exercise]: 'does not compile' }, picture: null, place: { line, column: 5 } };

@@ -62,6 +62,7 @@ export class Box {
     this.place.classList.toggle('whole', !piece);
     this.toggle.textContent = this.wholeFile ? `Only ${this.exercise}` : 'The whole file';
     this.toggle.hidden = !found;
+    if (isOther) this.markBroken();
     if (!found && isOther) this.say(`There’s no one line “// ${this.exercise}” in your file, so here’s all of it.`);
   }
   showWhole(wholeFile, focus) {
@@ -69,6 +70,12 @@ export class Box {
     this.wholeFile = wholeFile;
     this.show();
     if (focus) this.code.go(wholeFile ? line : 1, 1);
+  }
+
+  // The line that didn't compile, where it still says what it said.
+  markBroken() {
+    const { line, words } = this.broken ?? {}, isThere = this.answer.text.split('\n')[line - 1] === words;
+    this.code.markBroken(isThere ? line - linesIn(this.piece?.before ?? '') : 0);
   }
 
   // To a place in the file, as compilers count.
@@ -86,8 +93,11 @@ export class Box {
     this.picture.replaceChildren();
     try {
       await this.answer.save();
-      const result = await this.checks.run('check', { section: this.section, exercise: this.exercise, text: this.answer.text, progress: (now) => this.hear(now) });
+      const { text } = this.answer;
+      const result = await this.checks.run('check', { section: this.section, exercise: this.exercise, text, progress: (now) => this.hear(now) });
       this.verdict.replaceChildren(...asElements(result.text, this.section, (line) => this.go(line, result.place?.line === line ? result.place.column : 1)));
+      this.broken = result.place && { line: result.place.line, words: text.split('\n')[result.place.line - 1] };
+      this.markBroken();
       const picture = result.picture && asPicture(result.picture);
       if (picture) this.picture.append(picture);
       await this.answer.check(result.states);

@@ -3,8 +3,8 @@ import { closeBrackets, closeBracketsKeymap } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
 import { cppLanguage } from '@codemirror/lang-cpp';
 import { bracketMatching, flatIndent, HighlightStyle, indentNodeProp, indentOnInput, indentUnit, syntaxHighlighting } from '@codemirror/language';
-import { Annotation, Compartment, EditorSelection, EditorState, Prec } from '@codemirror/state';
-import { EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { Annotation, Compartment, EditorSelection, EditorState, Prec, StateEffect, StateField } from '@codemirror/state';
+import { Decoration, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 
 // Nothing is indented for being in a namespace.
@@ -23,6 +23,18 @@ const fromOutside = Annotation.define();
 
 const numbered = (linesBefore) => lineNumbers({ formatNumber: (line) => String(line + linesBefore) });
 
+// The line that doesn't compile is marked until it's changed.
+const broken = Decoration.line({ class: 'broken', attributes: { role: 'group', 'aria-label': 'This line doesn’t compile' } });
+const breaks = StateEffect.define(); // decorations
+const brokenLine = StateField.define({
+  create: () => Decoration.none,
+  update(marks, { startState: { doc }, changes, effects }) {
+    const left = marks.update({ filter: (from) => !changes.touchesRange(from, doc.lineAt(from).to) }).map(changes);
+    return effects.find((effect) => effect.is(breaks))?.value ?? left;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
 export class Code {
   // `typed(text)` when the reader changed it, `check()` for Ctrl+Enter, `label` for those who don't see it.
   constructor(parent, { label, describedBy, typed, check }) {
@@ -38,6 +50,7 @@ export class Code {
       closeBrackets(),
       syntaxHighlighting(colours),
       highlightActiveLine(),
+      brokenLine,
       matchMedia('(max-width: 32rem)').matches ? EditorView.lineWrapping : [],
       Prec.highest(keymap.of([{ key: 'Ctrl-Enter', run }, { key: 'Mod-Enter', run }])),
       keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...historyKeymap, indentWithTab]),
@@ -71,6 +84,12 @@ export class Code {
     this.linesBefore = linesBefore;
     this.view.setState(EditorState.create({ doc: text, extensions: this.extensions }));
     this.view.dispatch({ effects: this.numbers.reconfigure(numbered(linesBefore)) });
+  }
+
+  // Marks a line of this editor's, counted from 1, as the one that doesn't compile; none where there's no such line.
+  markBroken(line) {
+    const { doc } = this.view.state;
+    this.view.dispatch({ effects: breaks.of(line >= 1 && line <= doc.lines ? Decoration.set(broken.range(doc.line(line).from)) : Decoration.none) });
   }
 
   // Puts the cursor there; line and column count from 1 in this editor's text.

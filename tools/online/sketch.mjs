@@ -101,6 +101,7 @@ class Sketching {
   }
   async take({ module, text, place: at }) {
     this.said.replaceChildren(...(text ? asElements(text, 'sketch', (line) => this.code.go(line, at?.column ?? 1)) : []));
+    this.code.markBroken(at?.line ?? 0);
     this.module = module; // none where it isn't what's written
     if (!module) return;
     await this.load(module);
