@@ -155,12 +155,28 @@
     });
   }
 
+  // Where a link leads stays in view while what's above it grows, until the reader scrolls.
+  let landed = null, at;
+  const placeNow = () => ({ page: scrollY, target: landed.getBoundingClientRect().top });
+  function land() {
+    if (!landed) return;
+    landed.scrollIntoView();
+    at = placeNow();
+  }
+  new ResizeObserver(land).observe(one('main'));
+  addEventListener('scroll', () => {
+    if (!landed) return;
+    const { page, target } = placeNow(); // the browser itself scrolls to the same place
+    if (page !== at.page && Math.abs(target - at.target) > 1) landed = null;
+  }, { passive: true });
+
   // A fold opens for a link into it.
   function openFor(id) {
     const target = id && document.getElementById(id);
     if (!target) return;
     for (let fold = target.closest('details'); fold; fold = fold.parentElement.closest('details')) fold.open = true;
-    target.scrollIntoView();
+    landed = target;
+    land();
   }
   const linked = () => openFor(self.linkedId());
   addEventListener('hashchange', linked);

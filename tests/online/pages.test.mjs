@@ -96,6 +96,32 @@ describe('the first door', () => {
       assert.deepEqual(troubles, []);
     });
 
+  for (const width of [390, 1280])
+    test(`leads to the box below the bar, whatever grows above it, until the reader scrolls, ${width} px`, async (t) => {
+      const { page, context } = await open(t, 'index.html', { width });
+      await context.addInitScript(() => addEventListener('DOMContentLoaded', () => document.head.insertAdjacentHTML('beforeend', '<style>* { overflow-anchor: none }</style>'))); // as in Safari
+      await page.locator('main a').first().click();
+      await inBox(page, '1.1').code.waitFor();
+      const grow = () => page.evaluate(() => {
+        document.querySelector('main').insertAdjacentHTML('afterbegin', '<div style="height: 700px"></div>');
+        return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      });
+      const belowTheBar = () => page.evaluate(() => document.querySelector('#exercise-1\\.1').getBoundingClientRect().top - document.querySelector('.bar').offsetHeight);
+      await grow();
+      const below = await belowTheBar();
+      assert.ok(below >= 0 && below < 40, `${below} px below the bar`);
+      const before = await page.evaluate(() => scrollY);
+      await page.mouse.move(width - 90, 500);
+      await page.mouse.wheel(0, 100);
+      await page.waitForFunction((was) => scrollY !== was, before);
+      await grow();
+      assert.ok(await belowTheBar() > 500, 'it stays where the reader is');
+      const where = await page.evaluate(() => (scrollTo(0, 2000), scrollY));
+      await page.reload();
+      await grow();
+      assert.equal(await page.evaluate(() => scrollY), where, 'loaded again, too');
+    });
+
   test('leads to where one goes on, once something was checked', async (t) => {
     const { page, context } = await open(t);
     await inBox(page).check();
