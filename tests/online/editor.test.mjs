@@ -187,6 +187,33 @@ describe('an editor', () => {
     assert.deepEqual(troubles, []);
   });
 
+  for (const [how, enter, options] of [
+    ['a key', (box) => box.code.focus()],
+    ['a click', (box) => box.code.click()],
+    ['a finger', (box) => box.code.tap(), { width: 390, hasTouch: true, isMobile: true }],
+  ])
+    test(`has the throw of an untouched exercise selected when ${how} enters it, so that typing replaces it`, async (t) => {
+      const { page, box, troubles } = await begin(t, options), written = given('8.1').replace(/throw course::NotYet\{.*?\};/, 'return mine;');
+      const chosen = () => page.evaluate(() => String(getSelection()));
+      await enter(box);
+      await page.waitForFunction(() => /^throw course::NotYet\{.*\};$/s.test(String(getSelection())));
+      await page.waitForTimeout(300);
+      assert.match(await chosen(), /^throw course::NotYet/, 'it stays selected');
+      await page.keyboard.type('return mine;');
+      assert.equal(await box.text(), written);
+      await page.locator('h1').click();
+      await enter(box);
+      assert.equal(await chosen(), '', 'once something is written, the cursor is where it is put');
+      await box.button('Start again').click();
+      await box.note.getByText('8.1 is as it was at the start').waitFor();
+      await enter(box);
+      await page.waitForFunction(() => String(getSelection()).startsWith('throw'));
+      await box.code.press('ArrowRight');
+      await box.code.click();
+      assert.equal(await chosen(), '', 'only the first time');
+      assert.deepEqual(troubles, []);
+    });
+
   test('shows the whole file when a piece’s line is gone', async (t) => {
     const { box, page } = await begin(t);
     await box.button('The whole file').click();

@@ -39,10 +39,19 @@ export class Box {
       make('div', { className: 'row' }, this.checkButton, makeButton('Start again', () => this.startAgain()), this.buildMenu()),
       this.note, this.step, this.bar, this.verdict, this.picture);
     this.code = new Code(frame, { label, describedBy: keys.id, typed: (text) => this.typed(text), check: () => this.check() });
+    this.code.whenEntered(() => this.offerThrow());
   }
 
   typed(text) {
     this.answer.type(this.piece ? this.piece.before + text + this.piece.after : text, this);
+  }
+
+  // In an untouched exercise typing replaces its `throw`.
+  offerThrow() {
+    const { stub } = this.answer.record, [words] = this.code.text.match(/throw course::NotYet\{.*?\};/s) ?? [];
+    if (!words || this.code.text !== findPiece(stub, this.exercise, stub)?.body) return;
+    const at = this.code.text.indexOf(words);
+    this.code.offer(at, at + words.length);
   }
 
   // Words below the editor, and perhaps something to press; '' takes them away.
@@ -124,6 +133,7 @@ export class Box {
     if (this.answer.text === before) return this.say(`${number ?? 'The whole file'} is as it was at the start: you haven’t changed it.`);
     this.say(`${number ?? 'The whole file'} is as it was at the start. Your code is kept. `,
       makeButton('Take it back', () => this.takeBack(before)));
+    this.code.whenEntered(() => this.offerThrow());
   }
   async takeBack(text) {
     await this.answer.replace(text, 'before you took another back');

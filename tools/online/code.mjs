@@ -92,6 +92,17 @@ export class Code {
     this.view.dispatch({ effects: breaks.of(line >= 1 && line <= doc.lines ? Decoration.set(broken.range(doc.line(line).from)) : Decoration.none) });
   }
 
+  // When the cursor comes the next time, by a key or by a press, which puts it somewhere after that.
+  whenEntered(act) {
+    const { contentDOM } = this.view, typing = new AbortController(), once = { once: true, signal: typing.signal };
+    for (const kind of ['focus', 'click']) contentDOM.addEventListener(kind, act, once);
+    contentDOM.addEventListener('keydown', () => typing.abort(), once);
+  }
+  // Selects what's to be replaced, unless the reader selected something.
+  offer(from, to) {
+    if (this.view.state.selection.main.empty) this.view.dispatch({ selection: EditorSelection.range(from, to) });
+  }
+
   // Puts the cursor there; line and column count from 1 in this editor's text.
   go(line, column) {
     const { doc } = this.view.state, at = doc.line(Math.min(Math.max(line, 1), doc.lines));
