@@ -7,7 +7,7 @@ import { describe, test } from 'node:test';
 import { onlinePage } from '../../tools/online/pages.mjs';
 import { here } from '../../tools/online/words_here.mjs';
 import { inaccessible, root, site } from '../site/browser.mjs';
-import { eight, inBox, open } from './served.mjs';
+import { eight, inBox, kept, open } from './served.mjs';
 
 const chapters = fs.readdirSync(site).filter((name) => /^chapter_.*\.html$/.test(name));
 const read = (name) => fs.readFileSync(path.join(site, name), 'utf8');
@@ -68,6 +68,28 @@ describe('hints', () => {
         assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width, 'the page does not scroll sideways');
         assert.deepEqual(troubles, []);
       });
+});
+
+test('hints are after a reload as they were left, and nothing is the reader’s by that', async (t) => {
+  const { page, troubles } = await open(t), box = inBox(page), hint = (at) => box.box.locator('.hint').nth(at);
+  const left = async (...states) => {
+    while (JSON.stringify(Object.values((await kept(page))[0]?.hints ?? {})) !== JSON.stringify(states)) await page.waitForTimeout(50);
+    await page.reload();
+    await box.code.waitFor();
+  };
+  await box.code.waitFor();
+  await hint(0).locator('summary').click();
+  await left(true);
+  await box.box.locator('.hint[open]').waitFor();
+  assert.equal(await hint(1).isVisible(), true);
+  await hint(0).locator('summary').click();
+  await left(false);
+  await hint(1).waitFor();
+  assert.equal(await box.box.locator('.hint[open]').count(), 0);
+  await box.menu.click();
+  await box.button('Download my answers').click();
+  await box.note.getByText('you haven’t changed any file').waitFor();
+  assert.deepEqual(troubles, []);
 });
 
 describe('the first door', () => {

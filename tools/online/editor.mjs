@@ -6,13 +6,13 @@ import { checks } from './checks.mjs';
 import { make } from './elements.mjs';
 import { tellOfNewer } from './keeping.mjs';
 import { offerChanges, showScenes } from './scenes.mjs';
-import { Store } from './store.mjs';
+import { hinted, Store } from './store.mjs';
 import { followTicks, showTicks } from './ticks.mjs';
 import { whyNot } from './able.mjs';
 
 const base = new URL('.', document.currentScript.src);
 const section = document.body.dataset.section ?? location.pathname.match(/chapter_(\d\d_\w+?)(?:\.html)?$/)?.[1];
-const boxes = [...document.querySelectorAll('.turn[data-exercise]')];
+const boxes = [...document.querySelectorAll('.turn[data-exercise]')], hints = document.querySelectorAll('.turn .hint');
 
 // Where the editor would be.
 function tellWhyNot(place, exercise, why) {
@@ -27,7 +27,20 @@ async function open() {
   if (!stubs[section]) throw new Error(`stubs.json knows no section ${section}`);
   const answer = await Answer.open(store, section, stubs[section].stub);
   answer.addEventListener('states', () => showTicks(store));
+  keepHints(answer);
   return { store, stubs, answer, section, checks };
+}
+
+// Hints are as they were left.
+function keepHints(answer) {
+  for (const hint of hints) {
+    const name = `${hint.closest('.turn').dataset.exercise} ${hint.firstElementChild.textContent}`, kept = () => answer.record.hints?.[name];
+    const keep = () => hint.open !== Boolean(kept()) && answer.change((record) => hinted(record, name, hint.open));
+    if (kept() === false) hint.classList.add('seen');
+    if (kept()) hint.open = true;
+    keep();
+    hint.addEventListener('toggle', keep);
+  }
 }
 
 async function fill(place, exercise, name) {
@@ -54,7 +67,7 @@ for (const box of boxes) {
   if (opened) near.observe(place);
   else tellWhyNot(place, box.dataset.exercise, whyNot());
 }
-for (const hint of document.querySelectorAll('.turn .hint')) hint.addEventListener('toggle', () => hint.classList.add('seen'));
+for (const hint of hints) hint.addEventListener('toggle', () => hint.classList.add('seen'));
 tellOfNewer();
 if (opened) offerChanges();
 opened?.then(followTicks).then(showScenes).catch(() => { /* said in each box */ });

@@ -1,6 +1,7 @@
 // What the browser keeps of the reader's: one record for each section that was begun,
-//   { name, text, stub, states: { '8.1': 'passed' }, copies: [{ when, why, text }], checked }
-// where `stub` is the one that the text began with, and `checked` when it was last checked [ms since 1970].
+//   { name, text, stub, states: { '8.1': 'passed' }, copies: [{ when, why, text }], checked, hints: { '8.1 Hint 1…': true } }
+// where `stub` is the one that the text began with, `checked` when it was last checked [ms since 1970], and `hints` has whether those
+// that were seen are open.
 import { follow } from './pieces.mjs';
 
 const mostCopies = 50;
@@ -16,7 +17,7 @@ function withCopy(record, text, why) {
   return { ...record, copies: [{ when: Date.now(), why, text }, ...record.copies].slice(0, mostCopies) };
 }
 
-export const begun = (name, stub) => ({ name, text: stub, stub, states: {}, copies: [], checked: 0 });
+export const begun = (name, stub) => ({ name, text: stub, stub, states: {}, copies: [], checked: 0, hints: {} });
 
 // The reader typed this, in what was `base`. What was written in the meantime, in another tab, is kept as a copy.
 export function typed(record, text, base) {
@@ -38,6 +39,8 @@ export function checked(record, states) {
   const known = Object.entries(states).filter(([number, state]) => !(record.states[number] === 'passed' && untried.includes(state)));
   return { ...record, states: { ...record.states, ...Object.fromEntries(known) }, checked: Date.now() };
 }
+
+export const hinted = (record, hint, isOpen) => ({ ...record, hints: { ...record.hints, [hint]: isOpen } });
 
 // The site brings another stub.
 export function renewed(record, stub) {
