@@ -70,6 +70,34 @@ describe('hints', () => {
       });
 });
 
+describe('a later box of an exercise', () => {
+  test('has a link to the editor of its exercise, and no other box has', () => {
+    for (const name of chapters) {
+      const html = onlinePage(read(name), 'online'), parts = html.split(/<article class="turn"[^>]* id="exercise-([\d.]+)(?:-\d)?"/).slice(1);
+      for (let i = 0; i < parts.length; i += 2)
+        for (const [quoted] of parts[i + 1].matchAll(/<blockquote>[^]*?<\/blockquote>/g)) {
+          const links = [...quoted.matchAll(/href="#code-([\d.]+)"/g)].map(([, to]) => to);
+          assert.deepEqual(links, quoted.includes('<strong>Your test') ? [] : [parts[i]], quoted);
+          for (const [, number] of quoted.matchAll(/<strong>Finish (\d+\.\d+)/g)) assert.deepEqual(links, [number]);
+        }
+    }
+  });
+
+  for (const width of [390, 1280])
+    test(`leads back to one’s code, even where the exercise is folded, ${width} px`, async (t) => {
+      const { page, troubles } = await open(t, undefined, { width }), box = inBox(page), place = page.locator('#code-8\\.1');
+      const back = page.locator('blockquote', { hasText: 'Finish 8.1.' }).getByRole('link', { name: 'Back to your code' });
+      await box.write('right');
+      await box.check();
+      await box.box.locator('header .done').waitFor();
+      await box.button('Hide').click();
+      await back.click();
+      await page.waitForFunction(() => document.querySelector('#code-8\\.1 .cm-editor').getBoundingClientRect().top < 200);
+      assert.ok(await place.evaluate((it) => it.getBoundingClientRect().top) >= 48, 'below the bar');
+      assert.deepEqual(troubles, []);
+    });
+});
+
 test('hints are after a reload as they were left, and nothing is the reader’s by that', async (t) => {
   const { page, troubles } = await open(t), box = inBox(page), hint = (at) => box.box.locator('.hint').nth(at);
   const left = async (...states) => {

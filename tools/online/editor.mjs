@@ -62,7 +62,7 @@ const near = new IntersectionObserver((all) => {
   }
 }, { rootMargin: '50% 0px' });
 for (const box of boxes) {
-  const place = make('div', { className: 'answer' });
+  const place = make('div', { className: 'answer', id: box.id.replace('exercise', 'code') });
   box.insertBefore(place, box.querySelector(':scope > .hints'));
   if (opened) near.observe(place);
   else tellWhyNot(place, box.dataset.exercise, whyNot());

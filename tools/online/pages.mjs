@@ -15,15 +15,17 @@ const policy = [
 
 const box = /<article class="turn"[^>]* data-exercise="([\d.]+)"[^>]*>[^]*?(?=<\/article>)/g;
 const verdict = /<figure class="listing"><pre class="console"><code>\$ \.\/course check [^]*?<\/figure>\n/;
+const later = /<blockquote>\n<p><strong>(?!Your test)[^]*?(?=<\/blockquote>)/g;
 const hints = /<div class="hints">((?:<details class="hint">[^]*?<\/details>\s*)+)<\/div>\n/g;
 
 // What we get is folded in a box, where the reader's own is to be; a box has the hints that follow it, or follow a later
-// one of the same exercise.
+// one of the same exercise. One without an editor has a link to it.
 function asBoxes(html) {
   const rows = {};
   let exercise;
-  const without = html.replace(new RegExp(`${box.source}|${hints.source}`, 'g'), (all, number, row) => {
+  const without = html.replace(new RegExp(`${box.source}|${hints.source}|${later.source}`, 'g'), (all, number, row) => {
     exercise = number ?? exercise;
+    if (all.startsWith('<blockquote>')) return `${all}<p><a href="#code-${exercise}">Back to your code</a></p>\n`;
     if (row) rows[exercise] = (rows[exercise] ?? '') + row;
     return row ? '' : all;
   });
