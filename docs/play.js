@@ -71,7 +71,7 @@
   function whyOurs(called, section, file) {
     const number = called.split(' ')[0];
     if (parseInt(number, 10) !== section && !isDone(number)) return notDone;
-    return !file ? 'not in your file' : file.module ? '' : `${file.name}.cpp doesn't compile`;
+    return !file ? 'not written' : file.module ? '' : `${file.name}.cpp doesn't compile`;
   }
 
   // The reader's files of these sections, as modules that answer calls. `packed` has each by its section's name, or null where it
@@ -94,8 +94,8 @@
 
   // A world: a demo of this section that runs. Each call of an exercise comes through here, and goes on to the reader's function, or to ours.
   // packed: the reader's files, or null where all are ours. Those whose names are in `broken` are one of our wrong answers, where the demo has one.
-  async function instantiate(module, packed, section, broken) {
-    const isSketch = Number.isNaN(section), nobody = isSketch ? 'Your sketch' : 'The demo'; // stopped outside of the reader's functions
+  async function instantiate(module, packed, section, broken, sketch) {
+    const isSketch = Number.isNaN(section), nobody = isSketch ? sketch : 'The demo'; // stopped outside of the reader's functions
     const called = new Map(), fallen = new Map(); // what was called, and when last; what ours stand in for, and why
     const imported = WebAssembly.Module.imports(module), theirs = await filesOf(packed ?? {}, sectionsOf(askedBy(module)));
     const asksAgain = [...theirs.values()].flatMap((file) => (file.module ? askedBy(file.module) : [])); // the reader's own, of earlier sections
@@ -145,7 +145,7 @@
       const before = running;
       running = name;
       const { kind, value, words: [what, more] } = readReply(reply(file, callFrame(++file.calls, index, values)));
-      if (kind === 'missing') fallen.set(name, 'not in your file');
+      if (kind === 'missing') fallen.set(name, 'not written');
       else if (kind === 'not yet') fallen.set(name, needs(name, more));
       else if (kind === 'refused') stop((who) => `${who} refused its input: ${what}.`);
       else if (kind === 'threw') stop((who) => `${who} threw ${what === 'int' ? `the number ${more}` : more ? `${what}: ${more}` : what}.`);
@@ -252,13 +252,15 @@
     const pause = showAs(button('', () => run(!running)), 'Pause'), step = showAs(button('', one), 'Step'), again = showAs(button('', restart), 'Reset');
     const sentence = make('p'), alarm = make('div', { className: 'trouble', hidden: true }, sentence, button('Restart', restart));
     sentence.setAttribute('role', 'alert');
-    const nameOf = { ours: 'Ours', yours: figure.dataset.yours ?? 'Yours' };
+    // What the page calls them: a friend, who was sent it, isn't the one who wrote it.
+    const nameOf = 'shared' in figure.dataset ? { ours: 'The book’s', yours: 'Mine', sketch: 'My sketch' } : { ours: 'Ours', yours: figure.dataset.yours ?? 'Yours', sketch: 'Your sketch' };
+    const small = (side) => nameOf[side].toLowerCase();
     const sides = ['ours', 'yours'].map((side) => Object.assign(button(nameOf[side], () => (whose = side, restart())), { value: side }));
     const choose = make('span', { className: 'whose' }, ...sides), buttons = make('div', { className: 'buttons' }), quiet = make('div', { className: 'quiet' }, pause, step, again), holds = make('div', { className: 'holds' });
     choose.setAttribute('role', 'group');
     choose.setAttribute('aria-label', 'Whose code');
     const answers = make('p', { className: 'answers' }), lamps = make('ul', { className: 'lamps' });
-    const functions = make('details', { open: !matchMedia('(max-width: 40rem)').matches }, make('summary', { textContent: 'Functions in this game, yours and ours' }), lamps);
+    const functions = make('details', { open: !matchMedia('(max-width: 40rem)').matches }, make('summary', { textContent: `Functions in this game, ${small('yours')} and ${small('ours')}` }), lamps);
     const controls = make('div', { className: 'controls' }), readouts = make('dl'), keys = make('p', { className: 'keys' });
     const caption = figure.querySelector('figcaption');
     const seen = make('div', {}, make('div', { className: 'stage' }, canvas, alarm), holds, make('div', { className: 'rows' }, buttons, quiet, choose), readouts, answers, keys);
@@ -307,7 +309,7 @@
       answers.textContent = '';
       if (choose.hidden && 'mine' in figure.dataset && !isSketch) howToPlayOnes();
       if (whose === 'yours' && trouble()) return fail(trouble());
-      const fresh = await instantiate(await compile(playable[name]), whose === 'yours' ? mine() : null, section, broken);
+      const fresh = await instantiate(await compile(playable[name]), whose === 'yours' ? mine() : null, section, broken, nameOf.sketch);
       if (start !== starts) return; // another one has overtaken this one
       world = fresh;
       Object.assign(hand, { handle: -1, chosen: -1, key: -1, pressed: false, down: false });
@@ -450,7 +452,7 @@
     }
     function light(lamp) {
       const why = world.fallen.get(lamp.called), whoseItIs = broken.has(lamp.called) ? 'wrong' : whose === 'ours' || why !== undefined ? 'ours' : 'yours', lit = world.calledWithin(lamp.called, glow);
-      const said = whoseItIs === 'wrong' ? 'with a bug' : whoseItIs === 'ours' && why ? `ours: ${why}` : whoseItIs;
+      const said = whoseItIs === 'wrong' ? 'with a bug' : small(whoseItIs) + (whoseItIs === 'ours' && why ? `: ${why}` : '');
       if (lamp.said !== said) lamp.mark.textContent = lamp.said = said, lamp.it.dataset.whose = whoseItIs;
       if (lamp.lit !== lit) lamp.it.classList.toggle('lit', (lamp.lit = lit));
     }
@@ -493,7 +495,7 @@
     function tellWhose() {
       const number = (exercise) => exercise.split(' ')[0], sorted = world.names.filter((each) => world.called.has(each));
       const yours = sorted.filter((each) => !world.fallen.has(each)).map(number), ours = sorted.filter((each) => world.fallen.has(each));
-      const told = (yours.length > 0 ? `${nameOf.yours}: ${yours.join(', ')}. ` : '') + (ours.length > 0 ? `Ours: ${ours.map((each) => `${number(each)} (${world.fallen.get(each)})`).join(', ')}.` : '');
+      const told = (yours.length > 0 ? `${nameOf.yours}: ${yours.join(', ')}. ` : '') + (ours.length > 0 ? `${nameOf.ours}: ${ours.map((each) => `${number(each)} (${world.fallen.get(each)})`).join(', ')}.` : '');
       if (answers.textContent !== told) answers.textContent = told;
     }
 

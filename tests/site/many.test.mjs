@@ -74,7 +74,7 @@ describe('an earlier section in it', { concurrency: 1, skip: !(here && fs.exists
     assert.deepEqual(await demo.lamp(right), { says: `${right} yours`, whose: 'yours', glows: true });
     assert.deepEqual((await demo.lamp(endless)).says, `${endless} ours: not done yet`);
     if (broken) assert.equal((await demo.lamp(broken)).says, `${broken} ours: ${brokenFile} doesn't compile`);
-    assert.equal((await demo.lamp(gone)).says, `${gone} ours: not in your file`);
+    assert.equal((await demo.lamp(gone)).says, `${gone} ours: not written`);
     await demo.button('Ours').click();
     await demo.wait(300);
     assert.ok((await demo.lamps()).every(({ whose }) => whose === 'ours'));

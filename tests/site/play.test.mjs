@@ -341,7 +341,7 @@ describe('your code in the page', { concurrency: 2, skip: !fs.existsSync(wrong) 
       const expected = said(name), demo = await openDemo(t, seven, { wrong: name });
       await demo.runInto(expected);
       if (!expected) {
-        assert.equal(await demo.figure.locator('.answers').textContent(), 'Yours: 7.4. Ours: 7.1 (not in your file), 7.2 (not started).');
+        assert.equal(await demo.figure.locator('.answers').textContent(), 'Yours: 7.4. Ours: 7.1 (not written), 7.2 (not started).');
       } else {
         await demo.choose('asks once a frame'); // does not call 7.4, which would go wrong again before anybody looks
         await demo.figure.getByRole('button', { name: 'Restart' }).click(); // and the page lives on

@@ -90,6 +90,10 @@ describe('a sketch', { concurrency: 1, skip }, () => {
     const page = path.join(shared, 'cannon.html');
     assert.match(sketch('--share', page).stdout, /Written: .*cannon\.html, \d+ kB\. Send it to a friend/);
     const { troubles, figure, sees } = await shown(t, page), before = await sees();
+    assert.deepEqual(await figure.locator('.whose button').allTextContents(), ['The book’s', 'Mine']);
+    await figure.locator('summary', { hasText: 'Functions in this game, mine and the book’s' }).waitFor();
+    await figure.locator('.lamps li', { hasText: '4.1' }).locator('text=the book’s: not done yet').waitFor();
+    assert.doesNotMatch(await figure.page().locator('main').innerText(), /\b(yours?|ours)\b/i);
     await figure.page().waitForTimeout(300);
     assert.notEqual(await sees(), before);
     assert.deepEqual(troubles, []);

@@ -685,6 +685,7 @@ TEST_CASE("a shared demo is one page that asks for nothing else, with ours and t
     mark.start = "size: 1 & 2";
     const std::string page = shared_page(book.workspace, demos(book.workspace).front(), mark, false);
     CHECK_THAT(page, ContainsSubstring("data-demo=\"07_wall_meeting\" data-mine data-start=\"size: 1 &amp; 2\""));
+    CHECK_THAT(page, ContainsSubstring("<figure data-shared ") && ContainsSubstring("Press <em>Mine</em>"));
     CHECK_THAT(page, ContainsSubstring("'ours'") && ContainsSubstring("'yours'") && ContainsSubstring("demoPicture"));
     for (const char *outside : {"src=\"", "href=\"", "url(fonts"}) CHECK(page.find(outside) == std::string::npos);
     CHECK(page.find("self.progress = ") == std::string::npos);

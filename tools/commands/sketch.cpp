@@ -184,9 +184,10 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
         const std::string progress = script(progress_script(workspace));
         write_file(sketch.page(),
                    sketch_page(workspace, sketch.name,
-                               "<script src=\"demos/" + sketch.name + "_mine.js\"></script>\n" + progress));
+                               "<script src=\"demos/" + sketch.name + "_mine.js\"></script>\n" + progress, false));
         if (!options.share.empty()) {
-            write_file(options.share, sketch_page(workspace, sketch.name, script(compiled_script(sketch)) + progress));
+            write_file(options.share,
+                       sketch_page(workspace, sketch.name, script(compiled_script(sketch)) + progress, true));
             std::cout << "Written: " << options.share.string() << ", " << fs::file_size(options.share) / 1000
                       << " kB. Send it to a friend, who opens it with a double click.\n";
             return;
@@ -207,7 +208,7 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
 void print_scenes(const Workspace &workspace) {
     const std::string first = first_sketch("mine");
     nlohmann::json all{{"new", first.substr(first.find('\n') + 1)}, // its first line is about a terminal
-                       {"page", sketch_page(workspace, "sketch", "<!-- compiled -->\n")}};
+                       {"page", sketch_page(workspace, "sketch", "<!-- compiled -->\n", true)}};
     for (const Section &section : workspace.sections())
         for (const auto &[name, file] : scenes_of(workspace, section))
             all[section.name][name] = sketch_of(workspace, section.short_number() + '/' + name);

@@ -35,12 +35,12 @@ constexpr const char *head = R"(<!DOCTYPE html>
 )";
 constexpr const char *signature =
     R"(<p class="above">I wrote the physics of this, function by function, with <em>Frame by Frame</em>, a course in game
-physics. <em>Yours</em> is my code, and <em>Ours</em> is the book's.</p>
+physics. Press <em>Mine</em> to see it run on my code, and <em>The book’s</em> to compare.</p>
 )";
 
 constexpr const char *sketch_signature =
-    R"(<p class="above">I wrote this with <em>Frame by Frame</em>, a course in game physics. With <em>Yours</em> it calls my
-functions of the course, and with <em>Ours</em> the book's.</p>
+    R"(<p class="above">I wrote this with <em>Frame by Frame</em>, a course in game physics. Where there's a choice,
+<em>Mine</em> calls the course's functions as I wrote them, and <em>The book’s</em> as they are in the book.</p>
 )";
 
 constexpr const char *compare =
@@ -52,6 +52,12 @@ constexpr const char *compare =
 std::string figure(const Demo &demo, DemoMark mark, const std::string &task) {
     mark.mine = true;
     return demo_figure({demo.section, mark, {}, ""}, "demo", mark, escaped(task));
+}
+
+/// The figure with another attribute, which the page's script reads.
+std::string with_attribute(const std::string &attribute, const std::string &figure) {
+    constexpr std::string_view begin = "<figure";
+    return std::string{begin} + ' ' + attribute + figure.substr(begin.size());
 }
 
 /// A page with a figure, words below it, and all that it runs.
@@ -72,24 +78,24 @@ std::string ours(const Workspace &workspace, const Demo &demo) {
 
 std::string shared_page(const Workspace &workspace, const Demo &demo, const DemoMark &mark, bool with_progress) {
     const std::string mine = script(read_file(workspace.work() / "play" / (demo.section.name + "_mine.js")));
-    return page_of(workspace, demo.about, figure(demo, mark, demo.about), signature,
+    return page_of(workspace, demo.about, with_attribute("data-shared", figure(demo, mark, demo.about)), signature,
                    ours(workspace, demo) + (with_progress ? mine + script(progress_script(workspace)) : mine));
 }
 
 std::string page_with_bug(const Workspace &workspace, const Demo &demo, const DemoMark &mark) {
-    constexpr std::string_view begin = "<figure";
     const std::string file = workspace.bug(demo.section).filename().string();
-    const std::string named = std::string{begin} + " data-yours=\"" + file + '"'
-                              + figure(demo, mark, words_of(parse_markdown(mark.task).get())).substr(begin.size());
+    const std::string named =
+        with_attribute("data-yours=\"" + file + '"', figure(demo, mark, words_of(parse_markdown(mark.task).get())));
     return page_of(workspace, demo.about, named, fmt::format(compare, file, demo.section.short_number()),
                    ours(workspace, demo)
                        + script(read_file(workspace.work() / "play" / (demo.section.name + "_bug.js"))));
 }
 
-std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled) {
+std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled, bool shared) {
     const std::string place = "<figure class=\"play\" id=\"demo\" data-demo=\"" + name + "\" data-mine><figcaption>"
                               + with_capital(name) + "</figcaption></figure>\n";
-    return page_of(workspace, name, place, sketch_signature, compiled);
+    if (!shared) return page_of(workspace, name, place, "", compiled);
+    return page_of(workspace, name, with_attribute("data-shared", place), sketch_signature, compiled);
 }
 
 } // namespace course

@@ -17,6 +17,7 @@ std::string page_with_bug(const Workspace &workspace, const Demo &demo, const De
 
 /// A sketch in a page.
 /// @param compiled  the elements that bring its script, `playable[name]` and `playable[name + "/mine"]`, and what is done
-std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled);
+/// @param shared    it's for a friend of the student's
+std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled, bool shared);
 
 } // namespace course
