@@ -100,7 +100,7 @@ export class Code {
   }
   // Selects what's to be replaced, unless the reader selected something.
   offer(from, to) {
-    if (this.view.state.selection.main.empty) this.view.dispatch({ selection: EditorSelection.range(from, to) });
+    if (this.view.state.selection.main.empty) this.view.dispatch({ selection: EditorSelection.range(to, from) });
   }
 
   // Puts the cursor there; line and column count from 1 in this editor's text.
