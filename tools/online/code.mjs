@@ -92,7 +92,8 @@ export class Code {
     this.view.dispatch({ effects: breaks.of(line >= 1 && line <= doc.lines ? Decoration.set(broken.range(doc.line(line).from)) : Decoration.none) });
   }
 
-  // When the cursor comes the next time, by a key or by a press, which puts it somewhere after that.
+  // Calls this when the reader enters next: at the focus, and once more after a press that brought it, since that puts the cursor
+  // somewhere.
   whenEntered(act) {
     const { contentDOM } = this.view, typing = new AbortController(), once = { once: true, signal: typing.signal };
     for (const kind of ['focus', 'click']) contentDOM.addEventListener(kind, act, once);
