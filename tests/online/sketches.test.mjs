@@ -55,6 +55,7 @@ describe('a sketch in the page', { concurrency: 1 }, () => {
     await write(first.replace('double dt', 'double'));
     await said.filter({ hasText: '✗ sketch.cpp does not compile' }).waitFor({ timeout: 120_000 });
     const line = first.split('\n').findIndex((one) => one.includes('double dt')) + 1;
+    assert.equal(await place.getByRole('group', { name: 'This line doesn’t compile' }).textContent(), first.replace('double dt', 'double').split('\n')[line]);
     await place.getByRole('button', { name: new RegExp(`sketch\\.cpp:${line + 1}`) }).click();
     assert.equal(await page.evaluate(() => document.activeElement.className.includes('cm-content')), true);
     assert.equal(await demo.figure.locator('figcaption').textContent(), 'Another title', 'what ran goes on');
