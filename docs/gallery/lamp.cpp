@@ -13,7 +13,7 @@ struct Lamp : Scene {
     View view() const override { return {{0, 0}, {16, 9}, Stage::night}; }
     void step(double dt) override {
         time += dt;
-        lamp = hand.down ? hand.at : Vec2{8 + 5 * std::cos(0.5 * time), 5 - 2 * std::sin(0.7 * time)};
+        lamp = hand.down ? hand.at : Vec2{8 + 6 * std::cos(0.5 * time), 5 - 0.4 * std::sin(0.7 * time)};
     }
     Vec2 lit(double angle) const {
         Segment ray{lamp, lamp + 20 * Vec2{std::cos(angle), std::sin(angle)}};
