@@ -86,4 +86,12 @@ LoopRanges frame_loop_ranges(const State &muzzle, double g, double dt) {
     throw course::NotYet{"move it until a frame ends at or below the ground; where is the ground on that last line?"};
 }
 
+// 4.10 stretch
+State drag_step(const State &shell, double g, double drag, const Vec2 &wind, double dt) {
+    course::require(g >= 0, "g [m/s²] must not be negative", g);
+    course::require(drag >= 0, "drag [1/m] must not be negative", drag);
+    course::require(dt > 0, "dt [s] must be positive", dt);
+    throw course::NotYet{"how fast is it relative to the air? What does the step leave of that, and of g?"};
+}
+
 } // namespace trajectories

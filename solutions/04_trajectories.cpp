@@ -120,5 +120,16 @@ LoopRanges frame_loop_ranges(const State &muzzle, double g, double dt) {
     return {range_of(&motion::Integrators::explicit_euler), range_of(&motion::Integrators::semi_implicit),
             range_of(&motion::Integrators::exact)};
 }
+
+//> Solution 4.10: drag step
+State drag_step(const State &shell, double g, double drag, const Vec2 &wind, double dt) {
+    course::require(g >= 0, "g [m/s²] must not be negative", g);
+    course::require(drag >= 0, "drag [1/m] must not be negative", drag);
+    course::require(dt > 0, "dt [s] must be positive", dt);
+    const Vec2 relative = shell.velocity - wind; // to the air [m/s]
+    const Vec2 slowed = (relative + dt * Vec2{0, -g}) / (1 + drag * relative.norm() * dt);
+    const Vec2 velocity = wind + slowed;
+    return {shell.position + dt / 2 * (shell.velocity + velocity), velocity};
+}
 //>
 } // namespace trajectories

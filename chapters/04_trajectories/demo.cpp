@@ -1,6 +1,7 @@
 #include "../scenes.hpp"
 
 #include "scenes/aims.hpp"
+#include "scenes/air.hpp"
 #include "scenes/apexes.hpp"
 #include "scenes/dots.hpp"
 #include "scenes/flies.hpp"
@@ -11,6 +12,6 @@
 
 //> The demo
 namespace play {
-const Scenes scenes = demo::scenes<Opening, Flies, Lands, Ranges, Apexes, Dots, Aims, Loops>(
+const Scenes scenes = demo::scenes<Opening, Flies, Lands, Ranges, Apexes, Dots, Aims, Loops, InAir>(
     "A cannon among hills, and where its shells land.");
 } // namespace play

@@ -41,5 +41,16 @@ inline void next_frame(Flight &flight, double wind, double dt) {
     flight.shell = motion::accelerated_motion(flight.shell, {wind, -g}, dt);
     flight.left -= dt;
 }
+
+//> Air
+/// What a shell flies through.
+struct Air {
+    double drag = 0.025; ///< of our shell [1/m]
+    Vec2 wind{0, 0};     ///< [m/s]
+};
+
+//> The frame loop: air
+/// One frame of the game in air, which slows the shell down, and carries it along when there's wind.
+inline void next_frame(State &shell, const Air &air, double dt) { shell = drag_step(shell, g, air.drag, air.wind, dt); }
 //>
 } // namespace trajectories

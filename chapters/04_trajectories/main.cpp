@@ -115,6 +115,49 @@ void print_loops(std::ostream &out) {
     }
 }
 
+//> A shell in air
+/// Where a shell is at the end of each frame, and then where it lands [m].
+std::vector<Vec2> flight_in(const Air &air, double angle_deg, double dt = frame_time) {
+    State shell = fired(0, angle_deg);
+    std::vector<Vec2> path{shell.position};
+    do {
+        next_frame(shell, air, dt);
+        path.push_back(shell.position);
+    } while (shell.position.y() > 0);
+    const Vec2 before = path.end()[-2], last = path.back(); // a straight line, cut at the ground
+    path.back() = {before.x() + before.y() / (before.y() - last.y()) * (last.x() - before.x()), 0};
+    return path;
+}
+
+void print_air(std::ostream &out) {
+    out << row({{"angle [°]", 12}, {"no air [m]", 13}, {"in air [m]", 13}, {"against 10 m/s [m]", 0}});
+    for (const double angle_deg : {30.0, 45.0, 60.0}) {
+        out << row({{text(angle_deg), 11},
+                    {text(range(fired(0, angle_deg), g)), 13},
+                    {text(flight_in({}, angle_deg).back().x()), 13},
+                    {text(flight_in({.wind = {-10, 0}}, angle_deg).back().x()), 0}});
+    }
+}
+
+//> Confetti
+/// What explicit Euler makes of drag: it's all at the velocity before the step.
+State explicit_drag_step(const State &piece, const Air &air, double dt) {
+    const Vec2 relative = piece.velocity - air.wind;
+    const Vec2 acceleration = Vec2{0, -g} - air.drag * relative.norm() * relative;
+    return {piece.position + dt * piece.velocity, piece.velocity + dt * acceleration};
+}
+
+void print_confetti(std::ostream &out) {
+    out << row({{"frame", 7}, {"explicit [m/s]", 18}, {"drag_step [m/s]", 0}});
+    const Air air{.drag = 10};
+    State by_euler = fired(0, 60), piece = by_euler;
+    for (int frame = 0; frame <= 4; ++frame) {
+        out << row({{text(frame), 7}, {text(by_euler.velocity.norm()), 18}, {text(piece.velocity.norm()), 0}});
+        by_euler = explicit_drag_step(by_euler, air, frame_time);
+        next_frame(piece, air, frame_time);
+    }
+}
+
 //> Arcs, traced
 void trace_arcs(std::ostream &out) {
     out << "# 15 x[m]\t15 y[m]\t30 x[m]\t30 y[m]\t45 x[m]\t45 y[m]\t60 x[m]\t60 y[m]\t75 x[m]\t75 y[m]\n";
@@ -169,6 +212,39 @@ void trace_errors(std::ostream &out) {
     }
 }
 
+//> The best shot from the cliff, traced
+/// Its velocity when it's fired and when it lands, and what gravity still adds.
+void trace_best(std::ostream &out) {
+    const State muzzle = fired(cliff, best_angle(cliff));
+    const double down = -g * time_of_flight(muzzle, g);
+    const double x = muzzle.velocity.x(), y = muzzle.velocity.y();
+    out << "# v_x[m/s]\tv_y[m/s]\tto come[m/s]\n" << x << '\t' << y << '\t' << down << '\n';
+    out << x << '\t' << y + down << "\t0\n";
+}
+
+//> A shot second by second, traced
+void trace_falls(std::ostream &out) {
+    out << "# straight x[m]\tstraight y[m]\tx[m]\ty[m]\n";
+    State shell{{0, 0}, {15, 20}};
+    for (int i = 0; i <= 40; ++i) {
+        const Vec2 straight = i / 10.0 * Vec2{15, 20};
+        out << straight.x() << '\t' << straight.y() << '\t' << shell.position.x() << '\t' << shell.position.y() << '\n';
+        next_frame(shell, 0.1);
+    }
+}
+
+//> Arcs in air, traced
+void trace_air(std::ostream &out) {
+    const std::vector<Vec2> paths[]{flight_in({.drag = 0}, 45), flight_in({}, 45), flight_in({.wind = {-10, 0}}, 45),
+                                    flight_in({.wind = {10, 0}}, 45)};
+    out << "# no air x[m]\tno air y[m]\tstill x[m]\tstill y[m]\t-10 x[m]\t-10 y[m]\t10 x[m]\t10 y[m]\n";
+    for (int i = 0; i <= 40; ++i)
+        for (const auto &path : paths) {
+            const Vec2 &at = path[i * (path.size() - 1) / 40];
+            out << at.x() << '\t' << at.y() << (&path == &paths[3] ? '\n' : '\t');
+        }
+}
+
 //> Main
 int main(int argc, char **argv) {
     return course::run(argc, argv,
@@ -182,9 +258,14 @@ int main(int argc, char **argv) {
                         {"terraces", print_terraces},
                         {"angles", print_angles},
                         {"loops", print_loops},
+                        {"air", print_air},
+                        {"confetti", print_confetti},
                         {"04_trajectories_arcs.tsv", trace_arcs},
                         {"04_trajectories_ranges.tsv", trace_ranges},
                         {"04_trajectories_wind.tsv", trace_wind},
                         {"04_trajectories_aimed.tsv", trace_aimed},
-                        {"04_trajectories_errors.tsv", trace_errors}});
+                        {"04_trajectories_errors.tsv", trace_errors},
+                        {"04_trajectories_best.tsv", trace_best},
+                        {"04_trajectories_falls.tsv", trace_falls},
+                        {"04_trajectories_air.tsv", trace_air}});
 }

@@ -86,6 +86,17 @@ struct LoopRanges {
 /// @throws std::invalid_argument if `dt` is not as above, or for what `time_of_flight` refuses.
 LoopRanges frame_loop_ranges(const State &muzzle, double g, double dt);
 
+//> Drag step
+/// A shell one step later, in air that slows it down. Its drag is an acceleration against its velocity relative to the air,
+/// `drag` times the speed before the step, times the velocity after it, both relative to the air.
+/// In the step it moves at the mean of its old and its new velocity. There's no ground.
+/// @param g     [m/s²], not negative
+/// @param drag  [1/m], not negative; 0 is no air at all
+/// @param wind  the velocity of the air [m/s]
+/// @param dt    [s], more than 0
+/// @throws std::invalid_argument if `g` or `drag` is negative, or `dt` is not positive.
+State drag_step(const State &shell, double g, double drag, const Vec2 &wind, double dt);
+
 //>
 namespace subject {
 COURSE_EXERCISE("4.1", core, trajectories, launch_velocity, "speed [m/s], angle_deg [°]", "m/s")
@@ -97,6 +108,7 @@ COURSE_EXERCISE("4.6", stretch, trajectories, range_in_wind, "muzzle, g [m/s²],
 COURSE_EXERCISE("4.7", stretch, trajectories, range_at_height, "muzzle, g [m/s²], height [m]", "m")
 COURSE_EXERCISE("4.8", challenge, trajectories, launch_angles, "speed [m/s], target [m], g [m/s²]", "°")
 COURSE_EXERCISE("4.9", challenge, trajectories, frame_loop_ranges, "muzzle, g [m/s²], dt [s]", "")
+COURSE_EXERCISE("4.10", stretch, trajectories, drag_step, "shell, g [m/s²], drag [1/m], wind [m/s], dt [s]", "")
 } // namespace subject
 //>
 } // namespace trajectories

@@ -63,6 +63,12 @@ const best = (among, value) => among.map((one) => [value(one), one]).reduce((one
   const [near, far] = pictures('it aims (4.8)', {}, ['', [0, 94, 48]]);
   assert.equal(barrel(far), barrel(near));
 }
+{ // in air: against 19 m/s it lands behind the cannon, with 29 m/s it gets past the grey ball; without drag no wind does anything
+  const far = (chosen) => told(pictures('in air (4.10)', { angle: 45, drag: 0.025, wind: 0, ...chosen }, seconds(4)).at(-1), 'm').at(-1);
+  assert.deepEqual([-18, -19, 28, 29].map((wind) => [far({ wind }) < 0, far({ wind }) > 62.5]), [[false, false], [true, false], [false, false], [false, true]]);
+  assert.equal(far({}), 30.6);
+  assert.deepEqual([-30, 30].map((wind) => far({ drag: 0, wind })), [62.5, 62.5]);
+}
 { // in wind, which has no scene: the text's two angles, 39° and 51°, by formula; as many degrees throw farthest
   const range = (wind) => (angle) => {
     const [x, y] = [Math.cos, Math.sin].map((part) => 25 * part((angle * Math.PI) / 180)), time = (2 * y) / 10;

@@ -8,7 +8,7 @@
 
 using motion::State;
 using trajectories::LoopRanges;
-using namespace trajectories::subject; // launch_velocity, time_of_flight, ... frame_loop_ranges: the student's
+using namespace trajectories::subject; // launch_velocity, time_of_flight, ... drag_step: the student's
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -17,6 +17,7 @@ constexpr double degree = std::numbers::pi / 180;
 // and 4.9, of the largest number in the answer. Fewer will do where 4.7's target is nearly as high as the apex, where
 // 4.8's is nearer than a thousandth of speed² / g or nearly out of reach, and with numbers closer to 0 than 1e-9,
 // other than 0 itself.
+// In 4.10 it's twelve digits of the largest number that goes into a step, or comes out of it.
 // On a border, up to rounding, either side's answer is right: in 4.7 a number or nothing, in 4.8 none, one or two
 // angles; where doubles hold every number on the way, one, or the same one twice. In 4.5 a point within 1e-9 s, or a 1e-9th
 // of the flight, of the landing may be there or left out: then the landing stands twice, or once.
@@ -970,4 +971,295 @@ TEST_CASE("a muzzle below the ground or not aimed up, g <= 0, or a bad dt: frame
     CHECK_REFUSED(frame_loop_ranges(from_a_cliff, 10, 2));             // just too long
     CHECK_REFUSED(frame_loop_ranges(from_the_ground, 10, 0.00039999)); // in the air for 4 s
     frame_loop_ranges(from_a_cliff, 10, 0.1);                          // good input is still answered
+}
+
+// ------------------------------------------------------------------------------------------------------ 4.10 drag_step
+
+namespace {
+
+constexpr double shell_drag = 0.025; // with g = 10, as fast as it falls in the end is 20 m/s
+
+/// In moderate air, or a little or a lot of it.
+struct Flow {
+    State shell;
+    double g, drag;
+    Vec2 wind;
+    double dt;
+
+    explicit Flow(Dice &dice)
+        : shell{dice.point(-50, 50), dice.point(-30, 30)},
+          g{dice.real(0, 20)},
+          drag{std::pow(10, dice.real(-3, 1))},
+          wind{dice.point(-15, 15)},
+          dt{dice.real(0.001, 0.5)} {}
+
+    Vec2 relative() const { return shell.velocity - wind; }
+    State step() const { return drag_step(shell, g, drag, wind, dt); }
+};
+
+State after(State shell, double g, double drag, const Vec2 &wind, double t, int steps) {
+    for (int i = 0; i < steps; ++i) shell = drag_step(shell, g, drag, wind, t / steps);
+    return shell;
+}
+
+/// A thousand steps of fourth order.
+State by_runge_kutta(State shell, double g, double drag, const Vec2 &wind, double t) {
+    const double h = t / 1000;
+    const auto pull = [&](const Vec2 &velocity) -> Vec2 {
+        return Vec2{0, -g} - drag * (velocity - wind).norm() * (velocity - wind);
+    };
+    for (int i = 0; i < 1000; ++i) {
+        const Vec2 v = shell.velocity, a = pull(v), b = pull(v + h / 2 * a), c = pull(v + h / 2 * b),
+                   d = pull(v + h * c);
+        shell.position += h * v + h * h / 6 * (a + b + c);
+        shell.velocity += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    return shell;
+}
+
+/// How fast a body falls after a time, when it's dropped in still air [m/s], and how far [m]: in closed form.
+double fall_speed(double g, double drag, double t) { return std::sqrt(g / drag) * std::tanh(std::sqrt(g * drag) * t); }
+double fall_depth(double g, double drag, double t) { return std::log(std::cosh(std::sqrt(g * drag) * t)) / drag; }
+
+} // namespace
+
+//> Worked example: a step in still air
+TEST_CASE("at (15, 20) m/s in still air, with 0.025 1/m and g = 10, after 0.4 s it does (12, 12.8) m/s", "[4.10]") {
+    CHECK_THAT(drag_step({{0, 0}, {15, 20}}, 10, shell_drag, {0, 0}, 0.4),
+               IsNear(State{{5.4, 6.56}, {12, 12.8}}, rounding)
+                   .since("25 m/s · 0.025 1/m · 0.4 s = 0.25, and (15, 20 − 4) / 1.25 = (12, 12.8)"));
+}
+
+//> Worked example: a step in a head wind
+TEST_CASE("at (10, 20) m/s, against a wind of 5 m/s, it meets the same air, and does (7, 12.8) m/s after 0.4 s",
+          "[4.10]") {
+    CHECK_THAT(drag_step({{3, 2}, {10, 20}}, 10, shell_drag, {-5, 0}, 0.4),
+               IsNear(State{{6.4, 8.56}, {7, 12.8}}, rounding)
+                   .since("relative to the air it's (15, 20) m/s before and (12, 12.8) m/s after"));
+}
+
+//> No air
+TEST_CASE("without drag it flies the parabola of the vacuum, whichever wind blows", "[4.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        Flow flow{dice};
+        flow.drag = 0;
+
+        const State end = flow.step();
+
+        CHECK_THAT(end.position, IsNear(flown(flow.shell, flow.g, flow.dt), 1e-10).of("position [m]"));
+        CHECK_THAT(end.velocity,
+                   IsNear(Vec2{flow.shell.velocity + flow.dt * Vec2{0, -flow.g}}, 1e-10).of("velocity [m/s]"));
+    }
+    CHECK_THAT(drag_step({{0, 0}, {15, 20}}, 10, 1e-9, {0, 0}, 1), IsNear(State{{15, 15}, {15, 10}}, 1e-6));
+}
+
+//> Terminal velocity
+TEST_CASE("whatever falls at √(g / drag) in still air goes on at just that speed, in steps of any length", "[4.10]") {
+    CHECK_THAT(drag_step({{0, 0}, {0, -20}}, 10, shell_drag, {0, 0}, 0.1),
+               IsNear(State{{0, -2}, {0, -20}}, rounding).since("0.025 · 20² = 10: the air takes what g adds"));
+    CHECK_THAT(drag_step({{0, 0}, {0, -20}}, 10, shell_drag, {0, 0}, 30), IsNear(State{{0, -600}, {0, -20}}, rounding));
+    CHECK_THAT(drag_step({{0, 0}, {0, -1}}, 10, 10, {0, 0}, 0.5), IsNear(State{{0, -0.5}, {0, -1}}, rounding));
+    CHECK_THAT(drag_step({{0, 0}, {6, -18}}, 10, shell_drag, {6, 2}, 0.5), // in a wind that also rises
+               IsNear(State{{3, -9}, {6, -18}}, rounding));
+}
+
+//> In the end
+TEST_CASE("however it starts, in the end it falls at √(g / drag), and drifts with the wind", "[4.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(200); ++i) {
+        Flow flow{dice};
+        flow.g = dice.real(1, 20);
+        flow.drag = std::pow(10, dice.real(-2, 1));
+        const double terminal = std::sqrt(flow.g / flow.drag);
+        flow.dt = dice.real(0.2, 2) * terminal / flow.g;
+
+        const State end = after(flow.shell, flow.g, flow.drag, flow.wind, 200 * flow.dt, 200);
+
+        CHECK_THAT(end.velocity, IsNear(Vec2{flow.wind - Vec2{0, terminal}}, 1e-9).of("velocity in the end [m/s]"));
+    }
+}
+
+//> The wind is a frame that moves
+TEST_CASE("seen from a train, with a wind and a velocity that are both less by the train's, it's the same flight",
+          "[4.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        const Flow flow{dice};
+        Flow seen = flow;
+        const Vec2 train = dice.point(-30, 30);
+        seen.shell.velocity -= train;
+        seen.wind -= train;
+
+        const State end = flow.step(), there = seen.step();
+
+        CHECK_THAT(there.velocity + train, IsNear(end.velocity, 1e-10).of("velocity, seen from the train [m/s]"));
+        CHECK_THAT(there.position + flow.dt * train,
+                   IsNear(end.position, 1e-10).of("position, seen from the train [m]"));
+    }
+}
+
+//> It blows what stands still
+TEST_CASE("a wind sets going what stands still, and what drifts with it meets no drag", "[4.10]") {
+    CHECK_THAT(drag_step({{0, 0}, {0, 0}}, 0, 0.1, {10, 0}, 1),
+               IsNear(State{{2.5, 0}, {5, 0}}, rounding)
+                   .since("relative to the air it's at (-10, 0) m/s, and −10 / (1 + 0.1 · 10 · 1) = −5"));
+    CHECK_THAT(drag_step({{0, 0}, {10, 0}}, 10, 0.1, {10, 0}, 1), IsNear(State{{10, -5}, {10, -10}}, rounding));
+}
+
+//> Round the compass
+TEST_CASE("without g no direction is special: turn the shell and the wind, and the step is turned", "[4.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        Flow flow{dice};
+        flow.g = 0;
+        Flow turned = flow;
+        const Vec2 x = dice.direction(), y{-x.y(), x.x()};
+        const auto turn = [&](const Vec2 &v) -> Vec2 { return v.x() * x + v.y() * y; };
+        turned.shell = {turn(flow.shell.position), turn(flow.shell.velocity)};
+        turned.wind = turn(flow.wind);
+
+        const State end = flow.step();
+
+        CHECK_THAT(turned.step().velocity, IsNear(turn(end.velocity), 1e-10).of("velocity, turned [m/s]"));
+        CHECK_THAT(turned.step().position, IsNear(turn(end.position), 1e-10).of("position, turned [m]"));
+    }
+}
+
+//> Never round
+TEST_CASE("without g it keeps its direction relative to the air, however strong the drag, and only slows down",
+          "[4.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        Flow flow{dice};
+        flow.g = 0;
+        flow.drag = std::pow(10, dice.real(-3, 4));
+
+        const Vec2 before = flow.relative(), now = flow.step().velocity - flow.wind;
+
+        CHECK_THAT(before.dot(now), IsAtLeast(0).of("relative velocity before · relative velocity after [m²/s²]"));
+        CHECK_THAT(now.norm(), IsAtMost(before.norm() * (1 + 1e-12)).of("relative speed after the step [m/s]"));
+    }
+}
+
+//> Energy in air
+TEST_CASE("while it falls relative to the air, its energy relative to the air never grows", "[4.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(2000); ++i) {
+        Flow flow{dice};
+        const Vec2 before = flow.relative();
+        if (before.y() > 0) continue;
+
+        const State end = flow.step();
+
+        const Vec2 now = end.velocity - flow.wind, way = end.position - flow.shell.position - flow.dt * flow.wind;
+        const double gained = (now.squaredNorm() - before.squaredNorm()) / 2 + flow.g * way.y();
+        CHECK_THAT(gained, IsAtMost(1e-9).of("kinetic and potential energy gained, for each kilogram [J/kg]"));
+    }
+}
+
+//> Confetti at 25 m/s
+TEST_CASE("a piece of confetti at 25 m/s, with 10 1/m and frames of 1/60 s, never gets faster, and soon does 1 m/s",
+          "[4.10]") {
+    State piece{{0, 0}, {15, 20}};
+    for (int frame = 1; frame <= 300; ++frame) {
+        const double before = piece.velocity.norm();
+        piece = drag_step(piece, 10, 10, {0, 0}, 1.0 / 60);
+        CHECK_THAT(piece.velocity.norm(), IsAtMost(std::max(before, 1.001)).of("speed after one more frame [m/s]"));
+    }
+    CHECK_THAT(piece.velocity, IsNear(Vec2{0, -1}, 1e-9).of("velocity after 5 s [m/s]"));
+}
+
+//> Exact, without g
+TEST_CASE("without g, one long step slows it down as many short ones do, and as v / (1 + drag v t)", "[4.10]") {
+    CHECK_THAT(drag_step({{0, 0}, {20, 0}}, 0, 0.1, {0, 0}, 2).velocity,
+               IsNear(Vec2{4, 0}, rounding).of("velocity [m/s]"));
+    Dice dice;
+    for (int i = 0; i < course::cases(500); ++i) {
+        Flow flow{dice};
+        flow.g = 0;
+
+        const Vec2 once = flow.step().velocity;
+
+        CHECK_THAT(after(flow.shell, 0, flow.drag, flow.wind, flow.dt, 20).velocity,
+                   IsNear(once, 1e-10).of("velocity after 20 short steps [m/s]"));
+    }
+}
+
+//> Dropped, in closed form
+TEST_CASE("dropped in still air it falls as tanh has it, and with half of dt it's a quarter as wrong", "[4.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(200); ++i) {
+        const double g = dice.real(1, 20), terminal = dice.real(1, 40), drag = g / (terminal * terminal);
+        const double t = dice.real(0.5, 2) * terminal / g;
+        const Vec2 there{0, -fall_depth(g, drag, t)}, speed{0, -fall_speed(g, drag, t)};
+        const auto error = [&](int steps) -> Vec2 {
+            const State end = after({{0, 0}, {0, 0}}, g, drag, {0, 0}, t, steps);
+            return {(end.velocity - speed).norm() / terminal, (end.position - there).norm() / -there.y()};
+        };
+        const Vec2 coarse = error(50), fine = error(100);
+
+        CHECK_THAT(coarse.x(), IsAtMost(1e-3).of("how far its velocity is off, of √(g / drag) [1]"));
+        CHECK_THAT(coarse.y(), IsAtMost(1e-3).of("how far its depth is off, of the depth [1]"));
+        CHECK_THAT(fine.x() / coarse.x(),
+                   IsNear(0.25, 0.01).of("error of the velocity with half of dt, of that before [1]"));
+        CHECK_THAT(fine.y() / coarse.y(),
+                   IsNear(0.25, 0.01).of("error of the depth with half of dt, of that before [1]"));
+    }
+}
+
+//> Half of dt in wind
+TEST_CASE("a shot in wind is where Runge-Kutta has it, and with half of dt it's half as wrong", "[4.10]") {
+    for (const Vec2 &wind : {Vec2{0, 0}, Vec2{-5, 0}, Vec2{-10, 0}, Vec2{8, 3}}) {
+        const State muzzle{{0, 0}, {15, 20}};
+        const State there = by_runge_kutta(muzzle, 10, shell_drag, wind, 2);
+        const auto error = [&](int steps) -> Vec2 {
+            const State end = after(muzzle, 10, shell_drag, wind, 2, steps);
+            return {(end.velocity - there.velocity).norm(), (end.position - there.position).norm()};
+        };
+        const Vec2 coarse = error(50), fine = error(100);
+
+        CHECK_THAT(fine.x(), IsAtMost(0.1).of("how far its velocity is off after 2 s [m/s]"));
+        CHECK_THAT(fine.y(), IsAtMost(0.1).of("how far its position is off after 2 s [m]"));
+        CHECK_THAT(fine.x() / coarse.x(),
+                   IsNear(0.5, 0.02).of("error of the velocity with half of dt, of that before [1]"));
+        CHECK_THAT(fine.y() / coarse.y(),
+                   IsNear(0.5, 0.02).of("error of the position with half of dt, of that before [1]"));
+    }
+}
+
+//>
+TEST_CASE("a wind from the right does to a shell to the right what one from the left does to its mirror image",
+          "[4.10]") {
+    Dice dice;
+    for (int i = 0; i < course::cases(1000); ++i) {
+        const Flow flow{dice};
+        Flow mirrored = flow;
+        for (Vec2 *each : {&mirrored.shell.position, &mirrored.shell.velocity, &mirrored.wind}) each->x() = -each->x();
+
+        const State end = flow.step(), there = mirrored.step();
+
+        CHECK_THAT(there.velocity, IsNear(Vec2{-end.velocity.x(), end.velocity.y()}, 1e-10).of("velocity [m/s]"));
+        CHECK_THAT(there.position, IsNear(Vec2{-end.position.x(), end.position.y()}, 1e-10).of("position [m]"));
+    }
+}
+
+TEST_CASE("drag_step takes numbers up to ±1e5, no g, and a shell that stands still in still air", "[4.10]") {
+    CHECK_THAT(drag_step({{3, 4}, {0, 0}}, 0, 1e5, {0, 0}, 1e5), IsNear(State{{3, 4}, {0, 0}}, rounding));
+    CHECK_THAT(drag_step({{3, 4}, {0, 0}}, 10, 10, {0, 0}, 0.5), IsNear(State{{3, 2.75}, {0, -5}}, rounding));
+    CHECK_THAT(drag_step({{-1e5, 1e5}, {1e5, 0}}, 0, 1e5, {0, 0}, 1e-5),
+               IsNear(State{{-1e5 + 0.50000499995, 1e5}, {0.99999000009999900001, 0}}, 1e-9));
+    CHECK_THAT(drag_step({{0, 0}, {-1e5, 0}}, 0, 1e5, {1e5, 0}, 1e5).velocity,
+               IsNear(Vec2{1e5, 0}, 1e-9).of("velocity [m/s]"));
+    CHECK_THAT(drag_step({{0, 0}, {1e5, 1e5}}, 1e5, 0, {-1e5, 1e5}, 2), IsNear(State{{2e5, 0}, {1e5, -1e5}}, 1e-9));
+}
+
+TEST_CASE("a negative g or drag, or a dt of 0 or less, is refused by drag_step", "[4.10]") {
+    const State shell{{0, 0}, {15, 20}};
+    CHECK_REFUSED(drag_step(shell, -10, shell_drag, {0, 0}, 0.1));
+    CHECK_REFUSED(drag_step(shell, 10, -shell_drag, {0, 0}, 0.1));
+    CHECK_REFUSED(drag_step(shell, 10, shell_drag, {0, 0}, 0));
+    CHECK_REFUSED(drag_step(shell, 10, shell_drag, {0, 0}, -0.1));
+    CHECK_REFUSED(drag_step(shell, 10, 0, {0, 0}, 0), "dt = 0, without any drag");
+    drag_step(shell, 10, shell_drag, {0, 0}, 0.1); // good input is still answered
 }
