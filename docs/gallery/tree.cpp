@@ -22,6 +22,6 @@ struct Tree : Scene {
         for (const double angle : {-0.5, 0.4})
             grow(canvas, forward_kinematics::compose(foot, bent(length, angle + wind)), 0.76 * length, level - 1);
     }
-    void draw(Canvas &canvas) const override { grow(canvas, {{0, 1}, {-1, 0}, {8, 0.4}}, 2.1, 8); }
+    void draw(Canvas &canvas) const override { grow(canvas, {{0, 1}, {-1, 0}, {8, 0.4}}, 2.1, 7); }
 };
 SKETCH(Tree, "A tree in the wind")

@@ -51,6 +51,7 @@ struct SmallBook : SmallCourse {
               R"(<svg width="640" height="400" xmlns="http://www.w3.org/2000/svg"></svg>)");
         write("README.md", "# A small course\n\n## I want to learn\n\n## I teach with it\n");
         write("CONTRIBUTING.md", "# Contributing\n");
+        write("docs/weekend.md", "# A weekend\n"); // which leads into chapters of the large one
         write("LICENSE", "do as you like\n");
         write("book.md", book);
     }
