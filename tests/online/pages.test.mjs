@@ -85,14 +85,14 @@ describe('a later box of an exercise', () => {
 
   for (const width of [390, 1280])
     test(`leads back to one’s code, even where the exercise is folded, ${width} px`, async (t) => {
-      const { page, troubles } = await open(t, undefined, { width }), box = inBox(page), place = page.locator('#code-8\\.1');
-      const back = page.locator('blockquote', { hasText: 'Finish 8.1.' }).getByRole('link', { name: 'Back to your code' });
+      const { page, troubles } = await open(t, `${eight}#exercise-8.2`, { width }), box = inBox(page, '8.2'), place = page.locator('#code-8\\.2');
+      const back = page.locator('blockquote', { hasText: 'Finish 8.2.' }).getByRole('link', { name: 'Back to your code' });
       await box.write('right');
       await box.check();
       await box.box.locator('header .done').waitFor();
       await box.button('Hide').click();
       await back.click();
-      await page.waitForFunction(() => document.querySelector('#code-8\\.1 .cm-editor').getBoundingClientRect().top < 200);
+      await page.waitForFunction(() => document.querySelector('#code-8\\.2 .cm-editor').getBoundingClientRect().top < 200);
       assert.ok(await place.evaluate((it) => it.getBoundingClientRect().top) >= 48, 'below the bar');
       assert.deepEqual(troubles, []);
     });

@@ -16,13 +16,14 @@ export const here = [
   [new RegExp(`<strong>Open</strong> ${code('exercises/\\w+\\.cpp')} in your editor, and a terminal in the course’s folder\\.\nType ${code('./course check [\\d.]+')} to see how things stand:`),
     '<strong>Look.</strong> In the editor below is a function without its answer: how many pixels a second is so many a frame?\nPress <em>Check</em> to see how things stand; the first time, that loads a compiler:'],
   [new RegExp(`(<strong>Find</strong> .*?) in (?:${code('exercises/\\w+\\.cpp')}|the same file)`, 'g'), '$1 in the editor below'],
+  [new RegExp(`Save, and type ${code('./course check [\\d.]+')}`, 'g'), 'Press <em>Check</em>'],
   [/Save, and check\b/g, 'Press Check'],
   [new RegExp(`Type ${code('./course check [\\d.]+ --picture')}, and you see`), 'Below the verdict you see'],
   [new RegExp(`<em>Change, save, look</em>(.*)\n${code('./course check \\d+ --watch')} .*\nStuck\\? ${code('./course hint [\\d.]+')} (gives you .*)\n${code('./course reset \\d+')} (starts you over, and keeps a copy of your) file\\.`),
     '<em>Change, check, look</em>$1\nStuck? <em>Hint 1</em>, below the editor, $2\n<em>Start again</em> $3 code.'],
 
   // A sketch to begin with
-  [new RegExp(`${code('./course sketch mine --from (\\w+) --watch')} puts it into a file of yours, and shows it again whenever you save\\.`, 'g'),
+  [new RegExp(`${code('./course sketch \\w+ --from (\\w+) --watch')} puts it into a file of yours, and shows it again whenever you save\\.`, 'g'),
     '<a href="sketches.html#from=gallery/$1">open it</a> as a sketch of yours, and it runs again whenever you pause.'],
 
   // What a check prints: less than in a terminal, see Reader::page in tools/check/
