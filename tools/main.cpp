@@ -43,8 +43,8 @@ struct Group {
 const std::vector<Group> groups{
     {"For students",
      {add_check, add_list, add_hint, add_solution, add_reset, add_run, add_plot, add_play, add_sketch, add_debug,
-      add_bug, add_mytests, add_feedback, add_site, add_open, by_the_script("setup", "Install what the course needs; asks first"),
-      add_update, add_doctor}},
+      add_bug, add_mytests, add_feedback, add_site, add_open,
+      by_the_script("setup", "Install what the course needs; asks first"), add_update, add_doctor}},
     {"For instructors", {add_grade, add_export, by_the_script("test", "Run the whole test suite")}},
     {"For authors", {add_dev}},
     {"", {add_make, add_draw}},
