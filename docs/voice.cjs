@@ -32,7 +32,7 @@ function read(chapter) {
 
 // Budgets
 
-const isTask = (text) => /<!-- demo:|\*Try it|\*\*Pencil|Your turn:|\*\*Your test|\*\*Finish |`\.\/course sketch \w+ --from /.test(text);
+const isTask = (text) => /<!-- demo:|\*Try it|\*\*Pencil|Your turn:|\*\*Your test|\*\*Finish /.test(text);
 const standsForADemo = (text) => /^!\[.*\]\(\.\.\/\.\.\/demos\/|^\*Play it:\* /.test(text);
 const wordsIn = (text) => text.split(/\s+/).filter((word) => /[A-Za-z0-9]|[^\0-\x7F]/.test(word)).length;
 const share = (part, whole) => (whole === 0 ? 0 : Math.ceil((100 * part) / whole));

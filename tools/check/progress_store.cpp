@@ -100,8 +100,11 @@ int take_rung(const Workspace &workspace, const std::string &number, int rungs) 
     return rung;
 }
 
-int open_rungs(const Workspace &workspace, const std::string &number) {
-    return rungs_in(load(hints_file(workspace)), number);
+std::map<std::string, int> open_rungs(const Workspace &workspace) {
+    const json hints = load(hints_file(workspace));
+    std::map<std::string, int> open;
+    for (const auto &each : hints.items()) open[each.key()] = rungs_in(hints, each.key());
+    return open;
 }
 
 void remember_attempts(const Workspace &workspace, const std::vector<Attempt> &attempts) {

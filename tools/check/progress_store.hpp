@@ -41,8 +41,8 @@ void remember_rungs(const Workspace &workspace, const std::string &number, int r
 /// Two commands at once get two different ones.
 int take_rung(const Workspace &workspace, const std::string &number, int rungs);
 
-/// How many rungs of an exercise's hints are open.
-int open_rungs(const Workspace &workspace, const std::string &number);
+/// How many rungs of hints are open, by the exercise's number.
+std::map<std::string, int> open_rungs(const Workspace &workspace);
 
 /// One check of one exercise, for `course feedback`.
 struct Attempt {

@@ -15,9 +15,7 @@ namespace fs = std::filesystem;
 void write_feedback(const Workspace &workspace, const fs::path &file) {
     const std::vector<Attempt> attempts = recall_attempts(workspace);
     if (attempts.empty()) throw UserError{"there's nothing to tell yet: ./course check comes first"};
-    std::map<std::string, int> hints;
-    for (const Attempt &attempt : attempts) hints[attempt.number] = open_rungs(workspace, attempt.number);
-    const std::string text = feedback(attempts, hints, course_version());
+    const std::string text = feedback(attempts, open_rungs(workspace), course_version());
     write_file(file, text);
     std::cout
         << text << "\nWritten: " << file.string()
