@@ -1,5 +1,6 @@
 // `course grade`: a class's submissions, from the platform's download to what goes back.
 
+#include "base/files.hpp"
 #include "base/plain.hpp"
 #include "base/terminal.hpp"
 #include "base/text.hpp"
@@ -8,6 +9,7 @@
 #include "commands/commands.hpp"
 #include "grade/assignment.hpp"
 #include "grade/feedback.hpp"
+#include "grade/gradescope.hpp"
 #include "grade/points.hpp"
 #include "grade/statistics.hpp"
 #include "judge/runner/sandbox.hpp"
@@ -24,8 +26,8 @@ namespace fs = std::filesystem;
 
 struct GradeOptions {
     std::string section = {}, given = {}, gradebook = {}, column = {}, points = {}, out = {}, late = {}, shard = {},
-                show = {}, no_file = {};
-    std::vector<std::string> only = {}, without = {}, merge = {}, take = {};
+                show = {}, no_file = {}, gradescope = {};
+    std::vector<std::string> only = {}, without = {}, merge = {}, take = {}, hide = {};
     std::optional<unsigned> seed = {};
     bool dry_run = false, again = false, forgive = false, verbose = false;
 };
@@ -279,6 +281,19 @@ void print_undelivered(const GradedClass &graded, const std::string &out) {
                   << " prints.\n";
 }
 
+std::set<std::string> hidden_exercises(const Workspace &workspace, const Section &section,
+                                       const GradeOptions &options) {
+    std::set<std::string> all;
+    for (const std::string &words : options.hide) all.insert(exercise_to_show(workspace, section, words));
+    return all;
+}
+
+/// Nothing is written for a student who couldn't be judged: Gradescope then tells the instructor, and gives no 0.
+void write_for_gradescope(const GradedClass &graded, const std::set<std::string> &hidden, const fs::path &file) {
+    const Graded &student = graded.students.front();
+    if (student.our_trouble.empty()) write_file(file, gradescope_results(graded, student, hidden));
+}
+
 /// Moodle says nothing of rows that it passes over.
 void print_order(const GradedClass &graded, bool fresh) {
     if (graded.platform != Platform::moodle) return;
@@ -307,6 +322,10 @@ void grade(const Workspace &workspace, const GradeOptions &options) {
             throw UserError{"nobody with the id " + id + " has handed anything in"};
     const std::string exercise =
         options.show.empty() ? "" : exercise_to_show(workspace, assignment.section(), options.show);
+    const std::set<std::string> hidden = hidden_exercises(workspace, assignment.section(), options);
+    if (!options.gradescope.empty() && assignment.submissions().all.size() != 1)
+        throw UserError{"--gradescope writes the results of one submission, and here are "
+                        + std::to_string(assignment.submissions().all.size())};
     for (const std::string &folder : options.merge) assignment.merge(folder);
     const std::size_t judged = assignment.judge({options.only.begin(), options.only.end()}, part, ProgressLine{});
     if (part.second > 1) {
@@ -318,6 +337,7 @@ void grade(const Workspace &workspace, const GradeOptions &options) {
     if (!options.show.empty()) return print_answers(graded, exercise);
     const bool fresh = !options.gradebook.empty() || !fs::exists(out / "grades.csv"); // it may have been uploaded
     const auto changes = assignment.write(graded);
+    if (!options.gradescope.empty()) write_for_gradescope(graded, hidden, options.gradescope);
     print_appeal(graded, options.only, options.verbose);
     std::cout << judged << " judged now; what else has a result has kept it. Generated values: --seed " << graded.seed
               << ".\n";
@@ -369,6 +389,10 @@ void add_grade(CLI::App &app, const Workspace &workspace) {
         ->check(is_seed());
     command->add_option("--shard", options->shard, "only a part, as in 3/8, for many machines");
     command->add_option("--merge", options->merge, "folders of parts, to be joined");
+    command->add_option("--gradescope", options->gradescope,
+                        "write one submission's results.json: see `export gradescope`");
+    command->add_option("--hide", options->hide,
+                        "with --gradescope: an exercise of which students see nothing, as 5.7");
     command->add_flag("--dry-run", options->dry_run, "say who, which file, which rows; judge nothing");
     command->add_flag("-v,--verbose", options->verbose, "with --only: every failing test whole");
     command->footer("Example: ./course grade 5 submissions.zip --gradebook grades.csv --out g5\n"

@@ -94,7 +94,7 @@ std::string without_commands(const std::string &text) {
     return kept;
 }
 
-std::string feedback(const GradedClass &graded, const Graded &student, bool whole) {
+std::string feedback_head(const GradedClass &graded, const Graded &student) {
     const std::string title = "Section " + graded.section.short_number();
     if (!student.our_trouble.empty())
         return title + " hasn't been judged yet: the grader, or its machine, was in the way. You'll hear again.\n";
@@ -113,16 +113,26 @@ std::string feedback(const GradedClass &graded, const Graded &student, bool whol
                 + ": if your `check` says something else than "
                   "this, `./course update` brings yours up to date.\n";
     for (const std::string &test : graded.void_tests) text += "This test doesn't count for anybody: " + test + '\n';
-    std::string rest = "\n";
+    std::string rest;
     for (const Verdict &why : student.taken_out)
         rest += "✗ A function of yours that belongs to no exercise (the rest was judged without it)\n"
                 + of_unbuilt(why, "    ");
     if (student.unbuilt)
         rest += "It can't be judged (" + std::string{name_of(student.unbuilt->kind)} + "):\n"
                 + of_unbuilt(*student.unbuilt, "    ");
-    else
-        for (const GradedExercise &exercise : student.exercises) rest += of_exercise(graded, exercise, whole);
-    return sanitize(text) + without_commands(sanitize(rest));
+    return sanitize(text) + '\n' + without_commands(sanitize(rest));
+}
+
+std::string feedback_of(const GradedClass &graded, const GradedExercise &exercise, bool whole) {
+    return without_commands(sanitize(of_exercise(graded, exercise, whole)));
+}
+
+std::string feedback(const GradedClass &graded, const Graded &student, bool whole) {
+    std::string text = feedback_head(graded, student);
+    const bool is_judged = student.our_trouble.empty() && !student.left_blank && student.submission.trouble.empty();
+    if (is_judged && !student.unbuilt)
+        for (const GradedExercise &exercise : student.exercises) text += feedback_of(graded, exercise, whole);
+    return text;
 }
 
 std::string comment(const Graded &student) {

@@ -11,6 +11,10 @@ namespace course {
 /// @param whole  every failing test, instead of the first of each exercise
 std::string feedback(const GradedClass &graded, const Graded &student, bool whole);
 
+/// The same in parts: what stands above the exercises, and what's said of one of them.
+std::string feedback_head(const GradedClass &graded, const Graded &student);
+std::string feedback_of(const GradedClass &graded, const GradedExercise &exercise, bool whole);
+
 /// The same in one line, for a gradebook's column of comments.
 std::string comment(const Graded &student);
 

@@ -129,16 +129,18 @@ Gradebook::Gradebook(const std::filesystem::path &file, const Section &section, 
     };
     if (has({"Student", "ID"}) || has({"LastName", "FirstName", "ID"})) read_canvas(section, column);
     else if (has({"Identifier", "Grade", "Maximum Grade", "Last modified (grade)"})) read_moodle(column);
+    else if (has({"student_repository_name", "points_awarded", "points_available"})) read_classroom(column);
     else
         throw UserError{fmt::format("{} is neither Canvas' gradebook, with columns `Student` and `ID`, nor Moodle's "
                                     "worksheet, with `Identifier`, "
-                                    "`Grade`, `Maximum Grade` and `Last modified (grade)`. Its columns are {}. Is it "
+                                    "`Grade`, `Maximum Grade` and `Last modified (grade)`, nor the grades of GitHub "
+                                    "Classroom, with `student_repository_name`. Its columns are {}. Is it "
                                     "Moodle's, in another language? "
                                     "Set Moodle's language to English, and download the worksheet again.",
                                     file_, shown_cells(csv.rows.front()))};
     std::set<std::string> ids;
-    for (std::size_t i = 0; i < people.size(); ++i)
-        if (!ids.insert(people[i].id).second)
+    for (std::size_t i = 0; i < people.size(); ++i) // in GitHub Classroom, a group has one repository
+        if (!ids.insert(people[i].id).second && platform_ != Platform::classroom)
             complain(places[i].grade, people[i].id + " is there twice. Take one of the two rows out.");
 }
 
@@ -167,13 +169,18 @@ void Gradebook::set_most(const CsvCell &cell) {
     constexpr double too_many = 1e6; // and hundredths of it fit into any number
     most_ = number_in(cell.text).value_or(0);
     if (most_ > 0 && most_ < too_many) return;
-    const bool canvas = platform_ == Platform::canvas;
+    const auto [name, remedy] =
+        platform_ == Platform::canvas
+            ? std::pair{"Points Possible of `" + plain_line(title, 100) + '`', "Give the assignment points in Canvas"}
+        : platform_ == Platform::moodle
+            ? std::pair{std::string{"Maximum Grade"},
+                        "Set the grade's type to points in Moodle, since there's no scale that we know"}
+            : std::pair{std::string{"points_available"},
+                        "Wait until the workflow has run for a student, which tells Classroom the points"};
     complain(
         cell,
         fmt::format("the {} should be a number above 0 and below 1000000, and is {}. {}, and download the file again.",
-                    canvas ? "Points Possible of `" + plain_line(title, 100) + '`' : "Maximum Grade", shown_cell(cell),
-                    canvas ? "Give the assignment points in Canvas"
-                           : "Set the grade's type to points in Moodle, since there's no scale that we know"));
+                    name, shown_cell(cell), remedy));
 }
 
 std::size_t Gradebook::column_of_assignment(const std::vector<CsvCell> &possible, const Section &section,
@@ -263,8 +270,7 @@ void Gradebook::doubt_column() {
 void Gradebook::read_moodle(const std::string &column) {
     platform_ = Platform::moodle;
     title = "Grade";
-    if (!column.empty() && column != title)
-        throw UserError{file_ + " is Moodle's worksheet, where grades go to the column `Grade`: leave out --column."};
+    require_its_only_column(column);
     const CsvRow &header = csv.rows.front();
     const std::size_t id = *column_named(header, "Identifier"), at = *column_named(header, title),
                       most = *column_named(header, "Maximum Grade");
@@ -293,6 +299,37 @@ void Gradebook::read_moodle(const std::string &column) {
                           status ? lateness_in(row[*status].text) : "", locked ? "can't be changed in Moodle" : ""});
         places.push_back({row[at], comment ? row[*comment] : CsvCell{}});
     }
+}
+
+void Gradebook::read_classroom(const std::string &column) {
+    platform_ = Platform::classroom;
+    title = "points_awarded";
+    require_its_only_column(column);
+    const CsvRow &header = csv.rows.front();
+    const std::size_t repository = *column_named(header, "student_repository_name"), at = *column_named(header, title),
+                      most = *column_named(header, "points_available");
+    const auto name = column_named(header, "roster_identifier"), handle = column_named(header, "github_username");
+    for (const CsvRow &row : csv.rows) {
+        if (&row == &header || (row.size() == 1 && row.front().text.empty())) continue;
+        check_length(row);
+        if (row[repository].text.empty()) continue; // who hasn't accepted the assignment has no repository
+        const double above = most_;
+        set_most(row[most]);
+        if (above != 0 && above != most_)
+            complain(row[most], fmt::format("points_available is {}, but {} above. Are these one assignment's grades? "
+                                            "Download them again.",
+                                            shown_cell(row[most]), above));
+        const std::string &roster = row[name.value_or(repository)].text;
+        people.push_back({row[repository].text, roster.empty() ? row[handle.value_or(repository)].text : roster,
+                          row[at].text, "", ""});
+        places.push_back({row[at], {}});
+    }
+}
+
+void Gradebook::require_its_only_column(const std::string &column) const {
+    if (!column.empty() && column != title)
+        throw UserError{fmt::format("{} is from {}, where grades go to the column `{}`: leave out --column.", file_,
+                                    name_of(platform_), title)};
 }
 
 std::string Gradebook::grade(double share) const {

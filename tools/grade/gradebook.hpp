@@ -1,5 +1,5 @@
 #pragma once
-// The instructor's own file of grades, Canvas' or Moodle's: it comes back byte for byte, but for the grades, and of
+// The instructor's own file of grades, Canvas', Moodle's or GitHub Classroom's: it comes back byte for byte, but for the grades, and of
 // Canvas' without the columns that it's not about: importing those would take back what has changed there since.
 
 #include "grade/csv.hpp"
@@ -29,14 +29,14 @@ struct Person {
 
 class Gradebook {
   public:
-    /// Recognizes Canvas' export and Moodle's worksheet by the columns that each must have.
+    /// Recognizes Canvas' export, Moodle's worksheet and GitHub Classroom's grades by the columns that each must have.
     /// @param column  the title of the assignment's column, or a part of it; empty: the one that must be meant
-    /// @throws UserError naming the columns found, if it's neither, or if more than one column may be meant
+    /// @throws UserError naming the columns found, if it's none of them, or if more than one column may be meant
     Gradebook(const std::filesystem::path &file, const Section &section, const std::string &column);
 
     Platform platform() const { return platform_; }
     const std::string &column() const { return title; } ///< that is written to: "HW 5 (4711)", "Grade"
-    double most() const { return most_; }               ///< Points Possible, or Maximum Grade
+    double most() const { return most_; }               ///< Points Possible, Maximum Grade, points_available
     const std::vector<Person> &rows() const { return people; }
     const std::vector<std::string> &warnings() const { return doubts; } ///< why Canvas may not take the column
     bool tells_lateness() const { return has_status; }                  ///< Moodle's does, if no column was left out
@@ -55,6 +55,8 @@ class Gradebook {
     };
     void read_canvas(const Section &section, const std::string &column);
     void read_moodle(const std::string &column);
+    void read_classroom(const std::string &column);
+    void require_its_only_column(const std::string &column) const;
     std::size_t column_of_assignment(const std::vector<CsvCell> &possible, const Section &section,
                                      const std::string &column) const;
     void learn_decimal_sign(const CsvCell &cell);

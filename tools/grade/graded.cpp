@@ -6,6 +6,7 @@ std::string_view name_of(Platform platform) {
     switch (platform) {
     case Platform::canvas: return "Canvas";
     case Platform::moodle: return "Moodle";
+    case Platform::classroom: return "GitHub Classroom";
     default: return "a folder";
     }
 }

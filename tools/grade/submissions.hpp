@@ -1,5 +1,5 @@
 #pragma once
-// What a class has handed in, as a platform gives it out: a zip of Canvas or Moodle, or a plain folder.
+// What a class has handed in, as a platform gives it out: a zip of Canvas or Moodle, or a plain folder, of clones too.
 
 #include "base/workspace.hpp"
 
@@ -10,8 +10,13 @@
 
 namespace course {
 
-enum class Platform { canvas, moodle, folder };
-std::string_view name_of(Platform platform); ///< "Canvas", "Moodle", "a folder"
+enum class Platform {
+    canvas,
+    moodle,
+    classroom,
+    folder
+};                                           ///< GitHub Classroom has a gradebook; its clones are a folder
+std::string_view name_of(Platform platform); ///< "Canvas", "Moodle", "GitHub Classroom", "a folder"
 
 /// What one student, or one group, has handed in.
 struct Submission {
