@@ -325,6 +325,17 @@ TEST_CASE("a file of grades that isn't whole, or isn't one, is turned away with 
     says(std::string{"S\0t\0", 4}, "is UTF-16");
     CHECK_THROWS_MATCHES(GradeFile{moodle}.book("HW 5"), UserError,
                          MessageMatches(ContainsSubstring("leave out --column")));
+    const std::string classroom =
+        "github_username,student_repository_name,points_awarded,points_available\nann,w-ann,,13\n";
+    CHECK(GradeFile{classroom}.book().rows().front().name == "ann"); // where there's no roster
+    says(changed(classroom, ",13", ",0"), "Wait until the workflow has run for a student");
+    says(classroom + "bo,w-bo,,12\n", "line 3: points_available is `12`, but 13 above.");
+    CHECK(GradeFile{classroom + "bo,w-ann,,13\n"}.book().filled({{"w-ann", {1, ""}}})
+          == "github_username,student_repository_name,points_awarded,points_available\nann,w-ann,13,13\nbo,w-ann,13,"
+             "13\n");
+    CHECK_THROWS_MATCHES(GradeFile{classroom}.book("points"), UserError,
+                         MessageMatches(ContainsSubstring("is from GitHub Classroom, where grades go to the column "
+                                                          "`points_awarded`: leave out --column")));
     CHECK_THAT(complaint_about("Student,ID,HW 5 (1),HW 6 (2)\nPoints Possible,,,10\nBaker,1003,,\n"),
                ContainsSubstring("Points Possible of `HW 5 (1)`")); // and HW 6 isn't taken for the only one
 }
