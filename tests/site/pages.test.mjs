@@ -48,6 +48,7 @@ test('each page links to files that are there, by relative addresses', () => {
 test('each page says what it is about; where it has a demo there is a picture of it, by its whole address', () => {
   for (const name of fs.readdirSync(folder).filter((each) => each.endsWith('.html'))) {
     const text = fs.readFileSync(path.join(folder, name), 'utf8'), meta = (what) => new RegExp(`<meta (?:name|property)="${what}" content="([^"]+)">`).exec(text)?.[1];
+    assert.equal(meta('og:url'), address + (name === 'index.html' ? '' : name));
     assert.ok(meta('description').length > 30 && meta('og:title') && meta('og:description') === meta('description'), name);
     assert.equal(Boolean(meta('og:image')), text.includes('data-demo="') || text.includes('<img src="demos/'), name);
     if (!meta('og:image')) continue;

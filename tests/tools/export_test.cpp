@@ -199,6 +199,8 @@ TEST_CASE("a page loses what needs our answers, and keeps what stands around it"
     const std::string measured =
         page_in_handout("x.md", "`./course dev bench pairs` measures all three ways on your machine.\n");
     CHECK(measured == "We measured all three ways.\n");
+    CHECK(page_in_handout("README.md", "# A\n\n**[Read](https://a.example)**: x\n\n[![B.](c.svg)](https://a.example)\n")
+          == "# A\n\n![B.](c.svg)\n"); // our solutions are there
     const std::string front =
         page_in_handout("docs/front.md", "**You teach?** [How](a.md).\n**You'd mend a line?** No.\nB.\n");
     CHECK(front == "B.\n");

@@ -967,3 +967,28 @@ TEST_CASE("the contents' column `needs` is woven from the chapters, and is kept 
     book.edit_chapter("01_motion", "07_wall");
     CHECK_THAT(book.check().text, ContainsSubstring("is not an earlier section: 7."));
 }
+
+TEST_CASE("README leads to the published book once it has an address, and nowhere before") {
+    const Book book;
+    const fs::path readme = book.workspace.root / "README.md", lists = book.workspace.root / "CMakeLists.txt";
+    const std::string before = "# A book\n\n![A ball.](demos/a.svg)\n\nPhysics.\n\n![Another.](demos/b.svg)\n",
+                      project = read_file(lists);
+    write_file(readme, before);
+    CHECK(book.weave().code == all_well);
+    CHECK(read_file(readme) == before);
+
+    write_file(lists, "project(x VERSION 1.2.3 HOMEPAGE_URL \"https://a.example/b\" LANGUAGES CXX)\n" + project);
+    const Told told = book.check();
+    CHECK(told.code == something_to);
+    CHECK_THAT(told.text, StartsWith("README.md:3: "));
+    for (int times = 0; times < 2; ++times) {
+        book.weave();
+        CHECK(read_file(readme)
+              == "# A book\n\n**[Read it, play it, and write your first line in your browser](https://a.example/b)**: "
+                 "there's nothing to install.\n\n[![A ball.](demos/a.svg)](https://a.example/b)\n\nPhysics.\n\n"
+                 "![Another.](demos/b.svg)\n");
+    }
+    write_file(lists, project);
+    book.weave();
+    CHECK(read_file(readme) == before);
+}

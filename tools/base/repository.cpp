@@ -15,6 +15,13 @@ std::string version_of(const Workspace &workspace) {
     return match[1];
 }
 
+std::string address_of(const Workspace &workspace) {
+    static const std::regex address{R"re(project\([^)]* HOMEPAGE_URL "([^"]*)")re"};
+    std::smatch match;
+    const std::string text = read_file(workspace.root / "CMakeLists.txt");
+    return std::regex_search(text, match, address) ? match[1].str() : "";
+}
+
 std::string printed_by(const std::vector<std::string> &command, const std::filesystem::path &folder) {
     const Finished done = run(command, {.folder = folder});
     if (done.code != 0) throw UserError{command[0] + ' ' + command[1] + " failed: " + done.err};

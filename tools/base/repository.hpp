@@ -13,6 +13,9 @@ namespace course {
 /// @throws UserError if CMakeLists.txt doesn't say it
 std::string version_of(const Workspace &workspace);
 
+/// Where the book is published to write in, as CMakeLists.txt has it: "https://…", or nothing.
+std::string address_of(const Workspace &workspace);
+
 /// What a program prints that is run in this folder.
 /// @throws UserError if it fails
 std::string printed_by(const std::vector<std::string> &command, const std::filesystem::path &folder);

@@ -5,9 +5,11 @@
 #include "base/lines.hpp"
 #include "base/lock.hpp"
 #include "base/process.hpp"
+#include "base/repository.hpp"
 #include "base/text.hpp"
 #include "book/chapter.hpp"
 #include "book/demo_places.hpp"
+#include "book/front_door.hpp"
 #include "book/glossary.hpp"
 #include "book/links.hpp"
 #include "book/prerequisites.hpp"
@@ -60,10 +62,10 @@ std::vector<Finding> difference(const fs::path &file, const std::string &before,
     const std::vector<Line> was = split_lines(before), is = split_lines(text);
     const auto [line, other] = std::ranges::mismatch(was, is, {}, &Line::text, &Line::text);
     if (line == was.end() && other == is.end()) return {};
-    return {
-        {file, static_cast<int>(line - was.begin()) + 1,
-         "this line is not what the chapters' demos, bold terms and \"You need\" make it; type ./course dev weave, or "
-         "correct them."}};
+    return {{file, static_cast<int>(line - was.begin()) + 1,
+             "this line is not what the chapters' demos, bold terms and \"You need\", or the published book's address, "
+             "make it; type ./course dev weave, or "
+             "correct them."}};
 }
 
 class Command {
@@ -98,8 +100,13 @@ class Command {
         page(page_of_book(workspace), text, needs.book);
     }
 
-    /// The links of the pages beside it.
+    /// README's way to the book that's published, and the links of the pages beside it.
     void root() {
+        if (const fs::path readme = workspace.root / "README.md"; fs::exists(readme)) {
+            const std::string before = read_file(readme), text = with_front_door(before, address_of(workspace));
+            if (check) add(difference(readme, before, text));
+            else if (write_file(readme, text)) changed = true;
+        }
         if (!check) return;
         for (const fs::path &file : files_in(workspace.root, ".md"))
             if (file.filename() != "book.md") add(dead_links(file, read_file(file), workspace.root));

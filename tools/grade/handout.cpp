@@ -6,6 +6,7 @@
 #include "base/repository.hpp"
 #include "base/text.hpp"
 #include "book/chunks.hpp"
+#include "book/front_door.hpp"
 #include "book/links.hpp"
 #include "check/which_tests.hpp"
 
@@ -291,6 +292,7 @@ std::string page_in_handout(const std::string &file, std::string page) {
     if (file == "docs/front.md")
         for (const char *words : {"**You teach?**", "**You'd mend a line"}) std::erase_if(lines, beginning(words));
     page = joined(lines);
+    if (file == "README.md") page = with_front_door(page, ""); // our solutions are there
     for (const auto &[words, instead] : replaced_words) replace_all(page, words, instead);
     return page;
 }
