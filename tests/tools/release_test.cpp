@@ -40,20 +40,25 @@ struct Repository : SmallCourse {
 
 TEST_CASE("a release has the sources, the site and the stills, and its version in their names") {
     const Repository repository;
-    release(repository.workspace);
+    release(repository.workspace, false);
     const std::string sources = repository.listed("frame-by-frame-1.2.3.tar.gz");
     CHECK_THAT(sources, ContainsSubstring("frame-by-frame-1.2.3/solutions/07_wall_meeting.cpp\n"));
     CHECK_THAT(sources, !ContainsSubstring("build/default"));
     CHECK(repository.listed("frame-by-frame-1.2.3-site.zip") == "site/\nsite/index.html\n");
     CHECK(repository.listed("frame-by-frame-1.2.3-stills.zip") == "demos/07_wall_meeting.svg\n");
+    const Finished summed =
+        run({"sha256sum", "--check", "--strict", "SHA256SUMS"}, {.folder = repository.workspace.build / "release"});
+    CHECK(summed.out
+          == "frame-by-frame-1.2.3.tar.gz: OK\nframe-by-frame-1.2.3-site.zip: OK\n"
+             "frame-by-frame-1.2.3-stills.zip: OK\n");
 }
 
 TEST_CASE("a release of which CHANGELOG says nothing, or with a change that isn't committed, is refused") {
     const Repository repository;
     repository.write("solutions/07_wall_meeting.cpp", "// changed\n");
-    CHECK_THROWS_WITH(release(repository.workspace), ContainsSubstring(" M solutions/07_wall"));
+    CHECK_THROWS_WITH(release(repository.workspace, false), ContainsSubstring(" M solutions/07_wall"));
     repository.write("CMakeLists.txt", "project(x VERSION 1.2.4)\n");
     repository.commit();
-    CHECK_THROWS_WITH(release(repository.workspace), ContainsSubstring("\"## 1.2.4\""));
+    CHECK_THROWS_WITH(release(repository.workspace, false), ContainsSubstring("\"## 1.2.4\""));
     CHECK_FALSE(repository.has("build/default/release"));
 }

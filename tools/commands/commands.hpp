@@ -28,7 +28,7 @@ std::filesystem::path online_handout(const Workspace &workspace);
 void require_published(const Workspace &workspace);
 
 /// Makes the archives of a release in the build folder, of what is committed; release.cpp has it.
-void release(const Workspace &workspace);
+void release(const Workspace &workspace, bool online); ///< `online`: with the site to write in
 
 /// What `check --file` says of one exercise in a file, but not which mistake gives the same; check.cpp has it.
 /// @return the exit code

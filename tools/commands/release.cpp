@@ -1,6 +1,7 @@
 // `course dev release`: what somebody can take who has no use for a repository.
 
 #include "base/files.hpp"
+#include "base/hash.hpp"
 #include "base/repository.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
@@ -24,7 +25,7 @@ void require_ready(const Workspace &workspace, const std::string &version) {
 
 } // namespace
 
-void release(const Workspace &workspace) {
+void release(const Workspace &workspace, bool online) {
     const std::string version = version_of(workspace), name = "frame-by-frame-" + version;
     require_ready(workspace, version);
     bring_up_site(workspace);
@@ -41,19 +42,36 @@ void release(const Workspace &workspace) {
     for (const fs::directory_entry &each : fs::directory_iterator{workspace.root / "demos"})
         if (each.path().extension() == ".svg") stills.push_back("demos/" + each.path().filename().string());
     printed_by(stills, workspace.root);
-    for (const char *rest : {".tar.gz", "-site.zip", "-stills.zip"})
-        std::cout << fmt::format("{}, {:.1f} MB\n", workspace.relative_name(file(rest)),
-                                 double(fs::file_size(file(rest))) / 1e6);
+    std::vector<fs::path> archives{file(".tar.gz"), file("-site.zip"), file("-stills.zip")};
+    if (online) {
+        const fs::path site = bring_up_online_site(workspace);
+        archives.emplace_back(file("-online.zip"));
+        printed_by({"cmake", "-E", "tar", "cf", archives.back().string(), "--format=zip", site.filename().string()},
+                   site.parent_path());
+    }
+    std::string sums;
+    const std::vector<std::string> hashes = sha256_of(archives);
+    for (std::size_t i = 0; i < archives.size(); ++i) {
+        sums += hashes[i] + "  " + archives[i].filename().string() + '\n';
+        std::cout << fmt::format("{}, {:.1f} MB\n", workspace.relative_name(archives[i]),
+                                 double(fs::file_size(archives[i])) / 1e6);
+    }
+    write_file(folder / "SHA256SUMS", sums);
+    std::cout << "Checksums are in " << workspace.relative_name(folder / "SHA256SUMS") << ". Now tag it: git tag v"
+              << version << '\n';
 }
 
 void add_release(CLI::App &app, const Workspace &workspace) {
     CLI::App *command =
         app.add_subcommand("release", "Make a release's archives, if all that's published is up to date");
-    command->footer("In build/default/release there will be the sources, the site, and the stills of the demos. Their "
-                    "names have the version\nthat ./course --version shows.\n\nExample: ./course dev release");
-    command->callback([&workspace] {
+    const auto online = std::make_shared<bool>();
+    command->add_flag("--online", *online, "the site to write in, too");
+    command->footer(
+        "In build/default/release there will be the sources, the site, the stills of the demos, and checksums. "
+        "Their names have the\nversion that ./course --version shows.\n\nExample: ./course dev release --online");
+    command->callback([&workspace, online] {
         require_published(workspace);
-        release(workspace);
+        release(workspace, *online);
     });
 }
 
