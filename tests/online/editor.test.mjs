@@ -325,6 +325,22 @@ describe('answers as files', () => {
     assert.deepEqual(troubles, []);
   });
 
+  test('and how it went, once something was checked, without any code', async (t) => {
+    const { page, box, troubles } = await begin(t);
+    await box.menu.click();
+    await box.button('How it went').click();
+    await box.note.getByText('There’s nothing to tell yet').waitFor();
+    await box.write(wrong);
+    await box.check();
+    const told = await download(page, () => box.button('How it went').click());
+    assert.equal(told.name, 'feedback.txt');
+    const { attempts: [{ when, ...attempt }], hints, ...more } = JSON.parse(told.bytes);
+    assert.deepEqual(attempt, { number: '8.1', state: 'wrong', mistake: 'you forget it.' });
+    assert.ok(Date.now() - Date.parse(when) < 60_000);
+    assert.deepEqual([hints, more], [{}, {}], 'and no code');
+    assert.deepEqual(troubles, []);
+  });
+
   test('are known by their names, of any section; what is no answer is refused with its name', async (t) => {
     const { page, box } = await begin(t);
     const file = (name, text) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { asZip, read } from '../../tools/online/files.mjs';
 import { onlinePage } from '../../tools/online/pages.mjs';
-import { begun, checked, renewed, replaced, restarted, typed } from '../../tools/online/store.mjs';
+import { attempted, begun, checked, renewed, replaced, restarted, typed } from '../../tools/online/store.mjs';
 import { laidOver } from '../../tools/online/ticks.mjs';
 import { inColours, withPlaces } from '../../tools/online/verdict.mjs';
 
@@ -42,6 +42,20 @@ test('a tick goes when the exercise is red, not when nothing could be tried', ()
   for (const state of ['does not compile', 'does not link']) assert.equal(checked(green, { 8.1: state }).states[8.1], 'passed');
   for (const state of ['wrong', 'is empty', 'crashed', 'not started']) assert.equal(checked(green, { 8.1: state }).states[8.1], state);
   assert.equal(checked(green, { 8.2: 'does not compile' }).states[8.2], 'does not compile');
+});
+
+test('each check of something new is an attempt, until the exercise is done', () => {
+  const attempt = (record, text, state, mistake = '') => checked(attempted(record, { number: '8.1', state, mistake, text }), { 8.1: state });
+  const states = ({ attempts }) => attempts.map(({ state, mistake }) => state + mistake);
+  let record = attempt(fresh, 'a', 'wrong', ': you add.');
+  assert.match(record.attempts[0].when, /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ$/);
+  record = attempt(record, 'a', 'wrong', ': you add.');
+  assert.deepEqual(states(record), ['wrong: you add.'], 'the same text');
+  record = attempt(attempt(attempt(record, 'b', 'not started'), 'c', 'does not compile'), 'd', 'passed');
+  assert.deepEqual(states(record), ['wrong: you add.', 'does not compile', 'passed']);
+  assert.deepEqual(states(attempt(record, 'e', 'wrong')), states(record), 'it was done');
+  const { attempts, ...older } = fresh; // as an earlier version has left it
+  assert.equal(attempt(older, 'a', 'wrong').attempts.length, 1);
 });
 
 const file = {

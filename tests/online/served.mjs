@@ -19,6 +19,7 @@ const red = (words) => '\\x1b[31m' + words + '\\x1b[0m', bold = (words) => '\\x1
 export class Checker {
   constructor(base) { (self.asked ??= []).push(base); }
   stop() { this.end?.(new DOMException('stopped', 'AbortError')); }
+  async feedback(request) { return { text: JSON.stringify(request) }; }
   async check({ section, exercise, text, progress }) {
     self.asked.push({ section, exercise, text });
     progress({ step: 'load', loaded: 12_000_000, total: 30_000_000 });
@@ -27,11 +28,11 @@ export class Checker {
     if (text.includes('broken') && !text.includes('mended')) {
       const line = text.split('\\n').findIndex((one) => one.includes('broken')) + 1;
       return { text: red('✗ exercises/' + section + '.cpp does not compile') + '\\n    exercises/' + section + '.cpp:' + line + ': what is broken?\\n',
-        states: { [exercise]: 'does not compile' }, picture: null, place: { line, column: 5 } };
+        states: { [exercise]: 'does not compile' }, mistake: '', picture: null, place: { line, column: 5 } };
     }
-    if (text.includes('right')) return { text: '\\x1b[32m✓ ' + exercise + ' is done\\x1b[0m: 12 tests passed\\n', states: { [exercise]: 'passed' }, picture: null, place: null };
+    if (text.includes('right')) return { text: '\\x1b[32m✓ ' + exercise + ' is done\\x1b[0m: 12 tests passed\\n', states: { [exercise]: 'passed' }, mistake: '', picture: null, place: null };
     return { text: red('✗ ' + exercise) + ': 7 of 12 tests passed\\n    ' + red('✗') + ' ' + bold('how far apart <the> centres are') + '\\n      see       tests/' + section + '/tests.cpp:41\\n    \\x1b[33mThis is what comes out when you forget it.\\x1b[0m\\n\\x1b[2mdim\\x1b[0m\\n',
-      states: { [exercise]: 'wrong' }, place: null,
+      states: { [exercise]: 'wrong' }, place: null, mistake: 'you forget it.',
       picture: '<svg class="verdict-picture" xmlns="http://www.w3.org/2000/svg" width="480" height="300" viewBox="0 0 480 300" role="img" aria-label="the call"><circle class="yours dot" cx="99" cy="99" r="9"/></svg>' };
   }
 }

@@ -87,13 +87,19 @@ test('a right answer, and one that is not begun', () => {
 });
 
 test('a wrong answer, with the mistake that is known, and its colours', () => {
-  const { text, states } = sameAsInTerminal(swapped);
+  const { text, states, mistake } = sameAsInTerminal(swapped);
   assert.match(text, /\x1b\[31m✗ 7\.1 intersect_lines, core\x1b\[0m/);
   assert.match(text, /\x1b\[33mThis is what comes out when you/);
+  assert.ok(text.includes(`This is what comes out when ${mistake}`) && mistake.startsWith('you '), mistake);
   assert.match(text, /and \d+ more\x1b/);
   assert.equal(states['7.1'], 'wrong');
   assert.equal(states['7.2'], 'passed');
   assert.deepEqual(sameAsInTerminal(swapped, '7.1').states, { '7.1': 'wrong' });
+});
+
+test('how it went, as `./course feedback` writes it', () => {
+  const attempts = [{ number: '7.1', state: 'wrong', mistake: 'you add.', when: '2026-11-29T10:00:00Z' }, { number: '7.1', state: 'passed', mistake: '', when: '2026-11-29T10:03:10Z' }];
+  assert.match(words({ attempts, hints: { 7.1: 2 } }).text, /^Frame by Frame \d+\.\d+\.\d+, in a page: how it went.*\n\n.*\n7\.1 +2 +passed +2 +3\n {4}once: you add\.\n$/);
 });
 
 test('a failure that can be drawn', () => {

@@ -4,6 +4,7 @@
 // All of it may be missing or broken: then nothing is remembered, and nothing fails.
 
 #include "base/workspace.hpp"
+#include "check/feedback.hpp"
 
 #include <map>
 #include <set>
@@ -44,13 +45,7 @@ int take_rung(const Workspace &workspace, const std::string &number, int rungs);
 /// How many rungs of hints are open, by the exercise's number.
 std::map<std::string, int> open_rungs(const Workspace &workspace);
 
-/// One check of one exercise, for `course feedback`.
-struct Attempt {
-    std::string number;    ///< "7.2"
-    std::string state;     ///< as in ExerciseState
-    std::string mistake{}; ///< what the reader did, as the verdict said; "" if it named nothing
-    std::string when{};    ///< UTC, as in Memory; set when it's remembered
-};
+/// Remembers checks, each with the time as it is now.
 void remember_attempts(const Workspace &workspace, const std::vector<Attempt> &attempts);
 
 /// All that are remembered, of each exercise in the order in which they were made.

@@ -1,7 +1,7 @@
 // The reader's text of one section, as this page has it: it is saved as it's typed, and other tabs hear of it.
 // Events: `text`, when it changed (detail: who typed, or nothing), `states`, `note`, when there's something to say
 // (detail: the words, or '' when they no longer hold).
-import { begun, checked, keepForGood, renewed, replaced, restarted, typed } from './store.mjs';
+import { attempted, begun, checked, keepForGood, renewed, replaced, restarted, typed } from './store.mjs';
 import { startedAgain } from './pieces.mjs';
 
 const pause = 300; // from the last key to saving [ms]
@@ -84,8 +84,8 @@ export class Answer extends EventTarget {
     this.say('text');
   }
 
-  check(states) {
-    return this.change((record) => checked(record, states));
+  check(states, attempt) {
+    return this.change((record) => checked(attempted(record, attempt), states));
   }
   // One exercise, or all, as they were given.
   startAgain(number) {

@@ -109,7 +109,7 @@ export class Box {
       this.markBroken();
       const picture = result.picture && asPicture(result.picture);
       if (picture) this.picture.append(picture);
-      await this.answer.check(result.states);
+      await this.answer.check(result.states, { number: this.exercise, state: result.states[this.exercise] ?? 'no verdict', mistake: result.mistake, text });
     } catch (error) {
       this.verdict.textContent = error.name === 'AbortError' ? 'Stopped.' : `This couldn’t be checked: ${error.message}. Are you online? Your code is kept; try again.`;
     }
@@ -147,7 +147,7 @@ export class Box {
     const copies = make('ul', {}), menu = make('details', { className: 'answers' }, make('summary', { textContent: 'My answers' }),
       make('div', { className: 'row' }, makeButton('Download my answers', () => this.downloadAll()),
         makeButton('Download this file', () => download(`${this.section}.cpp`, this.answer.text, 'text/x-c++src')),
-        makeButton('Open…', () => file.click()), file), copies);
+        makeButton('Open…', () => file.click()), file, makeButton('How it went', () => this.tellHowItWent())), copies);
     const list = () => copies.replaceChildren(...(menu.open ? this.answer.record.copies.map((copy) => this.entryOf(copy)) : []));
     menu.addEventListener('toggle', list);
     this.answer.addEventListener('states', list);
@@ -163,6 +163,22 @@ export class Box {
     const begun = (await this.store.all()).filter(({ text, stub }) => text !== stub);
     if (begun.length === 0) this.say('There’s nothing yet: you haven’t changed any file.');
     else download('my-answers.zip', asZip(begun), 'application/zip');
+  }
+  // What a reader may send to whoever writes the book: no code, no name.
+  async tellHowItWent() {
+    await this.answer.save();
+    const records = await this.store.all(), attempts = records.flatMap((record) => record.attempts ?? []);
+    if (attempts.length === 0) return this.say('There’s nothing to tell yet: check something first.');
+    const hints = {};
+    for (const record of records)
+      for (const hint of Object.keys(record.hints ?? {})) hints[hint.split(' ')[0]] = (hints[hint.split(' ')[0]] ?? 0) + 1;
+    try {
+      const { text } = await this.checks.run('feedback', { attempts, hints });
+      download('feedback.txt', text, 'text/plain');
+      this.say('It’s yours, in feedback.txt: checks, minutes, hints and mistakes with a name; no code, and no name of yours. Nothing is sent.');
+    } catch (error) {
+      this.say(`This couldn’t be written: ${error.message}.`);
+    }
   }
   async open(input) {
     const { answers, refused } = await read(input.files, this.stubs);

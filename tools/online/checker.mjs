@@ -20,6 +20,10 @@ export class Checker {
   sketch({ text, progress }) {
     return this.#ask({ text }, progress);
   }
+  // How it went, as `./course feedback` writes it: { text }.
+  feedback({ attempts, hints }) {
+    return this.#ask({ attempts, hints });
+  }
 
   #ask(task, progress = () => {}) {
     this.#worker ??= this.#start();

@@ -13,7 +13,7 @@ const loadScript = (name) => import(new URL(name, base).href).catch(async (error
 export const checks = {
   checker: null,
   running: null,
-  // what: 'check' or 'sketch', as checker.mjs has them
+  // what: 'check', 'sketch' or 'feedback', as checker.mjs has them
   async run(what, task) {
     if (!this.checker) {
       const { Checker } = await loadScript('checker.js');

@@ -1,10 +1,11 @@
 // What the browser keeps of the reader's: one record for each section that was begun,
-//   { name, text, stub, states: { '8.1': 'passed' }, copies: [{ when, why, text }], checked, hints: { '8.1 Hint 1…': true } }
-// where `stub` is the one that the text began with, `checked` when it was last checked [ms since 1970], and `hints` has whether those
-// that were seen are open.
+//   { name, text, stub, states: { '8.1': 'passed' }, copies: [{ when, why, text }], checked, hints: { '8.1 Hint 1…': true },
+//     attempts: [{ number: '8.1', state, mistake, when }] }
+// where `stub` is the one that the text began with, `checked` when it was last checked [ms since 1970], `hints` has whether those
+// that were seen are open, and `attempts` has each check of something new.
 import { follow } from './pieces.mjs';
 
-const mostCopies = 50;
+const mostCopies = 50, mostAttempts = 500;
 
 export const asPromise = (request) => new Promise((done, failed) => {
   request.onsuccess = () => done(request.result);
@@ -17,7 +18,7 @@ function withCopy(record, text, why) {
   return { ...record, copies: [{ when: Date.now(), why, text }, ...record.copies].slice(0, mostCopies) };
 }
 
-export const begun = (name, stub) => ({ name, text: stub, stub, states: {}, copies: [], checked: 0, hints: {} });
+export const begun = (name, stub) => ({ name, text: stub, stub, states: {}, copies: [], checked: 0, hints: {}, attempts: [] });
 
 // The reader typed this, in what was `base`. What was written in the meantime, in another tab, is kept as a copy.
 export function typed(record, text, base) {
@@ -38,6 +39,14 @@ const untried = ['does not compile', 'does not link', "can't be read", 'no verdi
 export function checked(record, states) {
   const known = Object.entries(states).filter(([number, state]) => !(record.states[number] === 'passed' && untried.includes(state)));
   return { ...record, states: { ...record.states, ...Object.fromEntries(known) }, checked: Date.now() };
+}
+
+// A check of one exercise, for `feedback`: none of what's done, or of a text that was checked before.
+export function attempted(record, { number, state, mistake, text }) {
+  const { attempts = [], states, attemptedText } = record;
+  if (states[number] === 'passed' || state === 'not started' || attemptedText === text) return record;
+  const when = new Date().toISOString().replace(/\.\d+/, '');
+  return { ...record, attemptedText: text, attempts: [...attempts, { number, state, mistake, when }].slice(-mostAttempts) };
 }
 
 export const hinted = (record, hint, isOpen) => ({ ...record, hints: { ...record.hints, [hint]: isOpen } });

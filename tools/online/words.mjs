@@ -16,7 +16,10 @@ const notThere = 52; // ENOSYS: it asks nothing of a system but at its end
 //   answer: { text, with a terminal's colours,
 //     states: { '8.1': 'passed' | 'wrong' | 'not started' | … },  of those that this check says something of
 //     picture: '<svg…' | null,                                    of the first failure
+//     mistake: 'you …' | '',                                      as the text names it
 //     place: { line, column } | null }                            from 1, where the compiler stopped in the file
+// Or, of all that was checked, what `./course feedback` would write: { attempts: [{ number, state, mistake, when }], hints: { '8.1': 2 } }
+// to { text }.
 // Needed are section, exercises, file, text and step. A sketch, { sketch: true, section: '00_sketch', … }, belongs to no section.
 export function loadWords(module) {
   const wasi = new Proxy({}, { get: () => () => notThere });

@@ -115,6 +115,9 @@ async function sketch({ text }) {
   return module ? { module } : report({ sketch: true, section: '00_sketch', exercises: [], file: '/own/sketch.cpp', name: 'sketch.cpp', text, ...built });
 }
 
+// How it went, as `./course feedback` writes it: { text }.
+const feedback = async ({ attempts, hints }) => (await words())({ attempts, hints });
+
 // One check after the other, in the order in which they came.
 let last = Promise.resolve();
 addEventListener('message', ({ data: { id, ...request } }) => {
@@ -122,7 +125,7 @@ addEventListener('message', ({ data: { id, ...request } }) => {
     tell = (progress) => postMessage({ id, progress });
     try {
       manifest ??= await (await load('manifest.json', 'the compiler')).json();
-      postMessage({ id, result: await (request.section ? check : sketch)(request) });
+      postMessage({ id, result: await (request.section ? check : request.attempts ? feedback : sketch)(request) });
     } catch (error) {
       postMessage({ id, error: String(error?.message ?? error) });
     }

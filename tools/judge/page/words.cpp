@@ -5,7 +5,9 @@
 #include "base/terminal.hpp"
 #include "check/diagnosis.hpp"
 #include "check/diagnostic.hpp"
+#include "check/feedback.hpp"
 #include "check/help.hpp"
+#include "check/mistakes.hpp"
 #include "check/picture.hpp"
 #include "check/report.hpp"
 #include "check/scanner.hpp"
@@ -21,6 +23,7 @@ namespace course {
 std::string painted(Colour colour, std::string_view text) { return in_colour(colour, text); } // a page has them all
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Exercise, number, tier, function)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Attempt, number, state, mistake, when)
 
 namespace {
 
@@ -107,6 +110,13 @@ json picture_in(const Checked &checked) {
     return nullptr;
 }
 
+/// What the reader did in the first exercise that's red, if that is known; else "".
+std::string mistake_in(const Checked &checked) {
+    const std::vector<ExerciseResult> results = checked.results();
+    const auto red = std::ranges::find_if(results, [](const ExerciseResult &each) { return each.first_failure(); });
+    return red == results.end() ? "" : known_mistake(checked.mistakes, red->verdicts);
+}
+
 /// A column in bytes, from 1, as JavaScript counts it.
 std::size_t column_in_page(std::string_view line, std::size_t column) {
     std::size_t characters = 1;
@@ -132,12 +142,15 @@ json place_of(const Request &request, const std::optional<Verdict> &unbuilt) {
 }
 
 json answer_to(const json &from) {
+    if (from.contains("attempts"))
+        return {{"text", feedback(from.at("attempts"), from.at("hints"), "Frame by Frame " COURSE_VERSION ", in a page")}};
     const Request request = read_request(from);
     const Checked checked{request.name, request.text,    judged(request), request.facts.exercises,
                           request.only, request.mistakes};
     return {{"text", explain(checked, {.reader = Reader::page})},
             {"states", states_of(checked)},
             {"picture", picture_in(checked)},
+            {"mistake", mistake_in(checked)},
             {"place", place_of(request, checked.judgement.unbuilt)}};
 }
 
