@@ -52,5 +52,11 @@ struct Air {
 //> The frame loop: air
 /// One frame of the game in air, which slows the shell down, and carries it along when there's wind.
 inline void next_frame(State &shell, const Air &air, double dt) { shell = drag_step(shell, g, air.drag, air.wind, dt); }
+
+/// Where a shell hits the ground that's below it after a frame, on a straight line from where it was before [m].
+inline Vec2 hit(const Vec2 &before, const Vec2 &after) {
+    const double fall = before.y() - after.y();
+    return {before.x() + (fall > 0 ? before.y() / fall : 0) * (after.x() - before.x()), 0};
+}
 //>
 } // namespace trajectories

@@ -124,9 +124,18 @@ std::vector<Vec2> flight_in(const Air &air, double angle_deg, double dt = frame_
         next_frame(shell, air, dt);
         path.push_back(shell.position);
     } while (shell.position.y() > 0);
-    const Vec2 before = path.end()[-2], last = path.back(); // a straight line, cut at the ground
-    path.back() = {before.x() + before.y() / (before.y() - last.y()) * (last.x() - before.x()), 0};
+    path.back() = hit(path.end()[-2], path.back());
     return path;
+}
+
+/// How far it gets, in steps of a millisecond [m].
+double range_in(const Air &air, double angle_deg) { return flight_in(air, angle_deg, 0.001).back().x(); }
+
+void print_farthest_in_air(std::ostream &out) {
+    double best = 0;
+    for (int angle_deg = 1; angle_deg < 90; ++angle_deg)
+        if (range_in({}, angle_deg) > range_in({}, best)) best = angle_deg;
+    out << "In still air, from the ground: " << text(best) << "°, " << text(range_in({}, best)) << " m\n";
 }
 
 void print_air(std::ostream &out) {
@@ -134,8 +143,8 @@ void print_air(std::ostream &out) {
     for (const double angle_deg : {30.0, 45.0, 60.0}) {
         out << row({{text(angle_deg), 11},
                     {text(range(fired(0, angle_deg), g)), 13},
-                    {text(flight_in({}, angle_deg).back().x()), 13},
-                    {text(flight_in({.wind = {-10, 0}}, angle_deg).back().x()), 0}});
+                    {text(range_in({}, angle_deg)), 13},
+                    {text(range_in({.wind = {-10, 0}}, angle_deg)), 0}});
     }
 }
 
@@ -259,6 +268,7 @@ int main(int argc, char **argv) {
                         {"angles", print_angles},
                         {"loops", print_loops},
                         {"air", print_air},
+                        {"farthest", print_farthest_in_air},
                         {"confetti", print_confetti},
                         {"04_trajectories_arcs.tsv", trace_arcs},
                         {"04_trajectories_ranges.tsv", trace_ranges},

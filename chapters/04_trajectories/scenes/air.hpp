@@ -44,13 +44,9 @@ struct InAir : DialScene {
         spray.step(dt);
         smoke.step(dt);
     }
-    /// On the straight line of its last frame, where that crosses the ground.
     void land() {
         shell.flying = false;
-        const Vec2 before = shell.path.end()[-2], last = shell.path.back();
-        const double fall = before.y() - last.y();
-        shell.state.position = {before.x() + (fall > 0 ? before.y() / fall : 0) * (last.x() - before.x()), 0};
-        shell.path.back() = shell.state.position;
+        shell.path.back() = shell.state.position = hit(shell.path.end()[-2], shell.path.back());
         spray.throw_from(shell.state.position, {0, 12}, 0.6);
         remember(shell.state.position.x());
     }
