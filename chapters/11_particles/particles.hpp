@@ -134,8 +134,8 @@ Emission emission_count(double rate, double remainder, double dt);
 using Wall = segment_intersection::Segment;
 
 //> Two limits
-/// Within this distance of a wall, or of its end, a particle is on it [m]. It approaches a wall if it moves towards it
-/// faster than this [m/s]; otherwise it moves along it.
+/// Within this distance of a wall, or of its end, a particle is on it [m]. The same number is a speed, too [m/s]: a wall
+/// acts on a particle that comes at it faster than this.
 inline constexpr double contact_tolerance = 1e-9;
 
 /// After so many bounces in one call, a particle stays where it is, and keeps the velocity of its last bounce.
@@ -149,11 +149,12 @@ inline void require_wall(const Wall &wall) {
 }
 
 //> Move and collide
-/// The particle `dt` later, and `dt` older. It flies straight on until it hits a wall; there the part of its velocity
-/// along the wall's normal is reversed and multiplied by `restitution`, and it flies on for the time that's left. It
-/// never skips a wall, however long `dt` is. Within `contact_tolerance` of a wall, on either side, a particle that moves
-/// from the wall's left to its right bounces at once. Where it hits two walls at once, both act, in either order, until
-/// it approaches neither.
+/// The particle `dt` later, and `dt` older. It flies straight, bounces off each wall that it hits, and flies on.
+/// A bounce reverses the part of the velocity along the wall's normal, times `restitution`, and keeps the rest.
+/// A wall acts only on a particle that moves from the wall's left to its right.
+/// Rounding may have left it a little beyond the wall: up to `contact_tolerance`, and while it still moves to the right,
+/// it bounces at once. It never skips a wall, however long `dt` is.
+/// Where it hits two walls at once, both act, in either order, until it approaches neither.
 /// @param restitution  from 0 to 1 [1]
 /// @param dt           [s], not negative
 /// @throws std::invalid_argument if the particle or a wall makes no sense, or one of these is out of its range.
@@ -223,12 +224,16 @@ inline void require_show(const Show &show, const Rules &rules, double dt) {
 
 //> Run a show
 /// The show `dt` later, and the same at any frame rate: within `dt`, things happen when they're due, one after the
-/// other, and what's due at its very end has happened. Rockets in the air and sparks fall freely, on exact parabolas. A
-/// rocket bursts at the moment when it no longer rises, at take-off if it doesn't rise at all. Then it's gone, and in its
-/// place are sparks of age 0, each with the rocket's velocity plus one of its `disc_burst`, in that order, as long as
-/// there are places; the others are lost. A spark goes out, and frees its place, at the moment when its age reaches its
-/// life, or when it falls below the street. Of what's due at the same moment, sparks go out first, and rockets burst in
-/// the order of the list, which the others keep.
+/// other, and what's due at its very end has happened. Rockets in the air and sparks fall freely, on exact parabolas.
+///
+/// A rocket bursts at the moment when it no longer rises, at take-off if it doesn't rise at all. Then it's gone, and in
+/// its place are sparks of age 0, each with the rocket's velocity plus one of its `disc_burst`, in that order, as long as
+/// there are places; the others are lost.
+///
+/// A spark goes out, and frees its place, at the moment when its age reaches its life, or when it falls below the street.
+///
+/// At the same moment, sparks go out first, and then rockets burst, the first in the list first. Those that haven't
+/// burst keep their order.
 /// @param dt  [s], not negative
 /// @throws std::invalid_argument if the show or the rules make no sense, or `dt` is negative.
 Show run_show(Show now, const Rules &rules, double dt);
