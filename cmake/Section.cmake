@@ -20,7 +20,6 @@ add_custom_target(section-tests)
 add_custom_target(checks)   # what `./course test` needs: all of the sections, and every kind of verdict
 add_custom_target(thorough) # what its tests with that label need: every mutant and variant, every generated case
 add_custom_target(figures)
-add_custom_target(lab)      # what a course for many needs beyond what `./course` makes: see tools/base/lab.hpp
 set(COURSE_HANDOUT FALSE)
 if(EXISTS ${PROJECT_SOURCE_DIR}/HANDOUT.md)
   set(COURSE_HANDOUT TRUE)
@@ -96,7 +95,6 @@ macro(section_programs)
   stand_behind_student_header(${section}_stub course_student_flags)
   add_library(${section}_main OBJECT ${chapter}/main.cpp) # of the program, whoever's functions it calls
   stand_behind_student_header(${section}_main course_flags)
-  add_dependencies(lab ${section}_main)
   if(solved)
     section_reference()
   else()

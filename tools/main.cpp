@@ -2,7 +2,6 @@
 
 #include "base/files.hpp"
 #include "base/kernel.hpp"
-#include "base/lab.hpp"
 #include "base/nearest.hpp"
 #include "base/plain.hpp"
 #include "base/process.hpp"
@@ -84,8 +83,7 @@ std::filesystem::path folder(const char *variable, const char *built_with) {
 
 Workspace find_workspace() {
     const Workspace workspace{.root = folder("COURSE_ROOT", COURSE_DEFAULT_ROOT),
-                              .build = folder("COURSE_BUILD", COURSE_DEFAULT_BUILD),
-                              .home = folder("COURSE_HOME", "")};
+                              .build = folder("COURSE_BUILD", COURSE_DEFAULT_BUILD)};
     if (std::filesystem::exists(workspace.root / "CMakeLists.txt")) return workspace;
     throw UserError{"the course is not in " + workspace.root.string()
                     + "; has it been moved? Run the script ./course in its new place"};
@@ -161,9 +159,6 @@ std::vector<std::string> options_behind_the_command(std::vector<std::string> wor
 
 int run_cli(int argc, char **argv) {
     const Workspace workspace = find_workspace();
-    if (workspace.is_shared() && create_student_folder(workspace))
-        std::cerr << "Your exercises are in " << (workspace.home / "exercises").string() << ". In "
-                  << workspace.home.string() << " you can type ./course, as the book has it.\n";
     CLI::App app{description, "./course"};
     app.require_subcommand(0, 1)->failure_message(nullptr);
     app.set_help_flag("-h,--help", "Print this help");

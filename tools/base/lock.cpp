@@ -35,18 +35,18 @@ std::string owner(const std::filesystem::path &lock) {
 } // namespace
 
 Lock::Lock(const Workspace &workspace) {
-    const std::filesystem::path path = workspace.work() / ".lock";
+    const std::filesystem::path path = workspace.build / ".lock";
     if (const char *held = std::getenv(variable); held && *held) return;
 
     std::error_code trouble;
-    std::filesystem::create_directories(workspace.work(), trouble);
+    std::filesystem::create_directories(workspace.build, trouble);
     file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0)
-        throw UserError{"cannot write in the build folder " + workspace.work().string() + " (" + std::strerror(errno)
+        throw UserError{"cannot write in the build folder " + workspace.build.string() + " (" + std::strerror(errno)
                         + "); make it writable, or build elsewhere with COURSE_BUILD=FOLDER"};
 
     if (!try_for_a_moment(file)) {
-        std::cerr << "Waiting for " << owner(path) << ", which is at work in " << workspace.work().string() << ".\n";
+        std::cerr << "Waiting for " << owner(path) << ", which is at work in " << workspace.build.string() << ".\n";
         while (::flock(file, LOCK_EX) != 0)
             if (errno != EINTR)
                 throw UserError{"cannot lock " + path.string() + " (" + std::strerror(errno)

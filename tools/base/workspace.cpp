@@ -103,16 +103,9 @@ Section Workspace::section(std::string_view words) const {
 }
 
 std::string Workspace::relative_name(const fs::path &file) const {
-    fs::path shortest = file;
-    for (const fs::path &folder : {root, own()}) {
-        const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal());
-        if (!inside.empty() && *inside.begin() != "..") shortest = inside;
-    }
-    return plain_line(shortest.generic_string(), 4096); // PATH_MAX: it's never cut
-}
-
-fs::path Workspace::test_program(const Section &s) const {
-    return is_shared() && fs::exists(own_test_program(s)) ? own_test_program(s) : build / "tests" / s.name;
+    const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(root.lexically_normal());
+    const bool is_inside = !inside.empty() && *inside.begin() != "..";
+    return plain_line((is_inside ? inside : file).generic_string(), 4096); // PATH_MAX: it's never cut
 }
 
 bool Workspace::has_solution(const Section &s) const {

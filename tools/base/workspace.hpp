@@ -22,16 +22,10 @@ struct UnknownSection : UserError {
 /// The file at the root of a handout, the edition without solutions: it says so to readers and to the build.
 inline constexpr const char *handout_mark = "HANDOUT.md";
 
-/// The checkout and its build folder, and where the student's files are; every path that a command uses is asked for here.
+/// The checkout and its build folder; every path that a command uses is asked for here.
 struct Workspace {
-    std::filesystem::path root;      ///< the checkout
-    std::filesystem::path build;     ///< the build folder
-    std::filesystem::path home = {}; ///< what's the student's lies here, if the course is another's; see lab.hpp
-
-    bool is_shared() const { return !home.empty(); } ///< whether nothing may be written but in `home`
-    const std::filesystem::path &own() const { return is_shared() ? home : root; }
-    /// For what's made of a student's files.
-    std::filesystem::path work() const { return is_shared() ? home / ".course" / "build" : build; }
+    std::filesystem::path root;  ///< the checkout
+    std::filesystem::path build; ///< the build folder
 
     std::vector<Section> sections() const; ///< those that CMakeLists.txt names, in that order
 
@@ -39,19 +33,19 @@ struct Workspace {
     /// @throws UnknownSection offering the nearest one.
     Section section(std::string_view words) const;
 
-    /// A file's path relative to the checkout, or to the student's folder; as given if the file is in neither.
+    /// A file's path relative to the checkout; as given if the file isn't in it.
     std::string relative_name(const std::filesystem::path &file) const;
 
     std::filesystem::path chapter(const Section &s) const { return root / "chapters" / s.name / "README.md"; }
     std::filesystem::path header(const Section &s) const { return root / "chapters" / s.name / (s.slug() + ".hpp"); }
     std::filesystem::path program(const Section &s) const { return root / "chapters" / s.name / "main.cpp"; }
-    std::filesystem::path exercise(const Section &s) const { return own() / "exercises" / (s.name + ".cpp"); }
+    std::filesystem::path exercise(const Section &s) const { return root / "exercises" / (s.name + ".cpp"); }
     std::filesystem::path bug(const Section &s) const {
-        return own() / "exercises" / (s.name.substr(0, 2) + "_bug.cpp");
+        return root / "exercises" / (s.name.substr(0, 2) + "_bug.cpp");
     }
     /// Tests that the student has written, if any.
-    std::filesystem::path own_tests(const Section &s) const { return own() / "exercises" / (s.name + "_tests.cpp"); }
-    std::filesystem::path sketches() const { return own() / "exercises" / "sketches"; } ///< a reader's own scenes
+    std::filesystem::path own_tests(const Section &s) const { return root / "exercises" / (s.name + "_tests.cpp"); }
+    std::filesystem::path sketches() const { return root / "exercises" / "sketches"; } ///< a reader's own scenes
     /// The student's file, for reading. @throws UserError that says how to get it back, if the student's file is not there.
     std::filesystem::path written_exercise(const Section &s) const;
     std::filesystem::path stub(const Section &s) const { return tests_folder(s) / "stub.cpp"; }
@@ -69,13 +63,11 @@ struct Workspace {
     /// Whether this edition of the course has a section's solution and mutants.
     bool has_answers(const Section &s) const;
     std::filesystem::path tests(const Section &s) const { return tests_folder(s) / "tests.cpp"; }
-    std::filesystem::path test_program(const Section &s) const; ///< the built one
-    /// In a handout for many, the one that's linked with a student's earlier files.
-    std::filesystem::path own_test_program(const Section &s) const { return work() / "tests" / s.name; }
+    std::filesystem::path test_program(const Section &s) const { return build / "tests" / s.name; } ///< the built one
     std::filesystem::path catalogue(const Section &s) const { return build / "catalogue" / (s.name + ".json"); }
     /// What was called otherwise in earlier versions of the section; it need not exist.
     std::filesystem::path renamed(const Section &s) const { return root / "chapters" / s.name / "renamed.txt"; }
-    std::filesystem::path memory() const { return own() / ".course"; } ///< what the course remembers of the student
+    std::filesystem::path memory() const { return root / ".course"; } ///< what the course remembers of the student
 };
 
 } // namespace course

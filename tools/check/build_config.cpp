@@ -23,27 +23,6 @@ std::vector<std::string> Compiler::command(const Workspace &workspace, const Sec
     return words;
 }
 
-namespace {
-
-/// How an object's name ends that's made of a student's file, as those of earlier sections are in a handout.
-constexpr std::string_view of_student = "_yours.o";
-
-/// In a handout for many: what this student has written for earlier sections, also in the tests, which may call it.
-void bring_up_earlier(const Workspace &workspace, const Section &section, const BuildConfig &config) {
-    bool any = false;
-    for (const fs::path object : config.earlier) {
-        const std::string name = object.filename().string();
-        if (!name.ends_with(of_student)) continue;
-        workspace.written_exercise({name.substr(0, name.size() - of_student.size())}); // is there
-        any = true;
-    }
-    if (!any) return;
-    const Lock lock{workspace};
-    build_target(workspace, workspace.own_test_program(section).lexically_relative(workspace.work()).string());
-}
-
-} // namespace
-
 BuildConfig build_config(const Workspace &workspace, const Section &section) {
     const fs::path file = workspace.build / "course.json";
     if (!fs::exists(file)) throw UserError{"the course isn't built yet: type ./course, which builds all of it."};
@@ -73,9 +52,6 @@ BuildConfig build_config(const Workspace &workspace, const Section &section) {
                 config.missing = each.at("missing").get<std::string>();
                 config.ours = each.value("ours", "");
                 config.earlier = each.at("earlier");
-                for (std::string &object : config.earlier)
-                    if (workspace.is_shared() && object.ends_with(of_student))
-                        object = workspace.work() / fs::path{object}.lexically_relative(workspace.build);
                 config.plays_yours = each.value("plays_yours", false);
             }
         return config;
@@ -158,14 +134,9 @@ AllowedPaths allowed_paths(const std::vector<std::string> &command) {
 void bring_up_to_date(const Workspace &workspace, const Section &section, const BuildConfig &config) {
     const auto is_cut = [](const fs::path &file) { return fs::exists(file) && fs::is_empty(file); };
     const auto is_whole = [&](const fs::path &file) { return fs::exists(file) && !is_cut(file); };
-    if (workspace.is_shared()) bring_up_earlier(workspace, section, config);
     auto files = made_for(config);
     files.insert(files.end(), {workspace.test_program(section), workspace.catalogue(section)});
     const bool all_there = std::ranges::all_of(files, is_whole);
-    if (workspace.is_shared()) {
-        if (all_there) return;
-        throw EnvironmentError{"this course isn't built as a whole: whoever it belongs to has to type ./course once"};
-    }
     const fs::path stamp = workspace.build / "loop" / (section.name + ".checked");
     const bool is_new = !fs::exists(stamp);
     const auto checked = is_new ? fs::file_time_type::min() : fs::last_write_time(stamp);

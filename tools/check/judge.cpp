@@ -73,7 +73,7 @@ struct SubjectBuild {
     const BuildConfig &config;
     const std::string &name, &text;
     const std::vector<std::string> lent;
-    const Scratch scratch{workspace.work() / "loop" / "judge"};
+    const Scratch scratch{workspace.build / "loop" / "judge"};
     const fs::path file = scratch.folder / "student.cpp";
     bool is_linked = false;
     Finished failed = {};    ///< the step that did, and wasn't about the code
@@ -81,7 +81,7 @@ struct SubjectBuild {
 
     void make_copy() const {
         if (scratch.folder.empty())
-            throw EnvironmentError{"cannot write in " + workspace.work().string() + " (" + std::strerror(scratch.error)
+            throw EnvironmentError{"cannot write in " + workspace.build.string() + " (" + std::strerror(scratch.error)
                                    + "): make it writable, or its disk less full"};
         std::ofstream copy{file, std::ios::binary}; // write_file would wait for the disk
         if (!(copy << text).flush()) throw EnvironmentError{"the disk is full; make some room and try again"};
@@ -285,7 +285,7 @@ JudgeResult judge(const Workspace &workspace, const Section &section, const std:
     require_room_in_files();
     const BuildConfig config = build_config(workspace, section);
     bring_up_to_date(workspace, section, config);
-    sweep(workspace.work() / "loop");
+    sweep(workspace.build / "loop");
     SubjectBuild build{workspace, section, config, name, text, how.lent};
     build.make_copy();
     std::vector<std::string> warnings;

@@ -20,11 +20,11 @@ fs::path reference_traces(const Workspace &workspace, const Section &section) {
 }
 
 fs::path student_traces(const Workspace &workspace, const Section &section) {
-    return workspace.work() / "mine" / "traces" / section.name;
+    return workspace.build / "mine" / "traces" / section.name;
 }
 
 fs::path program_binary(const Workspace &workspace, const Section &section, Whose owner) {
-    return owner == Whose::student ? workspace.work() / "mine" / section.name
+    return owner == Whose::student ? workspace.build / "mine" / section.name
                                    : workspace.build / "chapters" / section.name;
 }
 

@@ -152,11 +152,10 @@ std::string explain_warnings(const std::vector<std::string> &warnings, const Rep
     return text;
 }
 
-std::string explain_next(const Standing *next, const std::string &number, bool is_shared) {
+std::string explain_next(const Standing *next, const std::string &number) {
     if (next == nullptr)
         return painted(Colour::green, "All of section " + number + " passes.")
-               + (is_shared ? " See your figures: ./course plot " : " See your figures in the book: ./course open ")
-               + number + " --mine\n";
+               + " See your figures in the book: ./course open " + number + " --mine\n";
     const bool needs = next->state.starts_with("needs "), // one of another section
         untouched = needs || next->state == name_of(Outcome::not_started) || next->state == "not checked";
     const std::string words = needs ? next->state.substr(6) : next->exercise.number + ' ' + next->exercise.function;

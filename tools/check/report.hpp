@@ -55,7 +55,6 @@ std::string explain_warnings(const std::vector<std::string> &warnings, const Rep
 /// What to do next in a section.
 /// @param next       the exercise to go on with; none if all are passed
 /// @param number     of the section
-/// @param is_shared  whether it's read in a course that's another's, who has the book
-std::string explain_next(const Standing *next, const std::string &number, bool is_shared);
+std::string explain_next(const Standing *next, const std::string &number);
 
 } // namespace course

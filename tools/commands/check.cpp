@@ -61,7 +61,7 @@ void open_pictures(const Workspace &workspace, const std::vector<ExerciseResult>
         std::cout << "There's nothing to draw here: no failure has a point, an arrow or a number to compare.\n";
         return;
     }
-    const fs::path place = workspace.work() / "picture.html";
+    const fs::path place = workspace.build / "picture.html";
     write_file(place, page);
     open_page(place);
 }
@@ -204,8 +204,7 @@ class Check {
             std::cout << "The whole section: ./course check " << section.short_number() << '\n';
         else {
             if (!is_all) tell_of_others(section, only->number);
-            std::cout << explain_next((is_all ? judged : progress(workspace, section)).next(), section.short_number(),
-                                      workspace.is_shared());
+            std::cout << explain_next((is_all ? judged : progress(workspace, section)).next(), section.short_number());
         }
     }
 

@@ -306,7 +306,7 @@ void print_order(const GradedClass &graded, bool fresh) {
 void grade(const Workspace &workspace, const GradeOptions &options) {
     const auto part = part_of(options.shard);
     if (options.dry_run) {
-        const fs::path scratch = workspace.work() / "grade-dry-run";
+        const fs::path scratch = workspace.build / "grade-dry-run";
         fs::remove_all(scratch);
         const Assignment assignment{workspace, read_assignment(workspace, options), scratch};
         print_class(assignment);

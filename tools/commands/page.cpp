@@ -30,9 +30,6 @@ std::string sizes(const std::string &printed) {
 
 void need_page_compiler(const Workspace &workspace, bool yes) {
     if (can_compile_demos(workspace)) return;
-    if (workspace.is_shared())
-        throw UserError{"this course was built without a compiler for pages, so its demos run on our functions alone: "
-                        "without --mine they do"};
     run({"cmake", workspace.build.string()}); // it may have been installed since
     if (can_compile_demos(workspace)) return;
     std::ifstream list{workspace.root / "tools" / "setup" / "needs_of_pages"};

@@ -45,7 +45,7 @@ struct PlayOptions {
 
 /// What an earlier section's file is compiled to for this section's demo, if that plays the student's of all.
 fs::path earlier_object(const Workspace &workspace, const Section &section, const Section &earlier) {
-    return workspace.work() / "play" / (section.name + '_' + earlier.name + "_mine.o");
+    return workspace.build / "play" / (section.name + '_' + earlier.name + "_mine.o");
 }
 
 /// The other sections with files in this section's demo, once it's built.
@@ -82,9 +82,7 @@ bool build_own(const Workspace &workspace, const Section &section) {
 
 /// Builds again at each save.
 void watch(const Workspace &workspace, const Section &section, const std::function<bool()> &build) {
-    std::cout << "Save your file, and " << (workspace.is_shared() ? "reload the page" : "the page takes it up")
-              << ". Ctrl-C ends this.\n"
-              << std::flush;
+    std::cout << "Save your file, and the page takes it up. Ctrl-C ends this.\n" << std::flush;
     std::vector<fs::path> files{workspace.exercise(section)};
     for (const Section &each : sections_of_demo(workspace, section)) files.push_back(workspace.exercise(each));
     for (FileWatch saves{files}; saves.wait();) build();
@@ -102,13 +100,9 @@ Place place_of_demo(const Workspace &workspace, const Section &section, const st
     return {marks[place], demo_id(marks[place], place)};
 }
 
-void write_page(const Workspace &workspace, const Demo &demo, const DemoMark &mark, const fs::path &file) {
-    write_file(file, shared_page(workspace, demo, mark, !sections_of_demo(workspace, demo.section).empty()));
-}
-
 /// Writes the page that can be sent to a friend.
 void share(const Workspace &workspace, const Demo &demo, const DemoMark &mark, const fs::path &file) {
-    write_page(workspace, demo, mark, file);
+    write_file(file, shared_page(workspace, demo, mark, !sections_of_demo(workspace, demo.section).empty()));
     std::cout << "Written: " << file.string() << ", " << fs::file_size(file) / 1000
               << " kB, with your code in it. Send it to a friend, who opens it with a double click.\n";
 }
@@ -133,7 +127,7 @@ DemoMark mark_of_bug(const Workspace &workspace, const Section &section) {
 void play_bug(const Workspace &workspace, const PlayOptions &options) {
     if (options.section.empty()) throw UserError{"--bug needs a section, as in: ./course play 8 --bug"};
     const Section section = workspace.section(options.section);
-    const fs::path file = workspace.bug(section), page = workspace.work() / "play" / (section.name + "_bug.html");
+    const fs::path file = workspace.bug(section), page = workspace.build / "play" / (section.name + "_bug.html");
     if (!fs::exists(file))
         throw UserError{workspace.relative_name(file) + " isn't there yet: ./course bug " + section.short_number()
                         + " puts a bug into it"};
@@ -178,18 +172,11 @@ void play(const Workspace &workspace, const PlayOptions &options) {
                         + " is not started, so there is nothing of yours to share yet"};
     if (options.mine) need_page_compiler(workspace, options.yes);
     bring_up_site(workspace);
-    const bool apart = options.mine && workspace.is_shared(); // where there's no room for a copy of the site
-    const fs::path opened = apart ? workspace.work() / "play" / (section->name + "_mine.html")
-                                  : (options.mine ? own_site_folder(workspace) : site_folder(workspace)) / page;
-    const auto build = [&] {
-        const bool compiled = build_own(workspace, *section);
-        if (compiled && apart) write_page(workspace, *demo, place.mark, opened);
-        return compiled;
-    };
-    if (options.mine && !apart) copy_own_site(workspace);
+    const auto build = [&] { return build_own(workspace, *section); };
+    if (options.mine) copy_own_site(workspace);
     const bool fine = !options.mine || build();
     if (fine && !options.share.empty()) return share(workspace, *demo, place.mark, options.share);
-    if (fine || !apart) open_page(opened);
+    open_page((options.mine ? own_site_folder(workspace) : site_folder(workspace)) / page);
     if (options.watch) watch(workspace, *section, build);
     if (!fine) throw ExitRequest{something_to};
 }

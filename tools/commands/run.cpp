@@ -13,9 +13,8 @@ void run_section(const Workspace &workspace, const Section &section, const std::
     if (functions == Whose::reference)
         workspace.require_solution(section,
                                    "`./course run " + section.short_number() + " --mine` runs the program with yours");
-    const std::filesystem::path traces = functions == Whose::student ? student_traces(workspace, section)
-                                         : workspace.is_shared()     ? workspace.work() / "traces" / section.name
-                                                                     : reference_traces(workspace, section);
+    const std::filesystem::path traces =
+        functions == Whose::student ? student_traces(workspace, section) : reference_traces(workspace, section);
     const Lock lock{workspace};
     const Ran ran = run_program(workspace, section, functions, traces, part);
     std::cout << ran.finished.out << std::flush;

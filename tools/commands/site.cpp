@@ -1,7 +1,6 @@
 // `course site` and `course open`; and, for the build alone, `course make-site`.
 
 #include "base/build.hpp"
-#include "base/lab.hpp"
 #include "base/lock.hpp"
 #include "commands/commands.hpp"
 #include "site/addresses.hpp"
@@ -67,7 +66,6 @@ void bring_up_own_site(const Workspace &workspace) {
 
 /// Makes the site, or the student's own copy of it; returns its folder.
 fs::path bring_up(const Workspace &workspace, bool mine) {
-    if (mine) require_own_course(workspace);
     bring_up_site(workspace);
     if (mine) bring_up_own_site(workspace);
     write_progress_script(workspace);

@@ -42,7 +42,7 @@ struct SketchOptions {
 struct Sketch {
     Sketch(const Workspace &workspace, std::string its_name) : name{std::move(its_name)} {
         file = workspace.sketches() / (name + ".cpp");
-        play = workspace.work() / "play" / "sketches";
+        play = workspace.build / "play" / "sketches";
     }
     fs::path packed() const { return play / (name + ".js"); }
     /// The reader's answers, which sketches may call.
@@ -164,7 +164,6 @@ void sketch_for(const Workspace &workspace, const SketchOptions &options) {
         std::cout << "A new one: ./course sketch moon\n";
         return;
     }
-    if (workspace.is_shared()) throw UserError{"a course that many share has no sketches; a copy of your own has"};
     const bool named = std::ranges::all_of(
         options.name, [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '_'; });
     if (!named || !std::islower(static_cast<unsigned char>(options.name.front())))

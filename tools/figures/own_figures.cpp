@@ -37,7 +37,7 @@ std::string draw_mine(const Workspace &workspace, const Figure &figure, const Ra
 } // namespace
 
 fs::path own_drawing(const Workspace &workspace, const Figure &figure) {
-    return workspace.work() / "plots" / "mine" / (figure.name() + ".svg");
+    return workspace.build / "plots" / "mine" / (figure.name() + ".svg");
 }
 
 OwnFigures draw_own_figures(const Workspace &workspace, const Section &section) {

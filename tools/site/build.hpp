@@ -18,7 +18,7 @@ struct SiteTools {
 inline std::filesystem::path site_folder(const Workspace &workspace) { return workspace.build / "site"; }
 
 /// Where the student's own site is, which `./course site --mine` makes of it.
-inline std::filesystem::path own_site_folder(const Workspace &workspace) { return workspace.work() / "mine" / "site"; }
+inline std::filesystem::path own_site_folder(const Workspace &workspace) { return workspace.build / "mine" / "site"; }
 
 /// Makes the whole site anew; files that stay the same keep their date.
 /// @throws UserError naming what is wrong and where: a formula that cannot be read, a warning of Doxygen's, a dead link.

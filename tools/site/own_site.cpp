@@ -33,7 +33,7 @@ bool has_demo(const Workspace &workspace, const Section &section) {
 }
 
 void write_own_demo(const Workspace &workspace, const Section &section, const std::string &script) {
-    if (!workspace.is_shared()) write_file(own_site_folder(workspace) / own_demo_file(section), script);
+    write_file(own_site_folder(workspace) / own_demo_file(section), script);
 }
 
 /// Where the sentence about a section is kept, for the page of the chapter.
@@ -174,7 +174,7 @@ std::string build_own_demo(const Workspace &workspace, const Section &section) {
     workspace.written_exercise(section);
     const Finished built = build_target(workspace, section.name + "_play_mine");
     std::string script, trouble;
-    if (built.code == 0) script = read_file(workspace.work() / "play" / (section.name + "_mine.js"));
+    if (built.code == 0) script = read_file(workspace.build / "play" / (section.name + "_mine.js"));
     else trouble = student_error(workspace, section, workspace.exercise(section), built.out + '\n' + built.err);
     script += "self.playable = self.playable || {};\nself.playable['" + section.name
               + "/trouble'] = " + nlohmann::json(trouble).dump() + ";\n";

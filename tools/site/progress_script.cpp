@@ -53,7 +53,6 @@ std::string progress_script(const Workspace &workspace) {
 }
 
 void write_progress_script(const Workspace &workspace) {
-    if (workspace.is_shared()) return; // they're for many
     try {
         for (const fs::path &folder : {site_folder(workspace), own_site_folder(workspace)})
             if (fs::exists(folder)) write_file(folder / "progress.js", progress_script(workspace));

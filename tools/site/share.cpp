@@ -77,7 +77,7 @@ std::string ours(const Workspace &workspace, const Demo &demo) {
 } // namespace
 
 std::string shared_page(const Workspace &workspace, const Demo &demo, const DemoMark &mark, bool with_progress) {
-    const std::string mine = script(read_file(workspace.work() / "play" / (demo.section.name + "_mine.js")));
+    const std::string mine = script(read_file(workspace.build / "play" / (demo.section.name + "_mine.js")));
     return page_of(workspace, demo.about, with_attribute("data-shared", figure(demo, mark, demo.about)), signature,
                    ours(workspace, demo) + (with_progress ? mine + script(progress_script(workspace)) : mine));
 }
@@ -88,7 +88,7 @@ std::string page_with_bug(const Workspace &workspace, const Demo &demo, const De
         with_attribute("data-yours=\"" + file + '"', figure(demo, mark, words_of(parse_markdown(mark.task).get())));
     return page_of(workspace, demo.about, named, fmt::format(compare, file, demo.section.short_number()),
                    ours(workspace, demo)
-                       + script(read_file(workspace.work() / "play" / (demo.section.name + "_bug.js"))));
+                       + script(read_file(workspace.build / "play" / (demo.section.name + "_bug.js"))));
 }
 
 std::string sketch_page(const Workspace &workspace, const std::string &name, const std::string &compiled, bool shared) {
