@@ -389,6 +389,19 @@ void pretend_to_build(const course::SmallCourse &small) {
     small.write(build / "loop/07_wall_meeting.checked", "");
 }
 
+TEST_CASE("of a course that's set up and not built, the one section that's checked is built, and no other") {
+    const course::SmallCourse small;
+    pretend_to_build(small);
+    const fs::path catalogue = small.workspace.catalogue(small.seven()), aside = small.workspace.root / "aside";
+    fs::rename(catalogue, aside);
+    const auto path = small.instead_of("cmake", "echo \"$@\" >> '" + (small.workspace.root / "asked").string()
+                                                    + "'\ncp '" + aside.string() + "' '" + catalogue.string() + "'");
+    CHECK_THAT(small({"check", "7.1"}, {path}).err,
+               ContainsSubstring("Section 7 isn't built yet, which takes a minute, this once\n"));
+    CHECK(small.read("asked") == "--build " + small.workspace.build.string() + " --target 07_wall_meeting_loop\n");
+    CHECK_THAT(small({"check", "7.1"}, {path}).err, !ContainsSubstring("isn't built yet"));
+}
+
 TEST_CASE("what was built and has been cut to nothing is built again, not believed") {
     const course::SmallCourse small;
     const fs::path build = small.workspace.build, program = build / "tests/07_wall_meeting";

@@ -4,11 +4,13 @@
 #include "base/files.hpp"
 #include "base/lock.hpp"
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <iostream>
 
 namespace course {
 namespace fs = std::filesystem;
@@ -154,6 +156,12 @@ void bring_up_to_date(const Workspace &workspace, const Section &section, const 
                         + "` shows why."};
     write_file(stamp, lines);
     fs::last_write_time(stamp, fs::file_time_type::clock::now());
+}
+
+void build_if_missing(const Workspace &workspace, const Section &section) {
+    if (is_built(workspace, section)) return;
+    std::cerr << "Section " << section.short_number() << " isn't built yet, which takes a minute, this once\n";
+    bring_up_to_date(workspace, section, build_config(workspace, section));
 }
 
 } // namespace course

@@ -43,4 +43,7 @@ AllowedPaths allowed_paths(const std::vector<std::string> &command);
 /// @throws UserError if that fails
 void bring_up_to_date(const Workspace &workspace, const Section &section, const BuildConfig &config);
 
+/// The same for a section of which nothing is built yet, as where only this one is wanted: says so, and builds it alone.
+void build_if_missing(const Workspace &workspace, const Section &section);
+
 } // namespace course

@@ -86,6 +86,8 @@ void make_room(const fs::path &report) {
 class Check {
   public:
     Check(const Workspace &tree_, CheckOptions options_) : workspace{tree_}, options{std::move(options_)} {
+        if (options.what != "all" && !options.what.empty())
+            build_if_missing(workspace, workspace.section(options.what));
         if (is_number_of_exercise(options.what)) only = find_exercise(workspace, options.what).exercise;
     }
 

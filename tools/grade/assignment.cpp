@@ -87,6 +87,7 @@ Assignment::Assignment(const Workspace &tree_, Agreed agreed_, const fs::path &o
     : workspace{tree_}, agreed{std::move(agreed_)}, out{out_}, section_{workspace.section(agreed.section)} {
     workspace.require_solution(section_, "Grade with the whole course, which has them");
     require_own_folder(out);
+    build_if_missing(workspace, section_);
     if (!agreed.gradebook.empty()) book.emplace(agreed.gradebook, section_, agreed.column);
     fs::create_directories(out / "files");
     fs::permissions(out, fs::perms::owner_all);
