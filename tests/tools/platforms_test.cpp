@@ -138,6 +138,14 @@ TEST_CASE("an exercise that's hidden shows no student anything, and the sum isn'
     CHECK_THAT(output, !ContainsSubstring("13") && !ContainsSubstring("5.3") && !ContainsSubstring("normal_force"));
 }
 
+TEST_CASE("who uploads nothing at Gradescope is told so, and gets 0") {
+    const Gradescope gradescope;
+    fs::create_directories(gradescope.at / "submission");
+    REQUIRE(gradescope.run_script("run_autograder").code == 0);
+    CHECK(sum_of(gradescope.results(), "score") == 0);
+    CHECK_THAT(gradescope.results().at("output").get<std::string>(), ContainsSubstring("You handed in an empty upload"));
+}
+
 TEST_CASE("a machine on which nothing can be judged gives nobody a 0 at Gradescope, and its image isn't built") {
     const Gradescope gradescope;
     gradescope.hand_in(file_of_five, solution_of_five());
