@@ -503,6 +503,14 @@ TEST_CASE("code that gets hardly any of the processor is the machine's trouble, 
         CHECK((subject.silence == silence));
     }
 }
+
+TEST_CASE("code that sleeps is late, though it's awake whenever it is looked at") {
+    StudentProcess subject{HOSTILE, "dodges_looks"};
+    REQUIRE(subject.receive({5}));
+    REQUIRE(subject.send(1, 0, bytes_of(5.0), {5}));
+    CHECK_FALSE(subject.receive({.spent = 5, .clock = 0.7}));
+    CHECK((subject.silence == StudentProcess::Silence::late));
+}
 #endif
 
 TEST_CASE("an exercise that has hung once gets little time for its other cases, and another exercise gets all") {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <sstream>
 #include <sys/wait.h>
@@ -391,8 +392,14 @@ std::optional<std::string> Session::ask_alone() const try {
 /// Says so if the last call is answered differently without the calls before it. Asked twice: code that answers anything
 /// at random remembers nothing.
 void Session::look_for_memory() {
+    constexpr double most = 6; // [s] of all cases: it's a hint, and code may be slow on purpose
+    static double taken = 0;
+    if (taken > most) return;
+    const auto began = std::chrono::steady_clock::now();
     const auto alone = ask_alone();
-    if (!alone || *alone == last_result || ask_alone() != alone) return;
+    const bool is_remembered = alone && *alone != last_result && ask_alone() == alone;
+    taken += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    if (!is_remembered) return;
     verdict.sentence += (verdict.sentence.empty() ? "" : " ") + std::string{"Called on its own, your function gives "}
                         + last_exercise->describe_result(*last_exercise, *alone)
                         + ": something is remembered from an earlier call. Look for `static`, or a global variable.";

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>
+#include <fstream>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -248,6 +249,13 @@ double StudentProcess::computed() const {
 #endif
 }
 
+/// [s] Time in which it has wanted the processor, and had it or not; nothing if the kernel doesn't tell.
+std::optional<double> StudentProcess::wanted() const {
+    double had = 0, waited = 0; // [ns], see sched-stats in the kernel's documentation
+    if (process <= 0 || !(std::ifstream{"/proc/" + std::to_string(process) + "/schedstat"} >> had >> waited)) return {};
+    return 1e-9 * (had + waited);
+}
+
 double StudentProcess::spent() const { return computed() + asleep / 2; }
 
 /// Waits for something, and looks at the process now and then meanwhile.
@@ -256,15 +264,20 @@ double StudentProcess::spent() const { return computed() + asleep / 2; }
 template <class Ready> bool StudentProcess::wait(Ready ready, const Deadline &deadline) {
     constexpr double between = 0.05; // [s] so it is not seen at all while it answers as quickly as it should
     const auto began = Clock::now();
+    const auto wanted_before = wanted();
     for (int looks = 0, sleeping = 0; !ready(next_look);) {
         const bool sleeps = is_asleep(process);
         next_look = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>{between});
         if (ready(Clock::time_point{})) return true; // it was only about to answer
         ++looks;
         if (sleeps) ++sleeping, asleep += between;
-        const bool timed_out = Clock::now() - began > std::chrono::duration<double>{deadline.clock};
+        const double waited = std::chrono::duration<double>(Clock::now() - began).count();
+        const bool timed_out = waited > deadline.clock;
         if (spent() >= deadline.spent || timed_out) {
-            silence = timed_out && 2 * sleeping < looks && spent() < deadline.spent ? Silence::starved : Silence::late;
+            const auto wanted_now = wanted(); // when we look can be guessed, and what the kernel counts can't be hidden
+            const bool wanted_it =
+                wanted_now && wanted_before ? 2 * (*wanted_now - *wanted_before) > waited : 2 * sleeping < looks;
+            silence = timed_out && wanted_it && spent() < deadline.spent ? Silence::starved : Silence::late;
             return false;
         }
     }

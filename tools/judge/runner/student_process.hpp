@@ -87,6 +87,7 @@ class StudentProcess {
     template <class Ready> bool wait(Ready ready, const Deadline &deadline);
     bool read_all(void *data, std::size_t size, const Deadline &deadline);
     double computed() const;
+    std::optional<double> wanted() const;
 
     pid_t process = -1; ///< which also leads a group of that number; it's reaped last
     UniqueFd to, from;
