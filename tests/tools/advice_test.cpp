@@ -46,6 +46,13 @@ bool ends_with_advice(const std::string &said, const std::string &slips) {
 
 } // namespace
 
+TEST_CASE("notes of any length cost no more than others do") {
+    std::string printed =
+        "x.cpp:1:1: error: ‘f’ was not declared in this scope\nx.cpp:1:1: note: did you forget to ‘#include <";
+    for (int i = 0; i < 300'000; ++i) printed += i % 100 == 0 ? "\nx.cpp:1:1: note: n" : "n";
+    CHECK(!diagnose_compiler(printed, "x.cpp", "it").sentence.empty());
+}
+
 TEST_CASE("a compiler's guess at a name of one or two letters is left out: any other short name is as near") {
     const auto said = [](const std::string &words) {
         return diagnose_compiler("/x/01.cpp:3:5: error: " + words + "\n    3 |  y\n      |  ^\n", "/x/01.cpp", "01.cpp")

@@ -65,8 +65,14 @@ template <std::same_as<std::string> Temporary> // a view into one would dangle
 void between(Temporary &&, std::string_view, std::string_view) = delete;
 
 inline void replace_all(std::string &text, std::string_view old, std::string_view with) {
-    for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size())
-        text.replace(at, old.size(), with);
+    std::size_t from = 0, at = text.find(old);
+    if (at == text.npos) return;
+    std::string out; // what's behind isn't moved for each
+    for (; at != text.npos; at = text.find(old, from)) {
+        out.append(text, from, at - from).append(with);
+        from = at + old.size();
+    }
+    text = out.append(text, from);
 }
 
 /// "a < b" as "a &lt; b", fit for the text of HTML and SVG, and for attributes.

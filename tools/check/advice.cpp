@@ -60,13 +60,14 @@ constexpr std::array common_forms{
                  "argument from $2 to $1"},
 };
 
-/// What rules look at. A regular expression of libstdc++ recurses for each character, so texts are cut, words in their middle.
+/// What rules look at. A regular expression of libstdc++ recurses for each character, so texts are cut, words and
+/// notes in their middle.
 struct Evidence {
     std::string words, code, marked_code, notes;
 };
 
 Evidence evidence_of(const Diagnostic &diagnostic) {
-    constexpr std::size_t most_words = 2000, most_code = 400;
+    constexpr std::size_t most_words = 2000, most_code = 400, most_notes = 8000;
     const std::string_view line = diagnostic.code, alone = code_alone(line);
     Evidence evidence{diagnostic.words, std::string{alone.substr(0, most_code)}, "", diagnostic.notes};
     auto &[words, code, marked_code, notes] = evidence;
@@ -79,6 +80,7 @@ Evidence evidence_of(const Diagnostic &diagnostic) {
         note && contains(words, "function for call to")) // Clang
         words += ", argument from " + with_short_names(std::string{*note});
     if (words.size() > most_words) words.erase(most_words / 2, words.size() - most_words);
+    if (notes.size() > most_notes) notes.erase(most_notes / 2, notes.size() - most_notes);
     for (const auto &[pattern, form] : common_forms) {
         std::smatch match;
         if (!std::regex_search(words, match, std::regex{pattern})) continue;

@@ -4,6 +4,8 @@
 #include "check/diagnosis.hpp"
 #include "check/outline.hpp"
 
+#include <map>
+
 namespace course {
 
 std::optional<Verdict> trouble_in(std::string_view text, const std::string &name, const Section &section,
@@ -26,9 +28,13 @@ std::vector<std::string> warnings_in(std::string_view text, const std::string &n
 }
 
 void help_the_missing(std::vector<Verdict> &verdicts, std::string_view symbols, const SectionFacts &facts) {
+    std::map<std::string, std::string> explained; // once for each function, however many tests call it
     for (Verdict &verdict : verdicts)
-        if (verdict.kind == Outcome::missing && verdict.call)
-            verdict.sentence += explain_missing(symbols, facts.header, verdict.call->function, facts.renamed);
+        if (verdict.kind == Outcome::missing && verdict.call) {
+            const auto [more, is_new] = explained.try_emplace(verdict.call->function);
+            if (is_new) more->second = explain_missing(symbols, facts.header, more->first, facts.renamed);
+            verdict.sentence += more->second;
+        }
 }
 
 void help_the_accepting(std::vector<Verdict> &verdicts, std::string_view text, std::string_view stub) {
