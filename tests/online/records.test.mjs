@@ -1,6 +1,7 @@
 // What is kept, what is done, and how a verdict is taken apart: without a browser.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { howItWent } from '../../tools/online/checker.mjs';
 import { asZip, read } from '../../tools/online/files.mjs';
 import { onlinePage } from '../../tools/online/pages.mjs';
 import { attempted, begun, checked, renewed, replaced, restarted, typed } from '../../tools/online/store.mjs';
@@ -56,6 +57,11 @@ test('each check of something new is an attempt, until the exercise is done', ()
   assert.deepEqual(states(attempt(record, 'e', 'wrong')), states(record), 'it was done');
   const { attempts, ...older } = fresh; // as an earlier version has left it
   assert.equal(attempt(older, 'a', 'wrong').attempts.length, 1);
+});
+
+test('how it went has no code, and counts hints by their exercise', () => {
+  const records = [{ text: 'code', attempts: [{ number: '8.1' }], hints: { '8.1 Hint 1: a': true, '8.1 Hint 2: b': false, '8.2 Hint 1': true } }, { text: 'code' }];
+  assert.deepEqual(howItWent(records), { attempts: [{ number: '8.1' }], hints: { 8.1: 2, 8.2: 1 } });
 });
 
 const file = {

@@ -167,17 +167,12 @@ export class Box {
   // What a reader may send to whoever writes the book: no code, no name.
   async tellHowItWent() {
     await this.answer.save();
-    const records = await this.store.all(), attempts = records.flatMap((record) => record.attempts ?? []);
-    if (attempts.length === 0) return this.say('There’s nothing to tell yet: check something first.');
-    const hints = {};
-    for (const record of records)
-      for (const hint of Object.keys(record.hints ?? {})) hints[hint.split(' ')[0]] = (hints[hint.split(' ')[0]] ?? 0) + 1;
     try {
-      const { text } = await this.checks.run('feedback', { attempts, hints });
-      download('feedback.txt', text, 'text/plain');
-      this.say('It’s yours, in feedback.txt: checks, minutes, hints and mistakes with a name; no code, and no name of yours. Nothing is sent.');
-    } catch (error) {
-      this.say(`This couldn’t be written: ${error.message}.`);
+      const { text } = await this.checks.run('feedback', await this.store.all());
+      if (text) download('feedback.txt', text, 'text/plain');
+      this.say(text ? 'It’s in feedback.txt: checks, minutes, hints, mistakes; no code, no name. Nothing is sent.' : 'Nothing to tell: check something first.');
+    } catch ({ message }) {
+      this.say(`Not written: ${message}.`);
     }
   }
   async open(input) {
