@@ -138,12 +138,40 @@ TEST_CASE("an exercise that's hidden shows no student anything, and the sum isn'
     CHECK_THAT(output, !ContainsSubstring("13") && !ContainsSubstring("5.3") && !ContainsSubstring("normal_force"));
 }
 
+TEST_CASE("what calls a hidden exercise doesn't name it, and neither does a compiler") {
+    const Gradescope gradescope{"5.3\n"};
+    const std::string ours = "return mass * g * std::cos(angle);";
+    for (const std::string wrong : {"return mass * g * std::sin(angle);", "throw course::NotYet{\"x\"};",
+                                    "return normal_forces(mass * g * std::cos(angle));"}) {
+        gradescope.hand_in(file_of_five, with(solution_of_five(), ours, wrong));
+        REQUIRE(gradescope.run_script("run_autograder").code == 0);
+        const nlohmann::json results = gradescope.results();
+        std::string seen = results.at("output");
+        for (const auto &test : results.at("tests"))
+            if (test.at("visibility") == "visible") seen += test.at("output").get<std::string>();
+        INFO(wrong << '\n' << seen);
+        CHECK_THAT(seen, !ContainsSubstring("5.3") && !ContainsSubstring("normal_force"));
+    }
+}
+
+TEST_CASE("a student's own folders, and what a system puts there, are no other students at Gradescope") {
+    const Gradescope gradescope;
+    gradescope.hand_in("src/" + file_of_five, solution_of_five());
+    write_file(gradescope.at / "submission/doc/1003_notes.txt", "x");
+    REQUIRE(gradescope.run_script("run_autograder").code == 0);
+    CHECK(sum_of(gradescope.results(), "score") == 13);
+    gradescope.hand_in(".DS_Store", "x");
+    REQUIRE(gradescope.run_script("run_autograder").code == 0);
+    CHECK(sum_of(gradescope.results(), "score") == 0);
+}
+
 TEST_CASE("who uploads nothing at Gradescope is told so, and gets 0") {
     const Gradescope gradescope;
     fs::create_directories(gradescope.at / "submission");
     REQUIRE(gradescope.run_script("run_autograder").code == 0);
     CHECK(sum_of(gradescope.results(), "score") == 0);
-    CHECK_THAT(gradescope.results().at("output").get<std::string>(), ContainsSubstring("You handed in an empty upload"));
+    CHECK_THAT(gradescope.results().at("output").get<std::string>(),
+               ContainsSubstring("You handed in an empty upload"));
 }
 
 TEST_CASE("a machine on which nothing can be judged gives nobody a 0 at Gradescope, and its image isn't built") {
@@ -265,7 +293,7 @@ TEST_CASE("twelve clones of GitHub Classroom's are graded into its own list") {
         const std::string name = all[i].name.starts_with("exercises/") ? all[i].name : "exercises/" + all[i].name;
         write_file(folder.path / "clones" / clone / name, all[i].text);
         write_file(folder.path / "clones" / clone / "tests/05_inclined_planes" / file_of_five, "// not this\n");
-        list += "planes," + who + ",Student " + std::to_string(i) + ',' + clone + ",3,13\n";
+        list += "planes," + who + ",Student " + std::to_string(i) + ',' + clone + ",3," + (i == 0 ? "99" : "13") + '\n';
     }
     list += "planes,octo99,Student 99,,0,0\n"; // hasn't accepted
     write_file(folder.path / "grades.csv", list);
@@ -285,8 +313,8 @@ TEST_CASE("twelve clones of GitHub Classroom's are graded into its own list") {
         const std::string clone = "planes-octo" + std::to_string(i + 10);
         INFO(clone);
         CHECK_THAT(points, ContainsSubstring(clone + ",Student " + std::to_string(i) + ','));
-        if (!all[i].points.empty()) CHECK_THAT(filled, ContainsSubstring(clone + ',' + all[i].points + ",13\n"));
-        else CHECK_THAT(filled, !ContainsSubstring(clone + ",3,13\n") && !ContainsSubstring(clone + ",13,13\n"));
+        if (!all[i].points.empty()) CHECK_THAT(filled, ContainsSubstring(clone + ',' + all[i].points + ','));
+        else CHECK_THAT(filled, !ContainsSubstring(clone + ",3,") && !ContainsSubstring(clone + ",13,"));
     }
     CHECK_THAT(filled, ContainsSubstring("octo99,Student 99,,0,0\n"));
 }

@@ -7,6 +7,7 @@
 #include "own_folder.hpp"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
@@ -39,7 +40,9 @@ struct ClassOfOne : OwnFolder {
         for (const std::string &name : names) made.file(name, "// " + name);
         return of(made);
     }
-    Submissions on_disk() const { return read_submissions(path / "class", handed_in_for, copies); }
+    Submissions on_disk(bool wrapped = true) const {
+        return read_submissions(path / "class", handed_in_for, copies, {}, wrapped);
+    }
     void put(const std::string &name, const std::string &bytes = "int x;\n") const {
         write_file(path / "class" / name, bytes);
     }
@@ -616,4 +619,25 @@ TEST_CASE("tells whose feedback Canvas doesn't hand back as a text", "[submissio
         CHECK(all.all[i].undelivered == "Canvas drops it, for there's no file that it's about");
     for (const std::size_t i : {3, 4, 5}) CHECK(all.all[i].undelivered.empty());
     CHECK(folder.of({"Amber Ash_1001_assignsubmission_file_/f.docx"}).all[0].undelivered.empty());
+}
+
+TEST_CASE("one student's folders, however many or deep, keep nobody else's from being read", "[submissions]") {
+    const ClassOfOne folder;
+    folder.put("ann/05_inclined_planes.cpp", "ann");
+    std::string deep = "bo/";
+    for (int i = 0; i < 60; ++i) deep += "d/";
+    folder.put(deep + "05_inclined_planes.cpp", "bo");
+    CHECK(ids(folder.on_disk()) == Listed{"ann", "bo"});
+    CHECK(folder.on_disk().all[1].file.empty());
+    for (int i = 0; i <= 20'000; ++i) folder.put("cy/" + std::to_string(i), "");
+    CHECK_THROWS_WITH(folder.on_disk(), ContainsSubstring("and most of them in cy"));
+}
+
+TEST_CASE("a folder in a list of clones is one student's, though its own folders are called as others'",
+          "[submissions]") {
+    const ClassOfOne folder;
+    for (const char *name : {"s5-ann", "s5-bob"})
+        folder.put(std::string{"s5-mallory/"} + name + "/05_inclined_planes.cpp", "x");
+    CHECK(ids(folder.on_disk()) == Listed{"s5-ann", "s5-bob"});
+    CHECK(ids(folder.on_disk(false)) == Listed{"s5-mallory"});
 }

@@ -306,12 +306,10 @@ void print_order(const GradedClass &graded, bool fresh) {
 void grade(const Workspace &workspace, const GradeOptions &options) {
     const auto part = part_of(options.shard);
     if (options.dry_run) {
-        const fs::path scratch = workspace.build / "grade-dry-run";
-        fs::remove_all(scratch);
-        const Assignment assignment{workspace, read_assignment(workspace, options), scratch};
+        const Scratch scratch{workspace.build / "grade-dry-run"};
+        const Assignment assignment{workspace, read_assignment(workspace, options), scratch.folder};
         print_class(assignment);
         print_plan(assignment);
-        fs::remove_all(scratch);
         return;
     }
     const fs::path out = fs::absolute(options.out);

@@ -91,7 +91,8 @@ Assignment::Assignment(const Workspace &tree_, Agreed agreed_, const fs::path &o
     if (!agreed.gradebook.empty()) book.emplace(agreed.gradebook, section_, agreed.column);
     fs::create_directories(out / "files");
     fs::permissions(out, fs::perms::owner_all);
-    handed_in = read_submissions(agreed.given, section_, out / "files", agreed.take);
+    const bool wrapped = !book || book->platform() != Platform::classroom;
+    handed_in = read_submissions(agreed.given, section_, out / "files", agreed.take, wrapped);
     if (book && handed_in.platform != Platform::folder && handed_in.platform != book->platform())
         throw UserError{"the submissions are from " + std::string{name_of(handed_in.platform)}
                         + ", but the gradebook is from " + std::string{name_of(book->platform())}};
@@ -127,6 +128,7 @@ void Assignment::set_points() {
     const Worth worth{agreed.worth.empty() ? workspace.root / "tests" / "points.txt" : agreed.worth, exercises};
     double sum = 0;
     for (const Exercise &exercise : exercises) sum += worth.of(exercise);
+    if (book && book->most() == 0) book->take_most(sum); // a workflow of a student's own says it in GitHub Classroom
     const double unit = book && sum > 0 ? book->most() / sum : 1; // points of the gradebook for one of ours
     for (const Exercise &exercise : exercises) points_of[exercise.number] = unit * worth.of(exercise);
     if (const fs::path known = workspace.mistakes(section_); fs::exists(known)) mistakes = read_file(known);

@@ -129,7 +129,7 @@ Gradebook::Gradebook(const std::filesystem::path &file, const Section &section, 
     };
     if (has({"Student", "ID"}) || has({"LastName", "FirstName", "ID"})) read_canvas(section, column);
     else if (has({"Identifier", "Grade", "Maximum Grade", "Last modified (grade)"})) read_moodle(column);
-    else if (has({"student_repository_name", "points_awarded", "points_available"})) read_classroom(column);
+    else if (has({"student_repository_name", "points_awarded"})) read_classroom(column);
     else
         throw UserError{fmt::format("{} is neither Canvas' gradebook, with columns `Student` and `ID`, nor Moodle's "
                                     "worksheet, with `Identifier`, "
@@ -169,18 +169,13 @@ void Gradebook::set_most(const CsvCell &cell) {
     constexpr double too_many = 1e6; // and hundredths of it fit into any number
     most_ = number_in(cell.text).value_or(0);
     if (most_ > 0 && most_ < too_many) return;
-    const auto [name, remedy] =
-        platform_ == Platform::canvas
-            ? std::pair{"Points Possible of `" + plain_line(title, 100) + '`', "Give the assignment points in Canvas"}
-        : platform_ == Platform::moodle
-            ? std::pair{std::string{"Maximum Grade"},
-                        "Set the grade's type to points in Moodle, since there's no scale that we know"}
-            : std::pair{std::string{"points_available"},
-                        "Wait until the workflow has run for a student, which tells Classroom the points"};
+    const bool canvas = platform_ == Platform::canvas;
     complain(
         cell,
         fmt::format("the {} should be a number above 0 and below 1000000, and is {}. {}, and download the file again.",
-                    name, shown_cell(cell), remedy));
+                    canvas ? "Points Possible of `" + plain_line(title, 100) + '`' : "Maximum Grade", shown_cell(cell),
+                    canvas ? "Give the assignment points in Canvas"
+                           : "Set the grade's type to points in Moodle, since there's no scale that we know"));
 }
 
 std::size_t Gradebook::column_of_assignment(const std::vector<CsvCell> &possible, const Section &section,
@@ -306,19 +301,12 @@ void Gradebook::read_classroom(const std::string &column) {
     title = "points_awarded";
     require_its_only_column(column);
     const CsvRow &header = csv.rows.front();
-    const std::size_t repository = *column_named(header, "student_repository_name"), at = *column_named(header, title),
-                      most = *column_named(header, "points_available");
+    const std::size_t repository = *column_named(header, "student_repository_name"), at = *column_named(header, title);
     const auto name = column_named(header, "roster_identifier"), handle = column_named(header, "github_username");
     for (const CsvRow &row : csv.rows) {
         if (&row == &header || (row.size() == 1 && row.front().text.empty())) continue;
         check_length(row);
         if (row[repository].text.empty()) continue; // who hasn't accepted the assignment has no repository
-        const double above = most_;
-        set_most(row[most]);
-        if (above != 0 && above != most_)
-            complain(row[most], fmt::format("points_available is {}, but {} above. Are these one assignment's grades? "
-                                            "Download them again.",
-                                            shown_cell(row[most]), above));
         const std::string &roster = row[name.value_or(repository)].text;
         people.push_back({row[repository].text, roster.empty() ? row[handle.value_or(repository)].text : roster,
                           row[at].text, "", ""});

@@ -36,7 +36,8 @@ class Gradebook {
 
     Platform platform() const { return platform_; }
     const std::string &column() const { return title; } ///< that is written to: "HW 5 (4711)", "Grade"
-    double most() const { return most_; }               ///< Points Possible, Maximum Grade, points_available
+    double most() const { return most_; } ///< Points Possible, or Maximum Grade; 0 if the platform says none
+    void take_most(double points) { most_ = points; } ///< where the platform says none
     const std::vector<Person> &rows() const { return people; }
     const std::vector<std::string> &warnings() const { return doubts; } ///< why Canvas may not take the column
     bool tells_lateness() const { return has_status; }                  ///< Moodle's does, if no column was left out

@@ -10,6 +10,6 @@ namespace course {
 
 /// Gradescope's results.json: a test for each exercise, with its points and what its student reads.
 /// @param hidden  exercises of which students see nothing, by number
-std::string gradescope_results(const GradedClass &graded, const Graded &student, const std::set<std::string> &hidden);
+std::string gradescope_results(const GradedClass &graded, const Graded &judged, const std::set<std::string> &hidden);
 
 } // namespace course

@@ -5,11 +5,15 @@
 #include "grade/csv.hpp"
 #include "grade/points.hpp"
 
+#include <algorithm>
+
 namespace course {
 namespace {
 
+/// For a spreadsheet that takes commas for what's between cells, or semicolons.
 std::string cell(const std::string &words) {
-    const std::string line = plain_line(words, 300);
+    std::string line = plain_line(words, 300);
+    std::ranges::replace(line, ';', ',');
     return csv_cell(is_any_of(line.substr(0, 1), {"=", "+", "-", "@"}) ? "'" + line : line);
 }
 

@@ -60,23 +60,36 @@ std::string read_on_disk(const fs::path &file) {
     return read_file(file);
 }
 
+/// The folder of a class that has the most files in it.
+std::string fullest_folder(const std::vector<File> &files) {
+    std::map<std::string, std::size_t> counts;
+    for (const File &each : files) ++counts[each.name.substr(0, each.name.find('/'))];
+    return std::ranges::max_element(counts, {}, [](const auto &each) { return each.second; })->first;
+}
+
 std::vector<File> files_on_disk(const fs::path &given) try {
+    constexpr int deepest = 12; // no path gets too long, however deep somebody's folders are
     std::vector<File> all;
     for (auto at = fs::recursive_directory_iterator{given}; at != fs::end(at); ++at) { // doesn't follow links
         const fs::directory_entry &entry = *at;
         if (entry.is_directory() && !entry.is_symlink()) { // of a clone of the course, only the exercises
-            if (entry.path().filename() != "exercises" && fs::exists(entry.path().parent_path() / "exercises"))
+            const bool is_deep = at.depth() >= deepest;
+            if (is_deep
+                || (entry.path().filename() != "exercises" && fs::exists(entry.path().parent_path() / "exercises")))
                 at.disable_recursion_pending();
-            continue;
+            if (!is_deep) continue;
         }
         all.push_back({without_marks(entry.path().lexically_relative(given).generic_string()),
                        entry.is_symlink()         ? "is a link"
+                       : entry.is_directory()     ? "lies deeper than we look"
                        : !entry.is_regular_file() ? "is no ordinary file"
                                                   : "",
                        [path = entry.path()] { return read_on_disk(path); }});
         if (all.size() > most_entries)
             throw UserError{given.string() + " has more than " + std::to_string(most_entries)
-                            + " files in it, more than any class hands in: is it the right folder?"};
+                            + " files in it, more than any class hands in, and most of them in "
+                            + plain_line(fullest_folder(all), 100)
+                            + ": is it the right folder? Else take that one out"};
     }
     std::ranges::sort(all, {}, &File::name);
     return all;
@@ -330,11 +343,11 @@ Submission submission(std::vector<Upload> uploads, Platform platform, const std:
 } // namespace
 
 Submissions read_submissions(const fs::path &given, const Section &section, const fs::path &into,
-                             const std::map<std::string, std::string> &take) {
+                             const std::map<std::string, std::string> &take, bool wrapped) {
     std::error_code ignored;
     std::vector<File> files = fs::is_directory(given, ignored) ? files_on_disk(given) : files_in_archive(given);
     std::erase_if(files, [](const File &each) { return is_litter(each.name); });
-    for (const std::string folder = wrapping_folder(files); File & each : files)
+    for (const std::string folder = wrapped ? wrapping_folder(files) : ""; File & each : files)
         if (each.name.starts_with(folder)) each.name.erase(0, folder.size());
     const bool anonymous = std::ranges::all_of(files, is_anonymous, &File::name);
     Submissions result;

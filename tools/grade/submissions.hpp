@@ -47,8 +47,10 @@ struct Submissions {
 /// Nothing else is unpacked: no name that somebody chose ever becomes a path of ours.
 /// @throws UserError with the first three names, if it's none of the three; or if it's no zip, encrypted, huge, or
 /// only a part of one; or if somebody hasn't the file that's to be taken
-/// @param take  by id, which of the student's files is meant, whatever it's called
+/// @param take     by id, which of the student's files is meant, whatever it's called
+/// @param wrapped  whether all of it may lie in one more folder; else a folder is a student's, whatever is in it
 Submissions read_submissions(const std::filesystem::path &given, const Section &section,
-                             const std::filesystem::path &into, const std::map<std::string, std::string> &take = {});
+                             const std::filesystem::path &into, const std::map<std::string, std::string> &take = {},
+                             bool wrapped = true);
 
 } // namespace course
