@@ -307,7 +307,7 @@ void Gradebook::read_classroom(const std::string &column) {
         if (&row == &header || (row.size() == 1 && row.front().text.empty())) continue;
         check_length(row);
         if (row[repository].text.empty()) continue; // who hasn't accepted the assignment has no repository
-        const std::string &roster = row[name.value_or(repository)].text;
+        const std::string roster = name ? row[*name].text : "";
         people.push_back({row[repository].text, roster.empty() ? row[handle.value_or(repository)].text : roster,
                           row[at].text, "", ""});
         places.push_back({row[at], {}});
