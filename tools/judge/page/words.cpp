@@ -143,7 +143,8 @@ json place_of(const Request &request, const std::optional<Verdict> &unbuilt) {
 
 json answer_to(const json &from) {
     if (from.contains("attempts"))
-        return {{"text", feedback(from.at("attempts"), from.at("hints"), "Frame by Frame " COURSE_VERSION ", in a page")}};
+        return {
+            {"text", feedback(from.at("attempts"), from.at("hints"), "Frame by Frame " COURSE_VERSION ", in a page")}};
     const Request request = read_request(from);
     const Checked checked{request.name, request.text,    judged(request), request.facts.exercises,
                           request.only, request.mistakes};
