@@ -3,6 +3,7 @@
 #include "base/files.hpp"
 #include "base/process.hpp"
 
+#include <fmt/format.h>
 #include <regex>
 
 namespace course {
@@ -26,6 +27,18 @@ std::string printed_by(const std::vector<std::string> &command, const std::files
     const Finished done = run(command, {.folder = folder});
     if (done.code != 0) throw UserError{command[0] + ' ' + command[1] + " failed: " + done.err};
     return done.out;
+}
+
+void pack(const std::filesystem::path &zip, const std::filesystem::path &folder,
+          const std::vector<std::string> &names) {
+    std::vector<std::string> command{"cmake",        "-E", "tar", "cf", std::filesystem::absolute(zip).string(),
+                                     "--format=zip", "--"};
+    command.insert(command.end(), names.begin(), names.end());
+    printed_by(command, folder);
+}
+
+std::string with_size(const std::string &name, const std::filesystem::path &file) {
+    return fmt::format("{}, {:.1f} MB\n", name, double(std::filesystem::file_size(file)) / 1e6);
 }
 
 std::string git_in(const std::filesystem::path &repository, std::vector<std::string> words) {

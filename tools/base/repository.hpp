@@ -20,6 +20,12 @@ std::string address_of(const Workspace &workspace);
 /// @throws UserError if it fails
 std::string printed_by(const std::vector<std::string> &command, const std::filesystem::path &folder);
 
+/// Packs these files and folders of a folder.
+void pack(const std::filesystem::path &zip, const std::filesystem::path &folder, const std::vector<std::string> &names);
+
+/// "dist/x.zip, 4.7 MB", a line
+std::string with_size(const std::string &name, const std::filesystem::path &file);
+
 /// What git prints in this repository, by nobody in particular.
 /// @throws UserError with git's first line, if it fails
 std::string git_in(const std::filesystem::path &repository, std::vector<std::string> words);

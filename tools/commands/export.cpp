@@ -120,16 +120,6 @@ struct ScratchIn : Scratch {
     }
 };
 
-void pack(const fs::path &zip, const fs::path &folder, std::vector<std::string> names) {
-    std::vector<std::string> command{"cmake", "-E", "tar", "cf", fs::absolute(zip).string(), "--format=zip", "--"};
-    std::ranges::move(names, std::back_inserter(command));
-    printed_by(command, folder);
-}
-
-std::string with_size(const fs::path &zip) {
-    return fmt::format("{}, {:.1f} MB\n", zip.string(), double(fs::file_size(zip)) / 1e6);
-}
-
 /// @param add  to the handout, before it's committed and packed
 void export_handout(const Workspace &workspace, const fs::path &folder,
                     const std::function<void(const fs::path &)> &add) {
@@ -142,7 +132,8 @@ void export_handout(const Workspace &workspace, const fs::path &folder,
     add(made);
     put_into_repository(made, folder / repository_name, version);
     pack(zip, scratch.folder, {repository_name});
-    std::cout << (folder / repository_name).string() << ", a repository for students to clone\n" << with_size(zip);
+    std::cout << (folder / repository_name).string() << ", a repository for students to clone\n"
+              << with_size(zip.string(), zip);
 }
 
 struct PlatformOptions {
@@ -196,7 +187,7 @@ void export_gradescope(const Workspace &workspace, const PlatformOptions &option
     }
     const fs::path zip = fs::path{options.folder} / (section.name + "-gradescope.zip");
     pack(zip, scratch.folder, names);
-    std::cout << with_size(zip);
+    std::cout << with_size(zip.string(), zip);
 }
 
 CLI::App *add_platform(CLI::App *command, PlatformOptions &options, const char *name, const char *what) {

@@ -8,7 +8,6 @@
 #include "site/addresses.hpp"
 #include "site/build.hpp"
 
-#include <fmt/format.h>
 #include <iostream>
 
 namespace course {
@@ -35,26 +34,24 @@ void release(const Workspace &workspace, bool online) {
     fs::create_directories(folder);
     const auto file = [&](const char *rest) { return (folder / (name + rest)).string(); };
     git_in(workspace.root, {"archive", "--prefix=" + name + '/', "--output=" + file(".tar.gz"), "HEAD"});
-    printed_by(
-        {"cmake", "-E", "tar", "cf", file("-site.zip"), "--format=zip", site_folder(workspace).filename().string()},
-        site_folder(workspace).parent_path());
-    std::vector<std::string> stills{"cmake", "-E", "tar", "cf", file("-stills.zip"), "--format=zip"};
+    const auto pack_site = [&](const fs::path &site, const char *rest) {
+        pack(file(rest), site.parent_path(), {site.filename().string()});
+    };
+    std::vector<std::string> stills;
     for (const fs::directory_entry &each : fs::directory_iterator{workspace.root / "demos"})
         if (each.path().extension() == ".svg") stills.push_back("demos/" + each.path().filename().string());
-    printed_by(stills, workspace.root);
+    pack_site(site_folder(workspace), "-site.zip");
+    pack(file("-stills.zip"), workspace.root, stills);
     std::vector<fs::path> archives{file(".tar.gz"), file("-site.zip"), file("-stills.zip")};
     if (online) {
-        const fs::path site = bring_up_online_site(workspace);
+        pack_site(bring_up_online_site(workspace), "-online.zip");
         archives.emplace_back(file("-online.zip"));
-        printed_by({"cmake", "-E", "tar", "cf", archives.back().string(), "--format=zip", site.filename().string()},
-                   site.parent_path());
     }
     std::string sums;
     const std::vector<std::string> hashes = sha256_of(archives);
     for (std::size_t i = 0; i < archives.size(); ++i) {
         sums += hashes[i] + "  " + archives[i].filename().string() + '\n';
-        std::cout << fmt::format("{}, {:.1f} MB\n", workspace.relative_name(archives[i]),
-                                 double(fs::file_size(archives[i])) / 1e6);
+        std::cout << with_size(workspace.relative_name(archives[i]), archives[i]);
     }
     write_file(folder / "SHA256SUMS", sums);
     std::cout << "Checksums are in " << workspace.relative_name(folder / "SHA256SUMS") << ". Now tag it: git tag v"

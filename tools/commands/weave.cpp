@@ -105,7 +105,10 @@ class Command {
         if (const fs::path readme = workspace.root / "README.md"; fs::exists(readme)) {
             const std::string before = read_file(readme), text = with_front_door(before, address_of(workspace));
             if (check) add(difference(readme, before, text));
-            else if (write_file(readme, text)) changed = true;
+            else if (write_file(readme, text)) {
+                changed = true;
+                std::cout << "woven: README.md\n";
+            }
         }
         if (!check) return;
         for (const fs::path &file : files_in(workspace.root, ".md"))

@@ -264,19 +264,21 @@ double StudentProcess::spent() const { return computed() + asleep / 2; }
 template <class Ready> bool StudentProcess::wait(Ready ready, const Deadline &deadline) {
     constexpr double between = 0.05; // [s] so it is not seen at all while it answers as quickly as it should
     const auto began = Clock::now();
-    const auto wanted_before = wanted();
+    auto first_look = began;
+    std::optional<double> wanted_before; // then: most calls are answered before that, and cost nothing
     for (int looks = 0, sleeping = 0; !ready(next_look);) {
+        if (looks == 0) wanted_before = wanted(), first_look = Clock::now();
         const bool sleeps = is_asleep(process);
         next_look = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>{between});
         if (ready(Clock::time_point{})) return true; // it was only about to answer
         ++looks;
         if (sleeps) ++sleeping, asleep += between;
-        const double waited = std::chrono::duration<double>(Clock::now() - began).count();
-        const bool timed_out = waited > deadline.clock;
+        const bool timed_out = Clock::now() - began > std::chrono::duration<double>{deadline.clock};
         if (spent() >= deadline.spent || timed_out) {
+            const double looked = std::chrono::duration<double>(Clock::now() - first_look).count();
             const auto wanted_now = wanted(); // when we look can be guessed, and what the kernel counts can't be hidden
             const bool wanted_it =
-                wanted_now && wanted_before ? 2 * (*wanted_now - *wanted_before) > waited : 2 * sleeping < looks;
+                wanted_now && wanted_before ? 2 * (*wanted_now - *wanted_before) > looked : 2 * sleeping < looks;
             silence = timed_out && wanted_it && spent() < deadline.spent ? Silence::starved : Silence::late;
             return false;
         }
